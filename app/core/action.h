@@ -1,0 +1,112 @@
+// Everything a person can do, as values: buttons, keys, the command line and tests all speak these. `apply`
+// is the one place where a session changes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/core/session.h"
+
+namespace app {
+
+struct OpenExample {
+  std::string name;
+};
+struct OpenFile {
+  std::filesystem::path path;
+};  // with default parameters for its size
+
+// The timeline.
+struct StepBy {
+  Unit unit = Unit::item;
+  int direction = 1;
+};
+struct SeekTo {
+  std::size_t position = 0;
+};
+struct SeekPlace {
+  knit::Place place;
+};
+struct ToFirst {};
+struct ToLast {};
+struct SetPlaying {
+  bool playing = true;
+  int direction = 1;
+};
+struct SetSpeed {
+  double steps_per_second = 60.0;
+};
+struct PassTime {
+  double seconds = 0.0;
+};  // the clock's tick: plays, and works the run out further
+
+// Parameters.
+struct Tune {
+  knit::Parameters parameters;
+};  // as if from the start
+struct EditFromHere {
+  knit::Parameters parameters;
+};  // the past stays
+struct RemoveEdit {
+  std::size_t index = 0;
+};
+struct SetPicking {
+  Picking picking = Picking::nothing;
+};
+struct PickVertex {
+  knit::VertexId vertex = knit::no_vertex;
+};  // for whatever session.picking asks
+
+// The view.
+struct SetLayer {
+  Layer layer = Layer::surface;
+  bool on = true;
+};
+struct Orbit {
+  double yaw = 0.0, pitch = 0.0;
+};
+struct Pan {
+  glm::dvec2 move{0.0};
+};
+struct Zoom {
+  double factor = 1.0;
+  glm::dvec2 cursor{0.0};
+};
+struct FrameAll {};
+struct SetAspect {
+  double aspect = 1.6;
+};
+
+// Files. A failure is a notice in the session.
+enum class ExportKind : std::uint8_t { mesh, map, report, steps, picture };
+struct Export {
+  ExportKind kind = ExportKind::mesh;
+  std::filesystem::path path;
+};
+
+// The program.
+struct ShowHelp {
+  bool open = true;
+};
+struct ShowOpenDialog {
+  bool open = true;
+};
+struct DismissNotice {
+  std::size_t index = 0;
+};
+struct Quit {};
+
+using Action =
+    std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
+                 PassTime, Tune, EditFromHere, RemoveEdit, SetPicking, PickVertex, SetLayer, Orbit, Pan, Zoom,
+                 FrameAll, SetAspect, Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
+using Actions = std::vector<Action>;
+
+void apply(Session& session, const Action& action);
+
+// Example names in the order of the menu, from the assets folder; empty when it is missing.
+std::vector<std::string> list_examples(const std::filesystem::path& assets);
+
+}  // namespace app

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/core/action.h"
+#include "app/core/export.h"
+#include "app/core/load.h"
+#include "app/core/navigate.h"
+
+namespace app {
+
+namespace {
+
+// Worked out ahead per tick, so that a frame stays short.
+constexpr std::size_t steps_per_tick = 40000;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void notify(Session& session, Notice::Kind kind, std::string text) {
+  session.notices.push_back({kind, std::move(text)});
+}
+
+void stop_playing(Session& session) { session.playback = {false, 1, session.playback.steps_per_second, 0.0}; }
+
+// One overload an action. Actions about a run do nothing while nothing is open.
+struct Apply {
+  Session& session;
+
+  [[nodiscard]] bool open() const { return session.timeline.has_value(); }
+  [[nodiscard]] knit::Timeline& timeline() const { return *session.timeline; }
+
+  void take(std::variant<Loaded, std::string> result, Source source,
+            std::chrono::steady_clock::time_point start) {
+    if (const auto* error = std::get_if<std::string>(&result)) {
+      notify(session, Notice::Kind::error, *error);
+      return;
+    }
+    auto& loaded = std::get<Loaded>(result);
+    session.source = std::move(source);
+    session.original = std::move(loaded.original);
+    session.findings = std::move(loaded.findings);
+    session.defaults = loaded.parameters;
+    session.timeline.emplace(std::move(loaded.input), loaded.parameters);
+    session.load_ms = milliseconds_since(start);
+    session.run_ms = 0.0;
+    session.picking = Picking::nothing;
+    session.open_dialog_open = false;
+    session.notices.clear();
+    for (const knit::Finding& finding : session.findings)
+      notify(session, Notice::Kind::warning, finding.sentence);
+    stop_playing(session);
+    session.camera = Camera{};
+    session.camera.frame(session.timeline->input().bounds, session.aspect);
+  }
+
+  void operator()(const OpenExample& a) {
+    const auto start = std::chrono::steady_clock::now();
+    take(load_example(session.assets, a.name), {a.name, {}}, start);
+  }
+  void operator()(const OpenFile& a) {
+    const auto start = std::chrono::steady_clock::now();
+    take(load_file(a.path), {{}, a.path}, start);
+  }
+
+  void operator()(const StepBy& a) {
+    if (!open()) return;
+    session.playback.playing = false;
+    timeline().seek(position_after(timeline(), a.unit, a.direction));
+  }
+  void operator()(const SeekTo& a) {
+    if (!open()) return;
+    if (a.position > timeline().known()) timeline().extend(a.position - timeline().known());
+    timeline().seek(a.position);
+  }
+  void operator()(const SeekPlace& a) {
+    if (open()) timeline().seek(position_at(timeline(), a.place));
+  }
+  void operator()(const ToFirst& /*a*/) {
+    if (open()) timeline().seek(0);
+  }
+  void operator()(const ToLast& /*a*/) {
+    if (!open()) return;
+    const auto start = std::chrono::steady_clock::now();
+    timeline().extend_to_end();
+    session.run_ms += milliseconds_since(start);
+    timeline().seek(timeline().known());
+  }
+  void operator()(const SetPlaying& a) {
+    if (!open()) return;
+    const bool at_end = timeline().complete() && timeline().position() == timeline().known();
+    // Play at the end begins again, as players do.
+    if (a.playing && a.direction > 0 && at_end && !session.playback.playing) timeline().seek(0);
+    session.playback.playing = a.playing;
+    session.playback.direction = a.direction < 0 ? -1 : 1;
+    session.playback.owed = 0.0;
+  }
+  void operator()(const SetSpeed& a) {
+    session.playback.steps_per_second =
+        std::clamp(a.steps_per_second, slowest_steps_per_second, fastest_steps_per_second);
+  }
+
+  void operator()(const PassTime& a) {
+    if (!open()) return;
+    if (!timeline().complete()) {
+      const auto start = std::chrono::steady_clock::now();
+      timeline().extend(steps_per_tick);
+      session.run_ms += milliseconds_since(start);
+    }
+    if (session.playback.playing) play(a.seconds);
+  }
+  void play(double seconds) {
+    Playback& playback = session.playback;
+    playback.owed += std::clamp(seconds, 0.0, 0.25) * playback.steps_per_second;
+    const double whole = std::floor(playback.owed);
+    playback.owed -= whole;
+    const auto steps = static_cast<std::size_t>(whole);
+    const std::size_t position = timeline().position();
+    if (playback.direction > 0) {
+      timeline().seek(std::min(position + steps, timeline().known()));
+      if (timeline().complete() && timeline().position() == timeline().known()) stop_playing(session);
+    } else {
+      timeline().seek(position - std::min(position, steps));
+      if (timeline().position() == 0) stop_playing(session);
+    }
+  }
+
+  void operator()(const Tune& a) {
+    if (!open()) return;
+    if (refuse(a.parameters)) return;
+    if (a.parameters.weld != timeline().parameters().weld) {
+      reload(a.parameters);
+    } else {
+      timeline().tune(a.parameters);
+    }
+  }
+  // Welding changes the mesh itself: the run begins anew on the other mesh, at the same place. Edits are
+  // kept.
+  void reload(const knit::Parameters& parameters) {
+    auto result = load_again(session.original, parameters);
+    if (const auto* error = std::get_if<std::string>(&result)) {
+      notify(session, Notice::Kind::error, *error);
+      return;
+    }
+    auto& loaded = std::get<Loaded>(result);
+    if (const auto fault = knit::fault_of(parameters, loaded.input->mesh)) {
+      notify(session, Notice::Kind::error, *fault);
+      return;
+    }
+    timeline().change_input(std::move(loaded.input), parameters);
+  }
+  void operator()(const EditFromHere& a) {
+    if (!open() || refuse(a.parameters)) return;
+    if (a.parameters.weld != timeline().parameters().weld) {
+      notify(session, Notice::Kind::error,
+             "Welding changes the mesh itself; set it for the whole run, not from here.");
+      return;
+    }
+    timeline().edit_from_here(a.parameters);
+  }
+  bool refuse(const knit::Parameters& parameters) {
+    const auto fault = knit::fault_of(parameters, timeline().input().mesh);
+    if (fault) notify(session, Notice::Kind::error, *fault);
+    return fault.has_value();
+  }
+  void operator()(const RemoveEdit& a) {
+    if (open() && a.index < timeline().edits().size()) timeline().remove_edit(a.index);
+  }
+  void operator()(const SetPicking& a) { session.picking = a.picking; }
+  void operator()(const PickVertex& a) {
+    if (!open() || session.picking == Picking::nothing) return;
+    knit::Parameters parameters = timeline().parameters();
+    (session.picking == Picking::start ? parameters.start : parameters.end) = a.vertex;
+    session.picking = Picking::nothing;
+    (*this)(Tune{parameters});
+  }
+
+  void operator()(const SetLayer& a) { session.layers[static_cast<std::size_t>(a.layer)] = a.on; }
+  void operator()(const Orbit& a) { session.camera.orbit(a.yaw, a.pitch); }
+  void operator()(const Pan& a) { session.camera.pan(a.move, session.aspect); }
+  void operator()(const Zoom& a) {
+    if (a.factor > 0.0) session.camera.zoom(a.factor, a.cursor, session.aspect);
+  }
+  void operator()(const FrameAll& /*a*/) {
+    if (open()) session.camera.frame(timeline().input().bounds, session.aspect);
+  }
+  void operator()(const SetAspect& a) {
+    if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.aspect = a.aspect;
+  }
+
+  void operator()(const Export& a) {
+    if (!open()) return;
+    if (a.kind == ExportKind::picture) {
+      session.screenshots_wanted.push_back(a.path);
+      return;
+    }
+    if (const auto error = export_to_file(session, a.kind, a.path)) {
+      notify(session, Notice::Kind::error, *error);
+    } else if (a.path != "-") {
+      notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");
+    }
+  }
+
+  void operator()(const ShowHelp& a) { session.help_open = a.open; }
+  void operator()(const ShowOpenDialog& a) { session.open_dialog_open = a.open; }
+  void operator()(const DismissNotice& a) {
+    if (a.index < session.notices.size()) {
+      session.notices.erase(session.notices.begin() + static_cast<std::ptrdiff_t>(a.index));
+    }
+  }
+  void operator()(const Quit& /*a*/) { session.quit = true; }
+};
+
+}  // namespace
+
+void apply(Session& session, const Action& action) { std::visit(Apply{session}, action); }
+
+}  // namespace app

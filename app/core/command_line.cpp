@@ -1,0 +1,270 @@
+#include "app/core/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "app/core/navigate.h"
+#include "knit/pattern.h"
+#include "knit/stage.h"
+#include "knit/stitch_index.h"
+
+namespace app {
+
+namespace {
+
+struct Words {
+  std::string mesh, example, at;
+  std::vector<std::string> settings;  // beside the parameter table; empty: not given
+  std::string save_mesh, save_map, save_report, save_steps, screenshot, size;
+  std::string index_sizes, index_placement = "thesis";
+  bool headless = false, list_examples = false, list_parameters = false;
+};
+
+std::string list_parameters_text() {
+  std::string text;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    std::string fallback = knit::value_text(info, knit::Parameters{});
+    if (info.key == "stitch-width") fallback = "3 % of the bounding box's diagonal";
+    if (info.key == "epsilon") fallback = "half the stitch width";
+    text += "--" + std::string(info.key) + "\t" + knit::range_text(info);
+    if (!info.unit.empty()) text += " (" + std::string(info.unit) + ")";
+    text += "; default " + fallback + "\t" + std::string(info.help) + "\n";
+  }
+  return text;
+}
+
+// An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
+void refuse_empty_values(CLI::App& app) {
+  const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
+  for (CLI::Option* option : app.get_options()) option->check(given);
+}
+
+void declare(CLI::App& app, Words& words) {
+  app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
+  app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
+  app.add_option("--example", words.example, "open an example instead (see --list-examples)");
+  const auto table = knit::parameter_table();
+  words.settings.resize(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    app.add_option("--" + std::string(table[i].key), words.settings[i], std::string(table[i].help))
+        ->group("Parameters")
+        ->allow_extra_args(false);
+  }
+  app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
+  app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
+  app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
+  app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
+  app.add_option("--save-report", words.save_report, "write the report as JSON");
+  app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
+  app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
+  app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
+  app.add_flag("--list-examples", words.list_examples, "list the examples");
+  app.add_flag("--list-parameters", words.list_parameters,
+               "list the parameters with range, unit and default");
+  CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
+  index->add_option("SIZES", words.index_sizes, "row sizes, the cast on first: 6,12,17,22")->required();
+  index->add_option("--placement", words.index_placement, "thesis or even");
+  refuse_empty_values(app);
+  refuse_empty_values(*index);
+}
+
+Answer bad_usage(const std::string& sentence) { return {exit_usage, "", sentence}; }
+
+bool parse_size(const std::string& text, int& width, int& height) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return false;
+  const auto number = [](std::string_view part, int& value) {
+    const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
+    return result.ec == std::errc() && result.ptr == part.data() + part.size() && value >= 64 &&
+           value <= 16384;
+  };
+  return number(std::string_view(text).substr(0, cross), width) &&
+         number(std::string_view(text).substr(cross + 1), height);
+}
+
+void add_saves(const Words& words, CommandLine& line) {
+  const auto add = [&](const std::string& path, ExportKind kind) {
+    if (!path.empty()) line.saves.push_back({kind, path});
+  };
+  add(words.save_mesh, ExportKind::mesh);
+  add(words.save_map, ExportKind::map);
+  add(words.save_report, ExportKind::report);
+  add(words.save_steps, ExportKind::steps);
+  add(words.screenshot, ExportKind::picture);
+}
+
+std::variant<CommandLine, Answer> understand(const Words& words) {
+  CommandLine line;
+  if (!words.mesh.empty() && !words.example.empty()) {
+    return bad_usage("give either a mesh or --example, not both.");
+  }
+  if (!words.mesh.empty()) line.open = OpenFile{words.mesh};
+  if (!words.example.empty()) line.open = OpenExample{words.example};
+  knit::Parameters scratch;
+  for (std::size_t i = 0; i < words.settings.size(); ++i) {
+    if (words.settings[i].empty()) continue;
+    const knit::ParameterInfo& info = knit::parameter_table()[i];
+    if (const auto error = knit::set_value(info, scratch, words.settings[i])) return bad_usage(*error);
+    line.settings.emplace_back(&info, words.settings[i]);
+  }
+  if (!words.at.empty()) {
+    line.at = parse_at(words.at);
+    if (!line.at) {
+      return bad_usage(
+          "--at cannot be \"" + words.at +
+          "\"; give end, a number of steps, or STAGE[:ROW[:ITEM]] with a stage of timing, cast-on, rows, "
+          "stitches, faces, pattern.");
+    }
+  }
+  if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
+    return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
+  }
+  line.headless = words.headless;
+  add_saves(words, line);
+  return line;
+}
+
+template <class Number>
+std::optional<Number> whole_number(std::string_view text) {
+  Number value{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || result.ec != std::errc() || result.ptr != text.data() + text.size())
+    return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string place_text(const knit::Place& place) {
+  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
+         std::to_string(place.item);
+}
+
+}  // namespace
+
+std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,
+                                                     const std::filesystem::path& assets) {
+  Words words;
+  CLI::App app("knit-mesh: how a 3D mesh becomes something to knit by hand, step by step.", "knit-mesh");
+  declare(app, words);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForVersion& version) {
+    return Answer{exit_done, std::string(version.what()) + "\n", ""};
+  } catch (const CLI::CallForHelp&) {
+    return Answer{exit_done, app.help(), ""};
+  } catch (const CLI::ParseError& error) {
+    return bad_usage(std::string(error.what()) + "; see knit-mesh --help.");
+  }
+  if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
+  if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
+  if (words.list_examples) {
+    std::string names;
+    for (const std::string& name : list_examples(assets)) names += name + "\n";
+    return Answer{exit_done, names, ""};
+  }
+  return understand(words);
+}
+
+std::optional<At> parse_at(const std::string& text) {
+  if (text == "end") return AtEnd{};
+  if (const auto steps = whole_number<std::size_t>(text)) return At(*steps);
+  const auto parts = split(text, ':');
+  const auto stage = knit::stage_named(parts[0]);
+  if (!stage || parts.size() > 3) return std::nullopt;
+  if (parts.size() == 1) return AtStage{*stage};
+  knit::Place place{*stage, 0, 0};
+  const auto row = whole_number<std::int32_t>(parts[1]);
+  const auto item = parts.size() == 3 ? whole_number<std::int32_t>(parts[2]) : std::optional<std::int32_t>(0);
+  if (!row || !item || *row < 0 || *item < 0) return std::nullopt;
+  place.row = *row;
+  place.item = *item;
+  return place;
+}
+
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
+  apply(session, line.open);
+  if (!session.timeline)
+    return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
+  if (line.settings.empty()) return std::nullopt;
+  knit::Parameters parameters = session.timeline->parameters();
+  const double band_share = parameters.epsilon / parameters.stitch_width;
+  bool epsilon_given = false;
+  for (const auto& [info, text] : line.settings) {
+    knit::set_value(*info, parameters, text);
+    epsilon_given = epsilon_given || info->key == "epsilon";
+  }
+  // A width alone takes epsilon along in proportion.
+  if (!epsilon_given) parameters.epsilon = band_share * parameters.stitch_width;
+  const std::size_t notices = session.notices.size();
+  apply(session, Tune{parameters});
+  if (session.notices.size() > notices && session.notices.back().kind == Notice::Kind::error) {
+    return session.notices.back().text;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> go_to(Session& session, const At& at) {
+  knit::Timeline& timeline = *session.timeline;
+  if (std::holds_alternative<AtEnd>(at)) {
+    apply(session, ToLast{});
+    return std::nullopt;
+  }
+  if (const auto* steps = std::get_if<std::size_t>(&at)) {
+    apply(session, SeekTo{*steps});
+    if (timeline.position() == *steps) return std::nullopt;
+    return "the run has only " + std::to_string(timeline.known()) + " steps; showing the last.";
+  }
+  if (const auto* stage = std::get_if<AtStage>(&at)) {
+    // A stage's first row differs: 0, 1 or 2. Its first step is the one after all that stands before it.
+    const std::size_t before = position_at(timeline, {stage->stage, -1, 0});
+    apply(session, SeekTo{before + 1});
+    if (timeline.place().stage == stage->stage) return std::nullopt;
+    return "the run does not reach the stage " + std::string(knit::name_of(stage->stage)) +
+           "; showing the last step.";
+  }
+  const auto& place = std::get<knit::Place>(at);
+  apply(session, SeekPlace{place});
+  if (timeline.place() == place) return std::nullopt;
+  return "the run has no place " + place_text(place) + "; showing the nearest before it, " +
+         place_text(timeline.place()) + ".";
+}
+
+Answer index_answer(const std::string& sizes_text, const std::string& placement) {
+  std::vector<std::int32_t> sizes;
+  for (const std::string_view part : split(sizes_text, ',')) {
+    const auto size = whole_number<std::int32_t>(part);
+    if (!size || *size < 1 || *size > 100000) {
+      return bad_usage("index: \"" + std::string(part) +
+                       "\" is not a row size; give whole numbers from 1 to 100000, like 6,12,17.");
+    }
+    sizes.push_back(*size);
+  }
+  if (placement != "thesis" && placement != "even") {
+    return bad_usage("index: --placement cannot be \"" + placement + "\"; give thesis or even.");
+  }
+  for (std::size_t i = 1; i < sizes.size(); ++i) {
+    if (sizes[i] <= 2 * sizes[i - 1] && 2 * sizes[i] >= sizes[i - 1]) continue;
+    return bad_usage("index: row " + std::to_string(i + 1) + " cannot have " + std::to_string(sizes[i]) +
+                     " stitches after " + std::to_string(sizes[i - 1]) +
+                     "; a row may at most double or halve.");
+  }
+  const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
+  const std::vector<knit::Transition> transitions = knit::plan_transitions(sizes, policy);
+  std::vector<const knit::Transition*> view;
+  for (const knit::Transition& transition : transitions) view.push_back(&transition);
+  std::string text;
+  for (const knit::LabelRow& row : knit::appendix_view(sizes.front(), view))
+    text += knit::text_of(row) + "\n";
+  return {exit_done, text, ""};
+}
+
+}  // namespace app

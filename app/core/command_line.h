@@ -1,0 +1,59 @@
+// The command line: a contract that others script against. It turns words into the same actions that buttons
+// make.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/core/action.h"
+
+namespace app {
+
+// Where to stop: the end, a number of steps, or a place.
+struct AtEnd {};
+struct AtStage {
+  knit::Stage stage = knit::Stage::timing;
+};  // its first step
+using At = std::variant<AtEnd, std::size_t, AtStage, knit::Place>;
+
+struct CommandLine {
+  Action open = OpenExample{"thesis-sphere"};
+  std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
+  std::optional<At> at;  // none: the end when headless, the start in the window
+  bool headless = false;
+  std::vector<Export> saves;
+  int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
+};
+
+// The program's answer without a window: help, a list, an error.
+struct Answer {
+  int exit_code = 0;
+  std::string out;    // for standard output
+  std::string error;  // one line for standard error
+};
+
+inline constexpr int exit_done = 0;
+inline constexpr int exit_stopped = 1;  // the algorithm stopped on this mesh
+inline constexpr int exit_usage = 2;    // bad usage, or an unreadable or unfit file
+
+// `arguments` without the program's name.
+std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,
+                                                     const std::filesystem::path& assets);
+
+std::optional<At> parse_at(const std::string& text);
+
+// Opens the mesh and sets the parameters; the error is one sentence.
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line);
+
+// Moves to where the command line wants to stop. A sentence if the run has no such place; it then shows the
+// nearest before it.
+std::optional<std::string> go_to(Session& session, const At& at);
+
+// `knit-mesh index 6,12,17`: the label arrays for a list of row sizes.
+Answer index_answer(const std::string& sizes, const std::string& placement);
+
+}  // namespace app

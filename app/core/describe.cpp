@@ -1,0 +1,143 @@
+#include "app/core/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/core/describe_step.h"
+#include "app/core/palette.h"
+
+namespace app {
+
+namespace {
+
+// Area-weighted, joined across seams.
+std::vector<glm::vec3> smooth_normals(const knit::Input& input) {
+  const knit::Mesh& mesh = input.mesh;
+  std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
+  for (const knit::Triangle& t : mesh.triangles) {
+    const glm::dvec3& a = mesh.positions[t[0]];
+    const glm::dvec3 normal = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+    for (const knit::VertexId v : t) sums[input.twin[v]] += normal;
+  }
+  std::vector<glm::vec3> normals;
+  normals.reserve(sums.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const glm::dvec3& sum = sums[input.twin[v]];
+    const double length = glm::length(sum);
+    normals.emplace_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
+  }
+  return normals;
+}
+
+std::shared_ptr<const MeshShape> shape_of(const knit::Input& input, const knit::Timing* timing) {
+  MeshShape shape;
+  shape.positions.assign(input.mesh.positions.begin(), input.mesh.positions.end());
+  shape.normals = smooth_normals(input);
+  shape.times.assign(shape.positions.size(), -1.0F);
+  if (timing != nullptr) std::copy(timing->times.begin(), timing->times.end(), shape.times.begin());
+  for (const knit::Triangle& t : input.mesh.triangles)
+    shape.triangles.insert(shape.triangles.end(), t.begin(), t.end());
+  for (const auto& edge : input.mesh.edges) shape.edges.insert(shape.edges.end(), edge.begin(), edge.end());
+  return std::make_shared<const MeshShape>(std::move(shape));
+}
+
+Colour stitch_colour(const knit::Row& row, std::size_t rows_in_run, bool finished) {
+  const bool cast = row.number == 1 || (finished && row.number == static_cast<std::int32_t>(rows_in_run));
+  return cast ? palette::of(knit::Label::cast) : palette::stitch;
+}
+
+std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
+  std::vector<Line> lines;
+  const std::size_t n = row.stitches.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    lines.push_back(
+        {glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position), colour, 1.8F});
+  }
+  return std::make_shared<const std::vector<Line>>(std::move(lines));
+}
+
+std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colour colour) {
+  std::vector<Point> points;
+  for (const knit::Stitch& stitch : row.stitches)
+    points.push_back({glm::vec3(stitch.position), colour, 3.2F});
+  return std::make_shared<const std::vector<Point>>(std::move(points));
+}
+
+}  // namespace
+
+void Describer::refresh_mesh(const Session& session) {
+  const auto input = session.timeline->input_pointer();
+  // Times as the whole run has them; the scene says up to which vertex they are shown.
+  const auto timing = session.timeline->furthest().timing.pointer();
+  if (input == input_ && timing == timing_ && mesh_) return;
+  if (input == input_ && timing && timing_ && *timing == *timing_) return;
+  input_ = input;
+  timing_ = timing;
+  mesh_ = shape_of(*input, timing.get());
+}
+
+void Describer::add_rows(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  rows_.resize(std::max(rows_.size(), state.rows.size()));
+  for (std::size_t i = 0; i < state.rows.size(); ++i) {
+    RowShapes& kept = rows_[i];
+    const auto row = state.rows[i].pointer();
+    const bool ends_here = state.stage() > knit::Stage::rows;
+    if (kept.row != row || i + 1 >= state.rows.size()) {
+      const Colour colour = stitch_colour(*row, state.rows.size(), ends_here);
+      const Colour edge = colour == palette::stitch ? palette::row_edge : colour;
+      kept = {row, edges_of(*row, edge), stitches_of(*row, colour)};
+    }
+    if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
+    if (session.shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);
+  }
+}
+
+void Describer::add_strips(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  strips_.resize(std::max(strips_.size(), state.strips.size()));
+  for (std::size_t i = 0; i < state.strips.size(); ++i) {
+    StripShapes& kept = strips_[i];
+    const auto strip = state.strips[i].pointer();
+    const auto below = state.rows[i].pointer();
+    const auto above = state.rows[i + 1].pointer();
+    if (kept.strip != strip || kept.below != below || kept.above != above) {
+      const StripPlaces places = places_of(state, i);
+      kept = {
+          strip, below, above,
+          std::make_shared<const FaceShape>(faces_of(*strip, strip->faces.size(), places)),
+          std::make_shared<const std::vector<Line>>(columns_of(*strip, strip->column_edges.size(), places))};
+    }
+    if (session.shows(Layer::faces)) scene.faces.push_back(kept.faces);
+    if (session.shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
+  }
+}
+
+Scene Describer::describe(const Session& session) {
+  Scene scene;
+  scene.background = palette::background;
+  scene.ground = palette::ground;
+  scene.time_low = palette::time_low;
+  scene.time_middle = palette::time_middle;
+  scene.time_high = palette::time_high;
+  scene.view = session.camera.view(session.aspect);
+  if (!session.timeline) return scene;
+
+  const knit::State& state = session.timeline->state();
+  refresh_mesh(session);
+  scene.mesh = mesh_;
+  scene.show_surface = session.shows(Layer::surface);
+  scene.show_wire = session.shows(Layer::wire);
+  scene.show_times = session.shows(Layer::times);
+  scene.timed_vertices = static_cast<std::uint32_t>(mesh_->positions.size());
+  if (const auto* work = std::get_if<knit::TimingWork>(&state.work)) {
+    scene.timed_vertices = static_cast<std::uint32_t>(work->times.size());
+  }
+  add_rows(session, scene);
+  add_strips(session, scene);
+  describe_step(session, scene);
+  return scene;
+}
+
+}  // namespace app

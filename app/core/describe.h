@@ -1,0 +1,43 @@
+// From a session to what there is to see: a pure function, but for products already turned into shapes, which
+// are kept.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/core/scene.h"
+#include "app/core/session.h"
+
+namespace app {
+
+// Keeps the shapes of finished products, by the products' pointers, so that a renderer uploads each once.
+class Describer {
+ public:
+  [[nodiscard]] Scene describe(const Session& session);
+
+ private:
+  struct RowShapes {
+    std::shared_ptr<const knit::Row> row;
+    std::shared_ptr<const std::vector<Line>> edges;
+    std::shared_ptr<const std::vector<Point>> stitches;
+  };
+  struct StripShapes {
+    std::shared_ptr<const knit::Strip> strip;
+    std::shared_ptr<const knit::Row> below, above;
+    std::shared_ptr<const FaceShape> faces;
+    std::shared_ptr<const std::vector<Line>> columns;
+  };
+
+  void refresh_mesh(const Session& session);
+  void add_rows(const Session& session, Scene& scene);
+  void add_strips(const Session& session, Scene& scene);
+
+  std::shared_ptr<const knit::Input> input_;
+  std::shared_ptr<const knit::Timing> timing_;
+  std::shared_ptr<const MeshShape> mesh_;
+  std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
+  std::vector<StripShapes> strips_;
+};
+
+}  // namespace app

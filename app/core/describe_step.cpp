@@ -1,0 +1,232 @@
+#include "app/core/describe_step.h"
+
+#include <glm/geometric.hpp>
+
+#include "app/core/palette.h"
+#include "knit/faces.h"
+#include "knit/narrate.h"
+#include "knit/rows.h"
+
+namespace app {
+
+namespace {
+
+glm::vec3 place_of(const Session& session, knit::VertexId vertex) {
+  return glm::vec3(session.timeline->input().mesh.positions[vertex]);
+}
+
+// The row in the making, before it is closed: what has been kept, the anchor, and the verdicts since.
+void describe_walk(const Session& session, const knit::RowWork& work, Scene& scene) {
+  const knit::Ring& ring = *work.ring;
+  const auto place = [&](std::int32_t order) {
+    return place_of(session, ring.vertices[static_cast<std::size_t>(order)]);
+  };
+  const auto size = static_cast<std::int32_t>(ring.vertices.size());
+  if (session.shows(Layer::cycle)) {
+    for (std::int32_t order = 0; order < size; ++order) {
+      const bool measured = order < work.walk.next;
+      scene.points.push_back(
+          {place(order), measured ? palette::too_near : palette::ring, measured ? 3.5F : 4.5F});
+    }
+  }
+  const std::vector<std::int32_t>& kept = work.walk.kept;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const std::int32_t next = i + 1 < kept.size() ? kept[i + 1] : work.walk.anchor;
+    if (session.shows(Layer::row_edges))
+      scene.lines.push_back({place(kept[i]), place(next), palette::row_edge, 2.4F});
+    if (session.shows(Layer::stitches)) scene.points.push_back({place(kept[i]), palette::stitch, 7.0F});
+  }
+  if (session.shows(Layer::band)) {
+    const knit::Band band = knit::band_of(session.timeline->parameters());
+    scene.band = Band{place(work.walk.anchor), static_cast<float>(band.low), static_cast<float>(band.high),
+                      palette::band};
+    scene.points.push_back({place(work.walk.anchor), palette::anchor, 10.0F});
+  }
+}
+
+Colour colour_of(knit::Verdict verdict) {
+  switch (verdict) {
+    case knit::Verdict::too_near:
+      return palette::ring;
+    case knit::Verdict::accepted:
+      return palette::accepted;
+    case knit::Verdict::too_far:
+      return palette::too_far;
+  }
+  return palette::ring;
+}
+
+// A measured distance: a line between the two with its number.
+void describe_distance(const Session& session, Scene& scene, knit::VertexId from, knit::VertexId to,
+                       double distance, Colour colour) {
+  const glm::vec3 a = place_of(session, from);
+  const glm::vec3 b = place_of(session, to);
+  scene.lines.push_back({a, b, colour, 3.0F});
+  scene.points.push_back({b, colour, 9.0F});
+  if (from != to) scene.captions.push_back({0.5F * (a + b), knit::short_number(distance), colour});
+}
+
+void describe_last_step(const Session& session, const knit::Step& step, Scene& scene) {
+  if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what)) {
+    if (session.shows(Layer::cycle)) {
+      describe_distance(session, scene, measured->anchor, measured->candidate, measured->distance,
+                        colour_of(measured->verdict));
+    }
+  } else if (const auto* missed = std::get_if<knit::BandMissed>(&step.what)) {
+    describe_distance(session, scene, missed->anchor, missed->taken, missed->distance, palette::problem);
+  } else if (const auto* timed = std::get_if<knit::VertexTimed>(&step.what)) {
+    scene.points.push_back({place_of(session, timed->vertex), palette::accepted, 7.0F});
+  } else if (const auto* ends = std::get_if<knit::EndsFound>(&step.what)) {
+    const glm::vec3 from = place_of(session, ends->start);
+    const glm::vec3 to = place_of(session, ends->end);
+    scene.lines.push_back({from, to, palette::anchor, 2.5F});
+    scene.points.push_back({from, palette::time_low, 12.0F});
+    scene.points.push_back({to, palette::time_high, 12.0F});
+    scene.captions.push_back({from, "start", palette::text});
+    scene.captions.push_back({to, "end", palette::text});
+  }
+}
+
+void describe_cycle(const Session& session, std::span<const knit::VertexId> vertices, Scene& scene) {
+  if (!session.shows(Layer::cycle)) return;
+  for (const knit::VertexId v : vertices) scene.points.push_back({place_of(session, v), palette::ring, 4.5F});
+}
+
+void describe_rows_stage(const Session& session, const knit::RowWork& work, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  switch (work.phase) {
+    case knit::RowPhase::gather:
+      return;
+    case knit::RowPhase::order:
+      describe_cycle(session, state.timing->levels.level(work.level), scene);
+      return;
+    case knit::RowPhase::measure:
+    case knit::RowPhase::missed:
+      describe_walk(session, work, scene);
+      return;
+    case knit::RowPhase::resample:
+    case knit::RowPhase::share:
+      break;
+  }
+  const auto& stitches = work.closed.stitches;
+  for (std::size_t i = 0; i < stitches.size(); ++i) {
+    const glm::vec3 at(stitches[i].position);
+    const glm::vec3 next(stitches[(i + 1) % stitches.size()].position);
+    const bool gap = i + 1 == stitches.size();
+    scene.points.push_back({at, palette::stitch, 7.0F});
+    scene.lines.push_back({at, next, gap ? palette::anchor : palette::row_edge, gap ? 3.5F : 2.4F});
+    if (gap)
+      scene.captions.push_back({0.5F * (at + next), knit::short_number(work.closed.gap), palette::anchor});
+  }
+}
+
+// Labels as coloured stitches on the larger of the two rows.
+void describe_labels(const Session& session, const knit::Transition& plan, std::size_t count, bool current,
+                     Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  const std::size_t above = static_cast<std::size_t>(plan.row) - 1;
+  const knit::Row& row = plan.above >= plan.below ? *state.rows[above] : *state.rows[above - 1];
+  for (std::size_t i = 0; i < count; ++i) {
+    const knit::PlacedLabel& placed = plan.placed[i];
+    const glm::vec3 at(row.stitches[static_cast<std::size_t>(placed.cell)].position);
+    const bool last = current && i + 1 == count;
+    const bool plain = plan.change() == 0;
+    if (plain && !current) continue;  // mains that merely go on
+    scene.points.push_back({at, palette::of(placed.label), last ? 13.0F : 8.0F});
+    if (last)
+      scene.captions.push_back({at, std::string(knit::name_of(placed.label)), palette::of(placed.label)});
+  }
+}
+
+void describe_stitches_stage(const Session& session, const knit::IndexWork& work, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  for (const auto& transition : state.transitions) {
+    describe_labels(session, *transition, transition->placed.size(), false, scene);
+  }
+  if (work.plan) describe_labels(session, *work.plan, static_cast<std::size_t>(work.placed), true, scene);
+}
+
+void describe_faces_stage(const Session& session, const knit::FacesWork& work, Scene& scene) {
+  if (!work.plan) return;
+  const StripPlaces places =
+      places_of(session.timeline->state(), static_cast<std::size_t>(work.plan->row) - 2);
+  const auto made = static_cast<std::size_t>(work.made);
+  if (session.shows(Layer::faces)) {
+    scene.faces.push_back(std::make_shared<const FaceShape>(faces_of(*work.plan, made, places)));
+  }
+  if (session.shows(Layer::column_edges)) {
+    const std::vector<Line> columns = columns_of(*work.plan, made, places);
+    scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
+  }
+  if (made == 0) return;
+  const knit::Face& face = work.plan->faces[made - 1];
+  for (std::int32_t i = 0; i < face.corner_count; ++i) {
+    const auto corner = static_cast<std::size_t>(i);
+    const auto next = static_cast<std::size_t>((i + 1) % face.corner_count);
+    scene.lines.push_back(
+        {places.at(face.corners[corner]), places.at(face.corners[next]), palette::accepted, 3.0F});
+  }
+}
+
+}  // namespace
+
+glm::vec3 StripPlaces::at(std::uint32_t number) const {
+  const std::size_t i = number - first;
+  return glm::vec3(i < below.size() ? below[i].position : above[i - below.size()].position);
+}
+
+StripPlaces places_of(const knit::State& state, std::size_t strip) {
+  StripPlaces places;
+  for (std::size_t i = 0; i < strip; ++i)
+    places.first += static_cast<std::uint32_t>(state.rows[i]->stitches.size());
+  places.below = state.rows[strip]->stitches;
+  places.above = state.rows[strip + 1]->stitches;
+  return places;
+}
+
+FaceShape faces_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places) {
+  FaceShape shape;
+  for (std::size_t i = 0; i < count; ++i) {
+    const knit::Face& face = strip.faces[i];
+    const glm::vec3 a = places.at(face.corners[0]);
+    const glm::vec3 b = places.at(face.corners[1]);
+    const glm::vec3 c = places.at(face.corners[2]);
+    const bool quad = face.corner_count == 4;
+    const glm::vec3 d = quad ? places.at(face.corners[3]) : c;
+    const glm::vec3 across = glm::cross(c - a, quad ? d - b : c - b);
+    const float length = glm::length(across);
+    const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
+    const Colour colour = palette::of(face.label);
+    for (const glm::vec3& corner : {a, b, c}) shape.vertices.push_back({corner, normal, colour});
+    if (!quad) continue;
+    for (const glm::vec3& corner : {a, c, d}) shape.vertices.push_back({corner, normal, colour});
+  }
+  return shape;
+}
+
+std::vector<Line> columns_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places) {
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [lower, upper] = strip.column_edges[i];
+    lines.push_back({places.at(lower), places.at(upper), palette::column_edge, 1.3F});
+  }
+  return lines;
+}
+
+void describe_step(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work); cast_on != nullptr && cast_on->ring) {
+    describe_cycle(session, cast_on->ring->vertices, scene);
+    for (const knit::Stitch& stitch : cast_on->stitches) {
+      scene.points.push_back({glm::vec3(stitch.position), palette::of(knit::Label::cast), 10.0F});
+    }
+  }
+  if (const auto* rows = std::get_if<knit::RowWork>(&state.work)) describe_rows_stage(session, *rows, scene);
+  if (const auto* index = std::get_if<knit::IndexWork>(&state.work))
+    describe_stitches_stage(session, *index, scene);
+  if (const auto* faces = std::get_if<knit::FacesWork>(&state.work))
+    describe_faces_stage(session, *faces, scene);
+  if (const knit::Step* step = last_step(session)) describe_last_step(session, *step, scene);
+}
+
+}  // namespace app

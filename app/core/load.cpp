@@ -1,0 +1,87 @@
+#include "app/core/load.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/core/action.h"
+#include "knit/obj.h"
+
+namespace app {
+
+namespace {
+
+std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> original,
+                                          const knit::Parameters* parameters) {
+  Loaded loaded;
+  loaded.original = std::move(original);
+  knit::CheckResult checked = knit::check(*loaded.original);
+  if (!checked.fit()) return loaded.original->name + ": " + checked.findings.front().sentence;
+  loaded.findings = std::move(checked.findings);
+  const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
+  loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
+  loaded.parameters = parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
+  return loaded;
+}
+
+std::string text_of(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump();
+}
+
+// The example's own parameters over those that follow the mesh's size.
+std::variant<knit::Parameters, std::string> read_parameters(const std::filesystem::path& path,
+                                                            knit::Parameters parameters) {
+  std::ifstream in(path);
+  const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+  if (!json.is_object() || !json.contains("parameters") || !json["parameters"].is_object()) {
+    return path.string() + " is not a JSON object with \"parameters\"; build the project again.";
+  }
+  for (const auto& [key, value] : json["parameters"].items()) {
+    const knit::ParameterInfo* info = knit::find_parameter(key);
+    if (info == nullptr) return path.string() + ": there is no parameter \"" + key + "\"; remove it.";
+    if (const auto error = knit::set_value(*info, parameters, text_of(value)))
+      return path.string() + ": " + *error;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path) {
+  auto read = knit::read_obj_file(path);
+  if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
+  return prepare(std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read))), nullptr);
+}
+
+std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name) {
+  const std::vector<std::string> names = list_examples(assets);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string all;
+    for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
+    if (all.empty()) return "no examples found in " + assets.string() + "; build the project again.";
+    return "there is no example \"" + name + "\"; choose one of " + all + ".";
+  }
+  auto read = knit::read_obj_file(assets / name / "mesh.obj");
+  if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
+  knit::Mesh mesh = std::get<knit::Mesh>(std::move(read));
+  mesh.name = name;
+  const auto parameters = read_parameters(assets / name / "parameters.json",
+                                          knit::default_parameters(knit::bounds_of(mesh.positions)));
+  if (const auto* error = std::get_if<std::string>(&parameters)) return *error;
+  auto loaded =
+      prepare(std::make_shared<const knit::Mesh>(std::move(mesh)), &std::get<knit::Parameters>(parameters));
+  // An example decides about welding itself; its seam is no news.
+  if (auto* ready = std::get_if<Loaded>(&loaded)) {
+    std::erase_if(ready->findings,
+                  [](const knit::Finding& f) { return f.kind == knit::FindingKind::coincident; });
+  }
+  return loaded;
+}
+
+std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
+                                             const knit::Parameters& parameters) {
+  return prepare(original, &parameters);
+}
+
+}  // namespace app

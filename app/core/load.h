@@ -1,0 +1,29 @@
+// From a file or an example to a checked mesh and the parameters to begin with.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "knit/check.h"
+#include "knit/parameters.h"
+
+namespace app {
+
+struct Loaded {
+  std::shared_ptr<const knit::Mesh> original;  // as read
+  std::shared_ptr<const knit::Input> input;    // welded where the parameters say so
+  knit::Parameters parameters;
+  std::vector<knit::Finding> findings;  // warnings
+};
+
+// The error is one sentence: what is wrong, where, and what to do.
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path);
+std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name);
+// The same mesh again, for parameters whose weld differs.
+std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
+                                             const knit::Parameters& parameters);
+
+}  // namespace app

@@ -1,0 +1,64 @@
+#include "app/core/navigate.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t slice = 4096;
+
+// The first place after everything that belongs with `place`.
+knit::Place after(const knit::Place& place, Unit unit) {
+  if (unit == Unit::row) return {place.stage, place.row + 1, 0};
+  return {static_cast<knit::Stage>(static_cast<int>(place.stage) + 1), 0, 0};
+}
+
+// How many known steps stand before `place`.
+std::size_t count_before(const knit::Timeline& timeline, const knit::Place& place) {
+  const auto& steps = timeline.steps();
+  const auto at =
+      std::lower_bound(steps.begin(), steps.end(), place,
+                       [](const knit::Step& step, const knit::Place& p) { return step.place < p; });
+  return static_cast<std::size_t>(at - steps.begin());
+}
+
+bool known_beyond(const knit::Timeline& timeline, const knit::Place& place) {
+  return timeline.known() > 0 && timeline.step(timeline.known() - 1).place >= place;
+}
+
+std::size_t forward(knit::Timeline& timeline, Unit unit) {
+  if (timeline.position() == timeline.known() && !timeline.extend(1) &&
+      timeline.position() == timeline.known()) {
+    return timeline.position();
+  }
+  const knit::Place beyond = after(timeline.step(timeline.position()).place, unit);
+  while (!known_beyond(timeline, beyond) && timeline.extend(slice)) {
+  }
+  return count_before(timeline, beyond);
+}
+
+std::size_t backward(const knit::Timeline& timeline, Unit unit) {
+  if (timeline.position() == 0) return 0;
+  const knit::Place here = timeline.place();
+  return count_before(timeline, {here.stage, unit == Unit::row ? here.row : 0, 0});
+}
+
+}  // namespace
+
+std::size_t position_after(knit::Timeline& timeline, Unit unit, int direction) {
+  if (unit == Unit::item) {
+    if (direction < 0) return timeline.position() - std::min<std::size_t>(timeline.position(), 1);
+    if (timeline.position() == timeline.known()) timeline.extend(1);
+    return std::min(timeline.position() + 1, timeline.known());
+  }
+  return direction < 0 ? backward(timeline, unit) : forward(timeline, unit);
+}
+
+std::size_t position_at(knit::Timeline& timeline, const knit::Place& place) {
+  while (!known_beyond(timeline, place) && timeline.extend(slice)) {
+  }
+  return timeline.position_of(place);
+}
+
+}  // namespace app

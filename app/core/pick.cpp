@@ -1,0 +1,64 @@
+#include "app/core/pick.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+struct Ray {
+  glm::dvec3 origin, direction;
+};
+
+Ray ray_through(const Session& session, const glm::dvec2& place) {
+  const View view = session.camera.view(session.aspect);
+  const glm::dmat4 back = glm::inverse(glm::dmat4(view.projection) * glm::dmat4(view.view));
+  const glm::dvec4 far = back * glm::dvec4(place.x, place.y, 1.0, 1.0);
+  const glm::dvec3 eye = session.camera.eye();
+  return {eye, glm::normalize(glm::dvec3(far) / far.w - eye)};
+}
+
+// Distance along the ray to the triangle, from either side (Moeller and Trumbore).
+std::optional<double> meets(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const glm::dvec3 p = glm::cross(ray.direction, ac);
+  const double determinant = glm::dot(ab, p);
+  if (determinant == 0.0) return std::nullopt;
+  const glm::dvec3 from_a = ray.origin - a;
+  const double u = glm::dot(from_a, p) / determinant;
+  const glm::dvec3 q = glm::cross(from_a, ab);
+  const double v = glm::dot(ray.direction, q) / determinant;
+  const double along = glm::dot(ac, q) / determinant;
+  if (u < 0.0 || v < 0.0 || u + v > 1.0 || along <= 0.0) return std::nullopt;
+  return along;
+}
+
+}  // namespace
+
+std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place) {
+  if (!session.timeline) return std::nullopt;
+  const knit::Mesh& mesh = session.timeline->input().mesh;
+  const Ray ray = ray_through(session, place);
+  double nearest = std::numeric_limits<double>::infinity();
+  const knit::Triangle* hit = nullptr;
+  for (const knit::Triangle& t : mesh.triangles) {
+    const auto along = meets(ray, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+    if (!along || *along >= nearest) continue;
+    nearest = *along;
+    hit = &t;
+  }
+  if (hit == nullptr) return std::nullopt;
+  const glm::dvec3 point = ray.origin + ray.direction * nearest;
+  knit::VertexId best = (*hit)[0];
+  for (const knit::VertexId v : *hit) {
+    if (glm::distance(mesh.positions[v], point) < glm::distance(mesh.positions[best], point)) best = v;
+  }
+  return best;
+}
+
+}  // namespace app

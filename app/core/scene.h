@@ -1,0 +1,98 @@
+// What there is to see, as plain data: no GL, no ImGui. `describe` makes it from a session, a Renderer draws
+// it.
+//
+// Coordinates are mesh units in float, colours linear-free sRGB bytes as seen on the screen. A Shape is
+// immutable and shared: a renderer uploads it once and keeps it as long as the pointer lives.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+// The ground: the mesh that came in. `time` is Algorithm 1's value per vertex, negative where there is none.
+struct MeshShape {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  // smooth, outward, same length as positions
+  std::vector<float> times;        // same length; shown for the first `Scene::timed_vertices` vertices
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> edges;  // pairs
+};
+
+// Coloured flat faces: the knit mesh. Three vertices a triangle, not shared.
+struct FaceShape {
+  struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    Colour colour;
+  };
+  std::vector<Vertex> vertices;
+};
+
+struct Line {
+  glm::vec3 from;
+  glm::vec3 to;
+  Colour colour;
+  float width_px = 1.5f;
+};
+
+struct Point {
+  glm::vec3 position;
+  Colour colour;
+  float diameter_px = 6.0f;
+};
+
+// A word or number that stands at a place in the view; the panels' overlay writes it.
+struct Caption {
+  glm::vec3 position;
+  std::string text;
+  Colour colour;
+};
+
+// The anchor's reach on the surface: w - epsilon to w + epsilon, drawn as an annulus on the mesh.
+struct Band {
+  glm::vec3 centre;
+  float inner = 0.0f;
+  float outer = 0.0f;
+  Colour colour;
+};
+
+struct View {
+  glm::mat4 view{1.0f};
+  glm::mat4 projection{1.0f};
+  glm::vec3 eye{0.0f};
+};
+
+struct Scene {
+  View view;
+  Colour background;
+  std::shared_ptr<const MeshShape> mesh;  // null: nothing open
+  bool show_surface = true;
+  bool show_wire = true;
+  bool show_times = true;            // else the calm ground colour
+  std::uint32_t timed_vertices = 0;  // vertices [0, this) carry their time's colour
+  Colour ground;
+  Colour time_low, time_middle, time_high;  // the ramp over [0, 1]
+  std::optional<Band> band;
+  std::vector<std::shared_ptr<const FaceShape>> faces;
+  // Hidden parts of lines and points are drawn faintly through the surface, so that nothing is lost behind
+  // it.
+  std::vector<std::shared_ptr<const std::vector<Line>>> line_sets;  // shared: finished rows
+  std::vector<std::shared_ptr<const std::vector<Point>>> point_sets;
+  std::vector<Line> lines;  // this frame's own
+  std::vector<Point> points;
+  std::vector<Caption> captions;
+};
+
+}  // namespace app

@@ -1,0 +1,91 @@
+// All that the program knows: one value. Panels read it and return wishes (action.h); only `apply` changes
+// it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/camera.h"
+#include "knit/check.h"
+#include "knit/timeline.h"
+
+namespace app {
+
+enum class Layer : std::uint8_t {
+  surface,  // the mesh that came in
+  times,    // its colours
+  wire,     // its edges
+  cycle,    // the current cycle's candidates with their verdicts
+  band,     // the anchor and [w - epsilon, w + epsilon]
+  stitches,
+  row_edges,
+  column_edges,
+  faces,  // by label
+  count_
+};
+inline constexpr std::size_t layer_count = static_cast<std::size_t>(Layer::count_);
+std::string_view name_of(Layer layer);  // "Row edges"
+std::string_view key_of(Layer layer);   // "row-edges": for scripts
+
+enum class Unit : std::uint8_t { item, row, stage };
+
+struct Playback {
+  bool playing = false;
+  int direction = 1;  // -1: backwards
+  double steps_per_second = 60.0;
+  double owed = 0.0;  // part of a step not yet taken
+};
+inline constexpr double slowest_steps_per_second = 1.0;
+inline constexpr double fastest_steps_per_second = 100000.0;
+
+struct Notice {
+  enum class Kind : std::uint8_t { info, warning, error } kind = Kind::info;
+  std::string text;
+};
+
+// Where the mesh came from: one of the two is set once something is open.
+struct Source {
+  std::string example;         // "thesis-sphere"
+  std::filesystem::path file;  // as given
+};
+
+enum class Picking : std::uint8_t { nothing, start, end };
+
+struct Session {
+  std::filesystem::path assets;  // the folder of examples and fonts
+  Source source;
+  std::shared_ptr<const knit::Mesh> original;  // as read, before welding
+  std::optional<knit::Timeline> timeline;      // nothing open: none
+  std::vector<knit::Finding> findings;         // warnings about the open mesh
+  knit::Parameters defaults;                   // of the open mesh or example: what reset goes back to
+  double load_ms = 0.0;                        // of the last opening
+  double run_ms = 0.0;                         // spent on working the run out, so far
+
+  Camera camera;
+  double aspect = 1.6;  // of the view
+  std::array<bool, layer_count> layers{true, true, false, true, true, true, true, true, true};
+  Playback playback;
+  Picking picking = Picking::nothing;
+  std::vector<Notice> notices;  // newest last
+  bool help_open = false;
+  bool open_dialog_open = false;
+  bool quit = false;
+  std::vector<std::filesystem::path> screenshots_wanted;  // the loop takes them after the next frame
+
+  [[nodiscard]] bool shows(Layer layer) const { return layers[static_cast<std::size_t>(layer)]; }
+};
+
+// The last step taken, or null at the start or with nothing open.
+const knit::Step* last_step(const Session& session);
+// In force for the last step taken (for the next one at the start). Requires something open.
+const knit::Parameters& parameters_of_last_step(const Session& session);
+// One sentence for the last step; at the very end also why the run stopped. Never empty.
+std::string sentence(const Session& session);
+// Whether the view shows the run's last state and why that is the last: null unless the run stopped there.
+const knit::Step* stop_shown(const Session& session);
+
+}  // namespace app

@@ -1,0 +1,58 @@
+// knit-mesh: how a 3D mesh becomes something to knit by hand, step by step.
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/core/command_line.h"
+#include "app/window/run.h"
+#include "knit/bug.h"
+
+namespace {
+
+std::filesystem::path folder_of_program(const char* as_called) {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  return (error ? std::filesystem::absolute(as_called) : self).parent_path();
+}
+
+int run(const std::vector<std::string>& arguments, app::Session& session) {
+  const auto parsed = app::parse_command_line(arguments, session.assets);
+  if (const auto* answer = std::get_if<app::Answer>(&parsed)) {
+    std::fputs(answer->out.c_str(), stdout);
+    if (!answer->error.empty()) std::fprintf(stderr, "knit-mesh: %s\n", answer->error.c_str());
+    return answer->exit_code;
+  }
+  const auto& line = std::get<app::CommandLine>(parsed);
+  if (const auto error = app::open_as_asked(session, line)) {
+    std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
+    return app::exit_usage;
+  }
+  return line.headless ? app::run_headless(session, line) : app::run_window(session, line);
+}
+
+// A bug's message ends with the command line that leads back to the place.
+void report_bug(const knit::Bug& bug, const std::vector<std::string>& arguments,
+                const app::Session& session) {
+  std::string command = "knit-mesh";
+  for (const std::string& argument : arguments) command += " '" + argument + "'";
+  if (session.timeline) command += " --at " + std::to_string(session.timeline->position());
+  std::fprintf(stderr, "knit-mesh: this is a bug: %s. It happened at: %s\n", bug.what(), command.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  app::Session session;
+  try {
+    session.assets = folder_of_program(argv[0]) / "assets";
+    return run(arguments, session);
+  } catch (const knit::Bug& bug) {
+    report_bug(bug, arguments, session);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "knit-mesh: %s\n", error.what());
+  }
+  return 3;
+}

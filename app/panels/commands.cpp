@@ -1,0 +1,186 @@
+#include "app/panels/commands.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace app {
+
+namespace {
+
+using Wish = std::optional<Action>;
+
+constexpr Mods none{};
+constexpr Mods shift{.shift = true};
+constexpr Mods ctrl{.ctrl = true};
+
+constexpr std::array<Chord, 2> on(Key key, Mods mods = none) { return {{{key, mods, 0}, {}}}; }
+constexpr std::array<Chord, 2> typing(char32_t a, char32_t b) {
+  return {{{Key::None, none, a}, {Key::None, none, b}}};
+}
+
+template <Unit unit, int direction>
+Wish step(const Session& /*session*/) {
+  return StepBy{unit, direction};
+}
+
+template <int direction>
+Wish play(const Session& session) {
+  return SetPlaying{!session.playback.playing || session.playback.direction != direction, direction};
+}
+
+template <Layer layer>
+Wish toggle(const Session& session) {
+  return SetLayer{layer, !session.shows(layer)};
+}
+
+template <int numerator, int denominator>
+Wish speed(const Session& session) {
+  const double wanted = session.playback.steps_per_second * numerator / denominator;
+  return SetSpeed{std::clamp(wanted, slowest_steps_per_second, fastest_steps_per_second)};
+}
+
+// Whatever is open on top; dialogs close themselves.
+Wish close(const Session& session) {
+  if (session.help_open) return ShowHelp{false};
+  if (session.picking != Picking::nothing) return SetPicking{Picking::nothing};
+  if (!session.notices.empty()) return DismissNotice{session.notices.size() - 1};
+  return std::nullopt;
+}
+
+constexpr std::string_view run = "The run";
+constexpr std::string_view view = "The view";
+constexpr std::string_view program = "The program";
+
+template <Layer layer>
+constexpr CommandInfo layer_info(Key key) {
+  return {Command::layer, view, "Show or hide", on(key), false, toggle<layer>, layer};
+}
+
+const std::array table{
+    CommandInfo{Command::play, run, "Play or pause", on(Key::Space), false, play<1>},
+    CommandInfo{Command::play_back, run, "Play backwards", on(Key::Space, shift), false, play<-1>},
+    CommandInfo{Command::forward_item, run, "One item forward", on(Key::Right), true, step<Unit::item, 1>},
+    CommandInfo{Command::back_item, run, "One item back", on(Key::Left), true, step<Unit::item, -1>},
+    CommandInfo{Command::forward_row, run, "One row forward", on(Key::Right, shift), true,
+                step<Unit::row, 1>},
+    CommandInfo{Command::back_row, run, "One row back", on(Key::Left, shift), true, step<Unit::row, -1>},
+    CommandInfo{Command::forward_stage, run, "One stage forward", on(Key::Right, ctrl), true,
+                step<Unit::stage, 1>},
+    CommandInfo{Command::back_stage, run, "One stage back", on(Key::Left, ctrl), true, step<Unit::stage, -1>},
+    CommandInfo{Command::first, run, "To the start", on(Key::Home), false,
+                [](const Session&) -> Wish { return ToFirst{}; }},
+    CommandInfo{Command::last, run, "To the end", on(Key::End), false,
+                [](const Session&) -> Wish { return ToLast{}; }},
+    CommandInfo{Command::faster, run, "Play faster", typing('.', '+'), true, speed<3, 2>},
+    CommandInfo{Command::slower, run, "Play slower", typing(',', '-'), true, speed<2, 3>},
+    CommandInfo{Command::frame_all, view, "Frame the mesh", on(Key::F), false,
+                [](const Session&) -> Wish { return FrameAll{}; }},
+    layer_info<Layer::surface>(Key::Digit1),
+    layer_info<Layer::times>(Key::Digit2),
+    layer_info<Layer::wire>(Key::Digit3),
+    layer_info<Layer::cycle>(Key::Digit4),
+    layer_info<Layer::band>(Key::Digit5),
+    layer_info<Layer::stitches>(Key::Digit6),
+    layer_info<Layer::row_edges>(Key::Digit7),
+    layer_info<Layer::column_edges>(Key::Digit8),
+    layer_info<Layer::faces>(Key::Digit9),
+    CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
+                [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
+    CommandInfo{Command::help,
+                program,
+                "Show or hide the keys",
+                {{{Key::F1, none, 0}, {Key::None, none, '?'}}},
+                false,
+                [](const Session& session) -> Wish { return ShowHelp{!session.help_open}; }},
+    CommandInfo{Command::close, program, "Close what is on top", on(Key::Escape), false, close},
+    CommandInfo{Command::quit, program, "Quit", on(Key::Q, ctrl), false,
+                [](const Session&) -> Wish { return Quit{}; }},
+};
+
+std::string name_of(Key key) {
+  if (key >= Key::A && key <= Key::Z) {
+    return {static_cast<char>('A' + static_cast<int>(key) - static_cast<int>(Key::A))};
+  }
+  if (key >= Key::Digit0 && key <= Key::Digit9) {
+    return std::to_string(static_cast<int>(key) - static_cast<int>(Key::Digit0));
+  }
+  switch (key) {
+    case Key::Space:
+      return "Space";
+    case Key::Left:
+      return "Left";
+    case Key::Right:
+      return "Right";
+    case Key::Home:
+      return "Home";
+    case Key::End:
+      return "End";
+    case Key::Escape:
+      return "Esc";
+    case Key::F1:
+      return "F1";
+    default:
+      return "?";  // a test sees to it that no such key is in the table
+  }
+}
+
+bool exists(const Chord& chord) { return chord.key != Key::None || chord.character != 0; }
+
+bool is_pressed(const Chord& chord, bool repeats) {
+  const Mods mods = key_mods();
+  if (chord.character != 0) return !mods.ctrl && !mods.alt && typed(chord.character);
+  return chord.key != Key::None && mods == chord.mods && key_pressed(chord.key, repeats);
+}
+
+}  // namespace
+
+std::span<const CommandInfo> command_table() { return table; }
+
+const CommandInfo& info_of(Command command) {
+  return *std::find_if(table.begin(), table.end(),
+                       [&](const CommandInfo& i) { return i.command == command; });
+}
+
+const CommandInfo& info_of(Layer layer) {
+  return *std::find_if(table.begin(), table.end(), [&](const CommandInfo& i) { return i.layer == layer; });
+}
+
+std::string text_of(const Chord& chord) {
+  if (chord.character != 0) return {static_cast<char>(chord.character)};
+  std::string text;
+  if (chord.mods.ctrl) text += "Ctrl+";
+  if (chord.mods.shift) text += "Shift+";
+  if (chord.mods.alt) text += "Alt+";
+  return text + name_of(chord.key);
+}
+
+std::string keys_of(const CommandInfo& info) {
+  const std::string first = text_of(info.chords[0]);
+  return exists(info.chords[1]) ? first + " or " + text_of(info.chords[1]) : first;
+}
+
+std::string words_of(const CommandInfo& info) {
+  std::string words(info.words);
+  if (!info.layer) return words;
+  std::string layer(name_of(*info.layer));
+  layer[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(layer[0])));
+  return words + " " + layer;
+}
+
+std::string tooltip_of(const CommandInfo& info) { return words_of(info) + " (" + keys_of(info) + ")"; }
+
+Actions pressed_commands(const Session& session) {
+  if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return {};
+  Actions actions;
+  for (const CommandInfo& info : table) {
+    const bool pressed = std::any_of(info.chords.begin(), info.chords.end(),
+                                     [&](const Chord& chord) { return is_pressed(chord, info.repeats); });
+    if (!pressed) continue;
+    if (auto action = info.make(session)) actions.push_back(std::move(*action));
+  }
+  return actions;
+}
+
+}  // namespace app

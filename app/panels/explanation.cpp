@@ -1,0 +1,162 @@
+// The right column: what the last step did, and what there is to see.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/core/step_table.h"
+#include "app/panels/commands.h"
+#include "app/panels/widgets.h"
+#include "knit/narrate.h"
+
+namespace app {
+
+namespace {
+
+void draw_place(const PanelFrame& frame, const knit::Step* step) {
+  const bool stopped = stop_shown(frame.session) != nullptr;
+  push_font(frame.fonts.heading);
+  if (step == nullptr) {
+    text(frame.timeline() == nullptr ? "Nothing is open" : "The start");
+  } else {
+    text(capitalised(knit::name_of(step->place.stage)));
+  }
+  pop_font();
+  if (step == nullptr) return;
+  std::string where = step->place.row > 0 ? "row " + std::to_string(step->place.row) + ", " : "";
+  where += "item " + std::to_string(step->place.item);
+  if (stopped) where += ", stopped";
+  ImGui::SameLine();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + frame.units(4.0f));
+  faint_text(where);
+}
+
+void draw_numbers(const PanelFrame& frame, const knit::Step& step) {
+  const auto numbers = numbers_of(step);
+  if (numbers.empty() || !ImGui::BeginTable("numbers", 2, ImGuiTableFlags_BordersInnerH)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
+  for (const auto& [name, value] : numbers) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    faint_text(name);
+    ImGui::TableNextColumn();
+    push_font(frame.fonts.mono);
+    text(value);
+    pop_font();
+  }
+  ImGui::EndTable();
+}
+
+// Two columns: where the i-th of `count` begins.
+struct Cells {
+  std::size_t count;
+  ImVec2 origin;
+  float second;  // from the first column to the second
+  float line;
+  [[nodiscard]] std::size_t lines() const { return (count + 1) / 2; }
+  [[nodiscard]] ImVec2 at(std::size_t i) const {
+    return {origin.x + static_cast<float>(i / lines()) * second,
+            origin.y + static_cast<float>(i % lines()) * line};
+  }
+  [[nodiscard]] ImVec2 end() const { return {origin.x, origin.y + static_cast<float>(lines()) * line}; }
+};
+
+void draw_label(PanelFrame& frame, knit::Label label, std::size_t count, ImVec2 at, float width) {
+  const std::string name(knit::name_of(label));
+  const std::string number = with_commas(count);
+  const float line = ImGui::GetTextLineHeight();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy(ImVec2(width, line));
+  frame.mark("label/" + name);
+  tooltip(frame, "Colour of " + name +
+                     " on stitches and faces; the number is how many have been placed up to here.");
+  const float side = 0.62f * line;
+  const float top = at.y + 0.5f * (line - side);
+  list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(palette::of(label)),
+                     frame.units(2.0f));
+  list.AddText(ImVec2(at.x + side + frame.units(7.0f), at.y), style::packed(palette::text), name.c_str());
+  push_font(frame.fonts.mono);
+  const float wide = ImGui::CalcTextSize(number.c_str()).x;
+  const Colour colour = count > 0 ? palette::text : palette::faint_text;
+  list.AddText(ImVec2(at.x + width - wide, at.y), style::packed(colour), number.c_str());
+  pop_font();
+}
+
+void draw_lists(PanelFrame& frame) {
+  const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
+  const std::string rows_name = "Rows (" + with_commas(rows) + ")###rows";
+  const std::string problems_name = "Problems (" + with_commas(count_problems(frame)) + ")###problems";
+  const std::array<std::string_view, 2> names{rows_name, problems_name};
+  const int clicked = segmented("list", names, static_cast<int>(frame.ui.list), 0.0f);
+  if (clicked >= 0) frame.ui.list = static_cast<RunList>(clicked);
+  if (frame.ui.list == RunList::rows) {
+    draw_rows(frame);
+  } else {
+    draw_problems(frame);
+  }
+}
+
+}  // namespace
+
+void draw_last_step(PanelFrame& frame) {
+  const knit::Step* stop = stop_shown(frame.session);
+  const knit::Step* step = stop != nullptr ? stop : last_step(frame.session);
+  draw_place(frame, step);
+  wrapped_text(sentence(frame.session), stop != nullptr ? palette::problem : palette::text);
+  if (step != nullptr) draw_numbers(frame, *step);
+}
+
+void draw_layers(PanelFrame& frame) {
+  heading(frame, "Show");
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(3.0f), frame.units(1.0f)));
+  const float line = ImGui::GetFrameHeight() + frame.units(2.0f);
+  // The first column has the longer names.
+  const Cells cells{layer_count, ImGui::GetCursorScreenPos(), 0.54f * ImGui::GetContentRegionAvail().x, line};
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    bool on = frame.session.shows(layer);
+    const ImVec2 at = cells.at(i);
+    ImGui::SetCursorScreenPos(at);
+    // A wide fallback font must not reach into the other column.
+    ImGui::PushClipRect(at, ImVec2(at.x + cells.second - frame.units(2.0f), at.y + line), true);
+    if (ImGui::Checkbox(std::string(name_of(layer)).c_str(), &on)) frame.wish(SetLayer{layer, on});
+    ImGui::PopClipRect();
+    frame.mark("layer/" + std::string(key_of(layer)));
+    tooltip(frame, tooltip_of(info_of(layer)));
+  }
+  ImGui::SetCursorScreenPos(cells.end());
+  ImGui::PopStyleVar();
+}
+
+void draw_legend(PanelFrame& frame) {
+  using knit::Label;
+  constexpr std::array labels{Label::knit, Label::main,  Label::cast, Label::m1r,
+                              Label::m1l,  Label::k2tog, Label::ssk};
+  heading(frame, "Labels");
+  const LabelTally::Counts counts =
+      frame.timeline() != nullptr ? frame.ui.labels.count(frame.timeline()->state()) : LabelTally::Counts{};
+  const float gap = frame.units(22.0f);
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const Cells cells{labels.size(), ImGui::GetCursorScreenPos(), width + gap,
+                    ImGui::GetTextLineHeight() + frame.units(2.0f)};
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    draw_label(frame, labels[i], counts[static_cast<std::size_t>(labels[i])], cells.at(i), width);
+  }
+  ImGui::SetCursorScreenPos(cells.end());
+}
+
+void draw_explanation(PanelFrame& frame) {
+  begin_panel("Explanation", frame.layout.explanation);
+  const float height = std::max(frame.units(196.0f), 0.34f * ImGui::GetContentRegionAvail().y);
+  ImGui::BeginChild("step", ImVec2(0.0f, height), false);
+  draw_last_step(frame);
+  ImGui::EndChild();
+  frame.mark("step");
+  draw_layers(frame);
+  draw_legend(frame);
+  draw_lists(frame);
+  ImGui::End();
+}
+
+}  // namespace app

@@ -1,0 +1,169 @@
+#include "app/panels/knob.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+// One overload a kind of parameter: a control of the given width that sets values through the table's own
+// check.
+struct Control {
+  PanelFrame& frame;
+  const knit::ParameterInfo& info;
+  knit::Parameters& parameters;
+  float width;
+
+  void set(const std::string& text) const {
+    knit::Parameters changed = parameters;
+    if (!knit::set_value(info, changed, text)) parameters = changed;
+  }
+
+  // "%.4g mesh units" where it fits.
+  [[nodiscard]] std::string format(const char* number, const std::string& shown) const {
+    const std::string unit(info.unit);
+    const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
+    const bool fits = !unit.empty() && ImGui::CalcTextSize((shown + " " + unit).c_str()).x < room;
+    return fits ? std::string(number) + " " + unit : number;
+  }
+
+  // Lengths are dragged in proportion to the mesh, others over decades.
+  void operator()(const knit::Number& number) const {
+    const double length = frame.timeline()->input().bounds.diagonal();
+    const bool is_length = number.high >= 1e12;
+    double value = parameters.*number.field;
+    const double high = is_length ? length : number.high;
+    const double low = number.low > 0.0 ? number.low : high * 1e-7;
+    const std::string shape = format(is_length ? "%.4g" : "%.2g", knit::value_text(info, parameters));
+    const float speed = static_cast<float>(is_length ? 0.0004 * length : 0.002 * high);
+    const ImGuiSliderFlags flags = is_length ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic;
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &low, &high, shape.c_str(),
+                          flags)) {
+      set(knit::number_text(value));
+    }
+  }
+
+  void operator()(const knit::Count& count) const {
+    int value = parameters.*count.field;
+    const std::string shape = format("%d", std::to_string(value));
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::DragInt("##value", &value, 0.1f, count.low, count.high, shape.c_str()))
+      set(std::to_string(value));
+  }
+
+  void operator()(const knit::Choice& choice) const {
+    const int clicked = segmented("choice", choice.names, choice.get(parameters), width);
+    if (clicked >= 0) choice.set(parameters, clicked);
+  }
+
+  void operator()(const knit::AxisChoice& /*axis*/) const {
+    constexpr std::array<std::string_view, 4> names{"x", "y", "z", "other"};
+    knit::Axis& axis = parameters.axis;
+    const int clicked = segmented("axis", names, static_cast<int>(axis.kind), width);
+    if (clicked >= 0) {
+      const knit::Axis before = axis;
+      axis.kind = static_cast<knit::AxisKind>(clicked);
+      // Begins where the axis was, so that the picture does not jump.
+      if (axis.kind == knit::AxisKind::custom) axis.custom = before.direction();
+    }
+    if (axis.kind != knit::AxisKind::custom) return;
+    std::array<double, 3> parts{axis.custom.x, axis.custom.y, axis.custom.z};
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts.data(), 3, 0.01f, nullptr, nullptr,
+                           "%.2f")) {
+      set(knit::number_text(parts[0]) + "," + knit::number_text(parts[1]) + "," +
+          knit::number_text(parts[2]));
+    }
+  }
+
+  void operator()(const knit::PickedVertex& /*picked*/) const;
+};
+
+// A number that is typed, "auto", or a click in the view.
+void Control::operator()(const knit::PickedVertex& picked) const {
+  const bool is_start = picked.field == &knit::Parameters::start;
+  const Picking kind = is_start ? Picking::start : Picking::end;
+  const bool picking = frame.session.picking == kind;
+  VertexField& field = frame.ui.vertex_fields[std::string(info.key)];
+  const std::string value = knit::value_text(info, parameters);
+  if (field.shown != value) {
+    field.shown = value;
+    field.text.set(value);
+    field.trouble.clear();
+  }
+  const float button = frame.units(50.0f);
+  ImGui::SetNextItemWidth(width - button - frame.units(3.0f));
+  ImGui::InputText("##value", field.text.bytes.data(), field.text.bytes.size(),
+                   ImGuiInputTextFlags_AutoSelectAll);
+  frame.mark("knob/" + std::string(info.key));
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    knit::Parameters changed = parameters;
+    auto trouble = knit::set_value(info, changed, field.text.text());
+    if (!trouble) trouble = knit::fault_of(changed, frame.timeline()->input().mesh);
+    field.trouble = trouble.value_or("");
+    if (!trouble) parameters = changed;
+  }
+  ImGui::SameLine(0.0f, frame.units(3.0f));
+  if (picking) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(style::pressed));
+  if (ImGui::Button("Pick", ImVec2(button, 0.0f))) frame.wish(SetPicking{picking ? Picking::nothing : kind});
+  if (picking) ImGui::PopStyleColor();
+  frame.mark("pick/" + std::string(info.key));
+  tooltip(frame, "Then click the vertex in the view.");
+}
+
+std::string help_text(const PanelFrame& frame, const knit::ParameterInfo& info) {
+  std::string help(info.help);
+  help += "\n\nRange: " + knit::range_text(info);
+  if (!info.unit.empty()) help += " (" + std::string(info.unit) + ")";
+  help += ".\nDefault here: " + knit::value_text(info, frame.session.defaults) + ".";
+  const bool drags =
+      std::holds_alternative<knit::Number>(info.kind) || std::holds_alternative<knit::Count>(info.kind);
+  if (drags) help += "\nDrag to change it, Ctrl+click to type.";
+  return help;
+}
+
+void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters, float x) {
+  const std::string initial = knit::value_text(info, frame.session.defaults);
+  if (initial == knit::value_text(info, parameters)) return;
+  const float side = ImGui::GetFrameHeight();
+  ImGui::SameLine(x);
+  if (icon_button("reset", Icon::reset, ImVec2(side, side))) knit::set_value(info, parameters, initial);
+  frame.mark("reset/" + std::string(info.key));
+  tooltip(frame, "Back to " + initial + ".");
+}
+
+}  // namespace
+
+void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters) {
+  ImGui::PushID(info.key.data(), info.key.data() + info.key.size());
+  const float left = ImGui::GetCursorPosX();
+  const float whole = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - frame.units(4.0f);
+  const float control = frame.units(126.0f) + 0.5f * std::max(0.0f, whole - frame.units(240.0f));
+  const std::string label(info.label);
+  ImGui::AlignTextToFramePadding();
+  faint_text(label);
+  tooltip(frame, help_text(frame, info));
+  // A long name has the line for itself.
+  if (ImGui::CalcTextSize(label.c_str()).x < whole - control - frame.units(4.0f)) ImGui::SameLine();
+  ImGui::SetCursorPosX(left + std::max(0.0f, whole - control));
+  ImGui::BeginGroup();
+  std::visit(Control{frame, info, parameters, std::min(control, whole)}, info.kind);
+  ImGui::EndGroup();
+  if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
+    frame.mark("knob/" + std::string(info.key));
+    tooltip(frame, help_text(frame, info));
+  }
+  draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
+  const auto field = frame.ui.vertex_fields.find(info.key);
+  if (field != frame.ui.vertex_fields.end() && !field->second.trouble.empty()) {
+    wrapped_text(field->second.trouble, palette::problem);
+  }
+  ImGui::PopID();
+}
+
+}  // namespace app

@@ -1,0 +1,133 @@
+#include <string>
+
+#include "app/panels/commands.h"
+#include "app/panels/save_dialog.h"
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+bool begin_menu(PanelFrame& frame, const char* label, const char* control) {
+  const bool open = ImGui::BeginMenu(label);
+  if (!open) {
+    frame.mark(control);
+  } else if (key_pressed(Key::Escape)) {
+    ImGui::CloseCurrentPopup();
+  }
+  return open;
+}
+
+void command_item(PanelFrame& frame, const CommandInfo& info, const char* label, bool enabled = true) {
+  if (!ImGui::MenuItem(label, keys_of(info).c_str(), false, enabled)) return;
+  if (auto action = info.make(frame.session)) frame.wish(std::move(*action));
+}
+
+void command_item(PanelFrame& frame, Command command) {
+  const CommandInfo& info = info_of(command);
+  command_item(frame, info, words_of(info).c_str(), frame.timeline() != nullptr);
+}
+
+void draw_file_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "File", "menu/file")) return;
+  command_item(frame, info_of(Command::open), "Open...");
+  if (ImGui::BeginMenu("Examples")) {
+    const auto examples = list_examples(frame.session.assets);
+    for (const std::string& name : examples) {
+      if (ImGui::MenuItem(name.c_str(), nullptr, frame.session.source.example == name)) {
+        frame.wish(OpenExample{name});
+      }
+    }
+    if (examples.empty()) ImGui::MenuItem("No examples were found", nullptr, false, false);
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  for (const SaveKind& kind : save_kinds()) {
+    const std::string label = "Save the " + std::string(kind.words) + "...";
+    if (ImGui::MenuItem(label.c_str(), nullptr, false, frame.timeline() != nullptr)) {
+      frame.ui.save.wanted = kind.kind;
+    }
+  }
+  ImGui::Separator();
+  command_item(frame, info_of(Command::quit), "Quit");
+  ImGui::EndMenu();
+}
+
+void draw_go_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "Go", "menu/go")) return;
+  for (const Command command : {Command::first, Command::last}) command_item(frame, command);
+  ImGui::Separator();
+  for (const Command command : {Command::back_item, Command::forward_item, Command::back_row,
+                                Command::forward_row, Command::back_stage, Command::forward_stage}) {
+    command_item(frame, command);
+  }
+  ImGui::Separator();
+  for (const Command command : {Command::play, Command::play_back, Command::faster, Command::slower}) {
+    command_item(frame, command);
+  }
+  if (frame.timeline() != nullptr && !frame.ui.run.stages().empty()) {
+    ImGui::Separator();
+    for (const RunCache::Stretch& stretch : frame.ui.run.stages()) {
+      const std::string label = "To the end of " + capitalised(knit::name_of(stretch.stage));
+      if (ImGui::MenuItem(label.c_str())) frame.wish(SeekTo{stretch.end});
+    }
+  }
+  ImGui::EndMenu();
+}
+
+void draw_view_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "View", "menu/view")) return;
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    const bool on = frame.session.shows(layer);
+    if (ImGui::MenuItem(std::string(name_of(layer)).c_str(), keys_of(info_of(layer)).c_str(), on)) {
+      frame.wish(SetLayer{layer, !on});
+    }
+  }
+  ImGui::Separator();
+  command_item(frame, Command::frame_all);
+  ImGui::EndMenu();
+}
+
+void draw_help_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "Help", "menu/help")) return;
+  command_item(frame, info_of(Command::help), "Keys and mouse");
+  ImGui::EndMenu();
+}
+
+// What is open, at the right end of the bar.
+void draw_title(const PanelFrame& frame) {
+  const knit::Timeline* timeline = frame.timeline();
+  if (timeline == nullptr) return;
+  const knit::Mesh& mesh = timeline->input().mesh;
+  const std::string counts =
+      with_commas(mesh.positions.size()) + " vertices, " + with_commas(mesh.triangles.size()) + " triangles";
+  const std::string title = mesh.name + "   " + counts;
+  const float width = ImGui::CalcTextSize(title.c_str()).x;
+  const float left = frame.layout.menu.right() - width - frame.units(12.0f);
+  if (left < ImGui::GetCursorPosX() + frame.units(16.0f)) return;
+  ImGui::SetCursorPosX(left);
+  text(mesh.name);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(left + width - ImGui::CalcTextSize(counts.c_str()).x);
+  faint_text(counts);
+}
+
+}  // namespace
+
+void draw_menu(PanelFrame& frame) {
+  const float spare = frame.layout.menu.height - ImGui::GetFontSize();
+  const ImVec2 padding(ImGui::GetStyle().FramePadding.x, spare > 0.0f ? 0.5f * spare : 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  const bool open = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar();
+  if (!open) return;
+  draw_file_menu(frame);
+  draw_go_menu(frame);
+  draw_view_menu(frame);
+  draw_help_menu(frame);
+  draw_title(frame);
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace app

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_mesh(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".obj";
+}
+
+void enter_folder(OpenDialog& dialog, const fs::path& wanted) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(wanted, error);
+  std::vector<OpenDialog::Entry> entries;
+  fs::directory_iterator it(error ? wanted : folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && it != fs::directory_iterator(); it.increment(error)) {
+    std::error_code unknown;
+    const std::string name = it->path().filename().string();
+    const bool is_folder = it->is_directory(unknown);
+    if (name.empty() || name[0] == '.' || (!is_folder && !is_mesh(it->path()))) continue;
+    entries.push_back({name, is_folder});
+  }
+  if (error) {
+    dialog.trouble = wanted.string() + " cannot be read: " + error.message() + ".";
+    return;
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const auto& a, const auto& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+  if (folder.has_parent_path() && folder != folder.root_path()) entries.insert(entries.begin(), {"..", true});
+  dialog.folder = folder;
+  dialog.entries = std::move(entries);
+  dialog.trouble.clear();
+  dialog.chosen = -1;
+  dialog.path.set("");
+  ++dialog.field;
+  dialog.refocus = true;
+}
+
+void begin_dialog(const Session& session, OpenDialog& dialog) {
+  dialog.shown = true;
+  std::error_code error;
+  fs::path folder = dialog.folder;
+  if (folder.empty() && !session.source.file.empty())
+    folder = fs::absolute(session.source.file, error).parent_path();
+  if (folder.empty()) folder = fs::current_path(error);
+  enter_folder(dialog, folder.empty() ? fs::path("/") : folder);
+}
+
+void finish(PanelFrame& frame) {
+  frame.ui.open.shown = false;
+  frame.wish(ShowOpenDialog{false});
+  ImGui::CloseCurrentPopup();
+}
+
+void take(PanelFrame& frame, const fs::path& path) {
+  std::error_code error;
+  frame.ui.open.refocus = true;
+  if (fs::is_directory(path, error)) {
+    enter_folder(frame.ui.open, path);
+  } else if (!fs::exists(path, error)) {
+    frame.ui.open.trouble = path.string() + " does not exist.";
+  } else {
+    frame.wish(OpenFile{path});
+    finish(frame);
+  }
+}
+
+// Nothing: neither typed nor chosen. What is typed is meant from the folder shown.
+std::optional<fs::path> chosen_path(const OpenDialog& dialog) {
+  if (dialog.chosen >= 0) return dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.chosen)].name;
+  const std::string typed = dialog.path.text();
+  if (typed.empty()) return std::nullopt;
+  const char* const home = std::getenv("HOME");
+  if (typed.rfind("~/", 0) == 0 && home != nullptr) return fs::path(home) / typed.substr(2);
+  return dialog.folder / typed;
+}
+
+// Gives true when an entry was double-clicked.
+bool draw_entries(PanelFrame& frame, float height) {
+  OpenDialog& dialog = frame.ui.open;
+  bool opened = false;
+  ImGui::BeginChild("entries", ImVec2(0.0f, height), true);
+  const auto count = static_cast<int>(dialog.entries.size());
+  const int move = (key_pressed(Key::Down, true) ? 1 : 0) - (key_pressed(Key::Up, true) ? 1 : 0);
+  if (move != 0 && count > 0) dialog.chosen = std::clamp(dialog.chosen + move, 0, count - 1);
+  for (int i = 0; i < count; ++i) {
+    const OpenDialog::Entry& entry = dialog.entries[static_cast<std::size_t>(i)];
+    ImGui::PushID(i);
+    const std::string label = entry.folder ? entry.name + "/" : entry.name;
+    if (ImGui::Selectable(label.c_str(), dialog.chosen == i, ImGuiSelectableFlags_AllowDoubleClick)) {
+      dialog.chosen = i;
+      opened = opened || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    }
+    frame.mark("open/" + entry.name);
+    if (move != 0 && dialog.chosen == i) ImGui::SetScrollHereY();
+    ImGui::PopID();
+  }
+  if (count == 0) faint_text("No folder and no .obj file here.");
+  ImGui::EndChild();
+  return opened;
+}
+
+void draw_inside(PanelFrame& frame) {
+  OpenDialog& dialog = frame.ui.open;
+  faint_text(cut_to_width(dialog.folder.string(), ImGui::GetContentRegionAvail().x));
+  ImGui::PushID(dialog.field);
+  if (std::exchange(dialog.refocus, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::InputText("##path", dialog.path.bytes.data(), dialog.path.bytes.size())) dialog.chosen = -1;
+  frame.mark("open/path");
+  ImGui::PopID();
+  const bool entered = key_pressed(Key::Enter) || key_pressed(Key::KeypadEnter);
+  const float below = 2.0f * ImGui::GetFrameHeightWithSpacing();
+  const bool opened = draw_entries(frame, ImGui::GetContentRegionAvail().y - below);
+  if (dialog.trouble.empty()) {
+    faint_text("Type a path, or choose with the arrow keys or the mouse. Enter opens.");
+  } else {
+    text(cut_to_width(dialog.trouble, ImGui::GetContentRegionAvail().x));
+    tooltip(frame, dialog.trouble);
+  }
+  const bool clicked = ImGui::Button("Open", ImVec2(frame.units(90.0f), 0.0f));
+  frame.mark("open/open");
+  ImGui::SameLine();
+  const bool cancelled = ImGui::Button("Cancel", ImVec2(frame.units(90.0f), 0.0f));
+  if (cancelled || key_pressed(Key::Escape)) {
+    finish(frame);
+  } else if (entered || opened || clicked) {
+    if (const auto path = chosen_path(dialog)) take(frame, *path);
+  }
+}
+
+}  // namespace
+
+void draw_open_dialog(PanelFrame& frame) {
+  OpenDialog& dialog = frame.ui.open;
+  const bool wanted = frame.session.open_dialog_open;
+  if (!wanted && !dialog.shown) return;
+  const char* const title = "Open a mesh";
+  if (wanted && !dialog.shown) {
+    begin_dialog(frame.session, dialog);
+    ImGui::OpenPopup(title);
+  }
+  const Box& window = frame.layout.window;
+  ImGui::SetNextWindowPos(ImVec2(0.5f * window.width, 0.5f * window.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(std::min(frame.units(600.0f), 0.9f * window.width),
+                                  std::min(frame.units(460.0f), 0.9f * window.height)));
+  push_raised_look(frame);
+  const bool open =
+      ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  pop_raised_look();
+  if (!open) {
+    dialog.shown = false;
+    if (wanted) frame.wish(ShowOpenDialog{false});
+    return;
+  }
+  if (!wanted) {  // closed by another hand: a script, or a file dropped on the window
+    dialog.shown = false;
+    ImGui::CloseCurrentPopup();
+  } else {
+    draw_inside(frame);
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace app

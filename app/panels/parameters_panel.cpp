@@ -1,0 +1,105 @@
+// The left panel: every knob of the pipeline in its order, and the edits made on the way.
+#include <array>
+#include <string>
+
+#include "app/panels/knob.h"
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+void draw_mode(PanelFrame& frame) {
+  constexpr std::array<std::string_view, 2> names{"from the start", "from here"};
+  faint_text("A change counts");
+  ImGui::BeginGroup();
+  const int clicked = segmented("mode", names, frame.ui.from_here ? 1 : 0, ImGui::GetContentRegionAvail().x);
+  ImGui::EndGroup();
+  if (clicked >= 0) frame.ui.from_here = clicked == 1;
+  frame.mark("mode");
+  tooltip(frame,
+          "From the start: the run becomes what it would have been with this value, and shows the same place "
+          "in it.\n\n"
+          "From here: what is past stays as it is; the rest is run anew.");
+}
+
+// What a change asks for: welding makes another mesh, so it can only count from the start.
+void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
+  if (frame.ui.from_here && info.first_reader != knit::Stage::import) {
+    frame.wish(EditFromHere{changed});
+  } else {
+    frame.wish(Tune{changed});
+  }
+}
+
+std::string changes_text(const knit::Parameters& from, const knit::Parameters& to) {
+  std::string words;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    const std::string before = knit::value_text(info, from);
+    const std::string after = knit::value_text(info, to);
+    if (before == after) continue;
+    if (!words.empty()) words += "\n";
+    words += std::string(info.label) + " " + before + " \xE2\x86\x92 " + after;
+  }
+  return words.empty() ? "nothing changes" : words;
+}
+
+void draw_edit(PanelFrame& frame, const knit::Timeline& timeline, std::size_t i) {
+  const knit::Edit& edit = timeline.edits()[i];
+  const knit::Parameters& before = i > 0 ? timeline.edits()[i - 1].parameters : timeline.base_parameters();
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(static_cast<int>(i));
+  const float left = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x - side - frame.units(6.0f);
+  const std::string place = "From " + words_of(edit.at);
+  if (ImGui::Selectable(cut_to_width(place, width).c_str(), false, 0, ImVec2(width, 0.0f))) {
+    const auto& positions = frame.ui.run.edits();
+    if (i < positions.size()) frame.wish(SeekTo{positions[i]});
+  }
+  frame.mark("edit/" + std::to_string(i));
+  tooltip(frame, place + ". Click: go there.");
+  ImGui::SameLine(left + width + frame.units(6.0f));
+  if (icon_button("remove", Icon::cross, ImVec2(side, side))) frame.wish(RemoveEdit{i});
+  frame.mark("edit/" + std::to_string(i) + "/remove");
+  tooltip(frame, "Take this change back.");
+  wrapped_text(changes_text(before, edit.parameters), palette::faint_text);
+  ImGui::PopID();
+}
+
+void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
+  knit::Stage group = knit::Stage::done;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    if (info.first_reader != group) {
+      group = info.first_reader;
+      heading(frame, capitalised(knit::name_of(group)).c_str());
+    }
+    // Each knob starts from what is in force, so that one frame wishes at most what one hand did.
+    knit::Parameters parameters = timeline.parameters();
+    draw_knob(frame, info, parameters);
+    if (parameters != timeline.parameters()) wish_change(frame, info, parameters);
+  }
+}
+
+}  // namespace
+
+void draw_edits(PanelFrame& frame) {
+  const knit::Timeline& timeline = *frame.timeline();
+  if (timeline.edits().empty()) return;
+  heading(frame, "Changes on the way");
+  for (std::size_t i = 0; i < timeline.edits().size(); ++i) draw_edit(frame, timeline, i);
+}
+
+void draw_parameters(PanelFrame& frame) {
+  begin_panel("Parameters", frame.layout.parameters);
+  if (const knit::Timeline* timeline = frame.timeline()) {
+    draw_mode(frame);
+    draw_knobs(frame, *timeline);
+    draw_edits(frame);
+  } else {
+    heading(frame, "Parameters");
+    wrapped_text("They appear here once a mesh is open.", palette::faint_text);
+  }
+  ImGui::End();
+}
+
+}  // namespace app

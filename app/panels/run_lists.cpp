@@ -1,0 +1,163 @@
+// The rows of the run so far, and what was unusual in all of it.
+#include <algorithm>
+#include <string>
+
+#include "app/panels/widgets.h"
+#include "knit/narrate.h"
+
+namespace app {
+
+namespace {
+
+constexpr float shortest_list = 60.0f;  // plain units; below that the panel scrolls as a whole
+
+ImVec2 list_size(const PanelFrame& frame) {
+  return {0.0f, std::max(frame.units(shortest_list), ImGui::GetContentRegionAvail().y)};
+}
+
+// Of the row in the making; none: 0.
+std::int32_t row_at_hand(const PanelFrame& frame) {
+  const knit::Step* step = last_step(frame.session);
+  return step != nullptr ? step->place.row : 0;
+}
+
+void right_aligned(const std::string& words, Colour colour) {
+  const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
+  text(words);
+  ImGui::PopStyleColor();
+}
+
+void draw_change(std::ptrdiff_t change) {
+  if (change == 0) return right_aligned("0", palette::faint_text);
+  const std::string sign = change > 0 ? "+" : "\xE2\x88\x92";
+  right_aligned(sign + std::to_string(std::abs(change)),
+                palette::of(change > 0 ? knit::Label::m1l : knit::Label::ssk));
+}
+
+void draw_header() {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::TableNextColumn();
+  faint_text("Row");
+  for (const char* name : {"Stitches", "Change"}) {
+    ImGui::TableNextColumn();
+    right_aligned(name, palette::faint_text);
+  }
+}
+
+void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
+  const auto number = static_cast<std::int32_t>(i) + 1;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string label = std::to_string(number);
+  if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), ImGuiSelectableFlags_SpanAllColumns)) {
+    const knit::Stage stage = state.stage() == knit::Stage::done ? knit::Stage::pattern : state.stage();
+    const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
+    frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
+  }
+  frame.mark("row/" + label);
+  tooltip(frame, "Click: to the end of this row in this stage.");
+  if (i >= state.rows.size()) {  // in the making
+    ImGui::TableNextColumn();
+    const auto* work = std::get_if<knit::RowWork>(&state.work);
+    right_aligned(work != nullptr ? std::to_string(work->walk.kept.size()) + "..." : "...",
+                  palette::faint_text);
+    return;
+  }
+  const auto stitches = static_cast<std::ptrdiff_t>(state.rows[i]->stitches.size());
+  ImGui::TableNextColumn();
+  right_aligned(std::to_string(stitches), palette::text);
+  ImGui::TableNextColumn();
+  if (i > 0) draw_change(stitches - static_cast<std::ptrdiff_t>(state.rows[i - 1]->stitches.size()));
+}
+
+// Keeps the row at hand in sight, when it has changed.
+void follow_row(PanelFrame& frame, std::size_t lines) {
+  const std::int32_t row = row_at_hand(frame);
+  if (row == frame.ui.row_scrolled_to) return;
+  frame.ui.row_scrolled_to = row;
+  const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+  const float all = line * static_cast<float>(lines + 1);
+  const float top = line * static_cast<float>(row) - 0.5f * ImGui::GetWindowHeight();
+  ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
+}
+
+// The list's lines in order: findings about the mesh, unusual steps, why the run stopped.
+struct Problem {
+  std::string words;
+  std::optional<std::size_t> position;  // to see it
+};
+
+Problem problem_at(const PanelFrame& frame, std::size_t i) {
+  const auto& findings = frame.session.findings;
+  if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt};
+  i -= findings.size();
+  const knit::Timeline& timeline = *frame.timeline();
+  const auto& steps = frame.ui.run.problems();
+  if (i < steps.size()) {
+    return {knit::narrate(timeline.step(steps[i]), timeline.parameters_of_step(steps[i])), steps[i] + 1};
+  }
+  const knit::Parameters& parameters =
+      timeline.known() > 0 ? timeline.parameters_of_step(timeline.known() - 1) : timeline.base_parameters();
+  return {knit::narrate(*timeline.stop(), parameters), timeline.known()};
+}
+
+void draw_problem(PanelFrame& frame, std::size_t i) {
+  const Problem problem = problem_at(frame, i);
+  ImGui::PushID(static_cast<int>(i));
+  const std::string line = cut_to_width(problem.words, ImGui::GetContentRegionAvail().x);
+  const bool here = problem.position && frame.timeline()->position() == *problem.position;
+  if (ImGui::Selectable("##problem", here) && problem.position) frame.wish(SeekTo{*problem.position});
+  frame.mark("problem/" + std::to_string(i));
+  tooltip(frame, problem.position ? problem.words + "\n\nClick: go there." : problem.words);
+  ImGui::SameLine(0.0f, 0.0f);
+  ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
+  text(line);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+std::size_t count_problems(const PanelFrame& frame) {
+  if (frame.timeline() == nullptr) return 0;
+  return frame.session.findings.size() + frame.ui.run.problems().size() +
+         (frame.timeline()->stop() != nullptr ? 1 : 0);
+}
+
+void draw_rows(PanelFrame& frame) {
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  if (!ImGui::BeginTable("row table", 3, flags, list_size(frame))) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  draw_header();
+  if (frame.timeline() != nullptr) {
+    const knit::State& state = frame.timeline()->state();
+    const auto at_hand = static_cast<std::size_t>(row_at_hand(frame));
+    const std::size_t lines = std::max(state.rows.size(), state.stage() == knit::Stage::rows ? at_hand : 0);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lines));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        draw_row(frame, state, static_cast<std::size_t>(i));
+      }
+    }
+    follow_row(frame, lines);
+  }
+  ImGui::EndTable();
+}
+
+void draw_problems(PanelFrame& frame) {
+  ImGui::BeginChild("problem list", list_size(frame), true);
+  const std::size_t count = count_problems(frame);
+  if (count == 0) wrapped_text("Nothing unusual so far.", palette::faint_text);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_problem(frame, static_cast<std::size_t>(i));
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+#include "app/panels/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/commands.h"
+#include "app/panels/panels.h"
+
+namespace app {
+
+void TextBuffer::set(const std::string& text) {
+  bytes.fill('\0');
+  std::copy_n(text.begin(), std::min(text.size(), bytes.size() - 1), bytes.begin());
+}
+
+std::string TextBuffer::text() const { return {bytes.data()}; }
+
+void PanelFrame::mark(std::string_view control) {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  ui.controls.insert_or_assign(std::string(control), Box{low.x, low.y, high.x - low.x, high.y - low.y});
+}
+
+Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,
+                const Fonts& fonts) {
+  PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
+  ui.controls.clear();
+  if (session.timeline) ui.run.refresh(*session.timeline);
+  draw_menu(frame);
+  draw_parameters(frame);
+  draw_explanation(frame);
+  draw_timeline(frame);
+  draw_view(frame);
+  draw_view_overlays(frame);
+  draw_help(frame);
+  draw_open_dialog(frame);
+  draw_save_dialog(frame);
+  return std::move(frame.actions);
+}
+
+}  // namespace app

@@ -1,0 +1,99 @@
+// All panels in one call, and the little that is theirs to remember.
+//
+// How a frame goes; the session is the same all through it, so picture, captions and panels agree:
+//   glue.begin_frame(size, window.input().take_frame());
+//   const Layout layout = layout_of(size.width, size.height, window.unit_scale());
+//   apply(session, SetAspect{layout.view_aspect()});
+//   const Scene scene = describer.describe(session);
+//   const Actions wishes = draw_ui(session, ui, scene, layout, fonts);
+//   glue.end_frame();
+//   ... draw the scene into pixels_of(layout.view, layout.window, size.pixels_per_x, size.pixels_per_y),
+//   ... then ImGui's own triangles over all of the window; the view's rectangle has no background of theirs
+//   for (const Action& wish : wishes) apply(session, wish);
+// Wishes show in the next frame, so one is due whenever there were any. Popups, tooltips and notices find
+// their size in two frames: draw three after the last event before going to sleep.
+//
+// Before the first frame, and whenever the scale changes: fonts = glue.load_fonts(folder, scale,
+// style::text_size), style::apply(scale), ImGuiDraw::forget_fonts().
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/action.h"
+#include "app/core/scene.h"
+#include "app/panels/imgui_glue.h"
+#include "app/panels/layout.h"
+#include "app/panels/run_cache.h"
+
+namespace app {
+
+// A buffer that a text field writes into.
+struct TextBuffer {
+  std::array<char, 4096> bytes{};
+  void set(const std::string& text);
+  [[nodiscard]] std::string text() const;
+};
+
+// A drag that began in the view.
+struct ViewDrag {
+  enum class Kind : std::uint8_t { orbit, pan } kind = Kind::orbit;
+  bool moved = false;  // far enough to be no click
+};
+
+struct OpenDialog {
+  struct Entry {
+    std::string name;
+    bool folder = false;
+  };
+  bool shown = false;
+  std::filesystem::path folder;
+  std::vector<Entry> entries;
+  std::string trouble;  // why the folder cannot be read, or the path not opened
+  int chosen = -1;      // by the arrow keys or a click; else what is typed counts
+  int field = 0;        // changes when the field is emptied from outside
+  bool refocus = false;
+  TextBuffer path;
+};
+
+struct SaveDialog {
+  std::optional<ExportKind> wanted;  // open for this
+  bool shown = false;
+  TextBuffer path;
+};
+
+// A vertex number that is typed.
+struct VertexField {
+  TextBuffer text;
+  std::string shown;    // the value that `text` was made from
+  std::string trouble;  // why what was typed is refused
+};
+
+enum class RunList : std::uint8_t { rows, problems };
+
+// Only what is the panels' own: nothing of the algorithm, and nothing that a script would need.
+struct UiState {
+  Unit unit = Unit::item;  // of the step buttons
+  bool from_here = false;  // a changed parameter counts from here on, not from the start
+  RunList list = RunList::rows;
+  ViewDrag drag;
+  OpenDialog open;
+  SaveDialog save;
+  std::map<std::string, VertexField, std::less<>> vertex_fields;  // by parameter key
+  int row_scrolled_to = 0;
+  RunCache run;
+  LabelTally labels;
+  // Where controls stood in the last frame, by name ("play", "scrubber", "layer/surface"): for tests and for
+  // whoever points at them.
+  std::map<std::string, Box, std::less<>> controls;
+};
+
+// Needs a frame of ImGui's. What a person wished in it, in order.
+Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,
+                const Fonts& fonts);
+
+}  // namespace app

@@ -1,0 +1,133 @@
+// What floats over the view: notices, the banner while a vertex is picked, and a welcome while nothing is
+// open.
+#include <algorithm>
+#include <string>
+
+#include "app/panels/commands.h"
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+
+Colour colour_of(Notice::Kind kind) {
+  switch (kind) {
+    case Notice::Kind::info:
+      return style::accent;
+    case Notice::Kind::warning:
+      return style::warning;
+    case Notice::Kind::error:
+      return palette::problem;
+  }
+  return style::accent;
+}
+
+const char* name_of(Notice::Kind kind) {
+  switch (kind) {
+    case Notice::Kind::info:
+      return "";
+    case Notice::Kind::warning:
+      return "Warning: ";
+    case Notice::Kind::error:
+      return "Error: ";
+  }
+  return "";
+}
+
+void draw_notice(PanelFrame& frame, std::size_t i) {
+  const Notice& notice = frame.session.notices[i];
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(static_cast<int>(i));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float bar = frame.units(4.0f);
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + bar + frame.units(8.0f));
+  ImGui::BeginGroup();
+  ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
+  ImGui::PushTextWrapPos(end - frame.units(8.0f));
+  text(name_of(notice.kind) + notice.text);
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
+  ImGui::EndGroup();
+  const float low = ImGui::GetItemRectMax().y;
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + bar, low),
+                                            style::packed(colour_of(notice.kind)), frame.units(2.0f));
+  ImGui::SameLine(end);
+  if (icon_button("dismiss", Icon::cross, ImVec2(side, side))) frame.wish(DismissNotice{i});
+  frame.mark("notice/" + std::to_string(i));
+  tooltip(frame, tooltip_of(info_of(Command::close)));
+  ImGui::PopID();
+}
+
+// The newest on top; when there are many, they scroll.
+void draw_notices(PanelFrame& frame) {
+  if (frame.session.notices.empty()) return;
+  const Box& view = frame.layout.view;
+  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
+  const float width = view.width - 2.0f * margin;
+  ImGui::SetNextWindowPos(ImVec2(view.x + margin, view.y + margin));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, 0.5f * view.height));
+  push_raised_look(frame);
+  ImGui::Begin("Notices", nullptr, floating);
+  pop_raised_look();
+  for (std::size_t i = frame.session.notices.size(); i-- > 0;) {
+    draw_notice(frame, i);
+    if (i > 0) ImGui::Separator();
+  }
+  ImGui::End();
+}
+
+void draw_picking(PanelFrame& frame) {
+  if (frame.session.picking == Picking::nothing) return;
+  const Box& view = frame.layout.view;
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.bottom() - frame.units(40.0f)),
+                          ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+  push_raised_look(frame);
+  ImGui::Begin("Picking", nullptr, floating);
+  pop_raised_look();
+  const bool start = frame.session.picking == Picking::start;
+  ImGui::AlignTextToFramePadding();
+  text(start ? "Click the start vertex in the view (t = 0)." : "Click the end vertex in the view (t = 1).");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) frame.wish(SetPicking{Picking::nothing});
+  frame.mark("picking/cancel");
+  tooltip(frame, tooltip_of(info_of(Command::close)));
+  ImGui::End();
+}
+
+void draw_welcome(PanelFrame& frame) {
+  if (frame.timeline() != nullptr) return;
+  const Box& view = frame.layout.view;
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::Begin("Welcome", nullptr, floating | ImGuiWindowFlags_NoBackground);
+  push_font(frame.fonts.heading);
+  text("No mesh is open");
+  pop_font();
+  faint_text("Start with an example, open an .obj file, or drop one here.");
+  ImGui::Dummy(ImVec2(0.0f, frame.units(4.0f)));
+  const CommandInfo& open = info_of(Command::open);
+  const ImVec2 size(frame.units(200.0f), 0.0f);
+  if (ImGui::Button((words_of(open) + "...").c_str(), size)) frame.wish(ShowOpenDialog{true});
+  frame.mark("welcome/open");
+  tooltip(frame, tooltip_of(open));
+  for (const std::string& name : list_examples(frame.session.assets)) {
+    if (ImGui::Button(name.c_str(), size)) frame.wish(OpenExample{name});
+    frame.mark("welcome/" + name);
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+void draw_view_overlays(PanelFrame& frame) {
+  draw_welcome(frame);
+  draw_picking(frame);
+  draw_notices(frame);
+}
+
+}  // namespace app

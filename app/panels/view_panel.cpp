@@ -1,0 +1,159 @@
+// The centre: empty but for what lies over the scene. Drags, wheel and clicks become wishes about the camera.
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <string>
+
+#include "app/core/pick.h"
+#include "app/panels/commands.h"
+#include "app/panels/view_help.h"
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+constexpr double radians_per_unit = 0.008;
+constexpr float click_reach = 4.0f;  // plain units that a click may move
+
+// In [-1, 1] from the view's centre, up positive.
+glm::dvec2 pointer_in(const Box& view) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  return {2.0 * static_cast<double>((at.x - view.x) / view.width) - 1.0,
+          1.0 - 2.0 * static_cast<double>((at.y - view.y) / view.height)};
+}
+
+void move_camera(PanelFrame& frame, const ImVec2& by) {
+  const Box& view = frame.layout.view;
+  if (frame.ui.drag.kind == ViewDrag::Kind::pan) {
+    const glm::dvec2 move(2.0 * static_cast<double>(by.x / view.width),
+                          -2.0 * static_cast<double>(by.y / view.height));
+    frame.wish(Pan{move});
+    return;
+  }
+  const double turn = radians_per_unit / static_cast<double>(frame.layout.scale);
+  frame.wish(Orbit{-static_cast<double>(by.x) * turn, static_cast<double>(by.y) * turn});
+}
+
+void handle_drag(PanelFrame& frame) {
+  ViewDrag& drag = frame.ui.drag;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) {
+    const bool turns = io.MouseDown[ImGuiMouseButton_Left] && !key_mods().shift;
+    drag = {turns ? ViewDrag::Kind::orbit : ViewDrag::Kind::pan, false};
+  }
+  if (!ImGui::IsItemActive()) return;
+  ImVec2 by = io.MouseDelta;
+  if (!drag.moved) {
+    for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle}) {
+      if (!io.MouseDown[button]) continue;
+      by = ImVec2(io.MousePos.x - io.MouseClickedPos[button].x, io.MousePos.y - io.MouseClickedPos[button].y);
+      drag.moved = std::hypot(by.x, by.y) > frame.units(click_reach);
+    }
+    if (!drag.moved) return;
+  }
+  if (by.x != 0.0f || by.y != 0.0f) move_camera(frame, by);
+}
+
+void handle_clicks(PanelFrame& frame) {
+  const bool picking = frame.session.picking != Picking::nothing;
+  if (picking && ImGui::IsItemDeactivated() && !frame.ui.drag.moved &&
+      ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    if (const auto vertex = pick_vertex(frame.session, pointer_in(frame.layout.view))) {
+      frame.wish(PickVertex{*vertex});
+    }
+  }
+  if (!ImGui::IsItemHovered()) return;
+  if (!picking && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) frame.wish(FrameAll{});
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel != 0.0f) {
+    frame.wish(Zoom{std::pow(0.88, static_cast<double>(wheel)), pointer_in(frame.layout.view)});
+  }
+}
+
+// Readable over whatever is in the picture.
+void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 edge(frame.units(5.0f), frame.units(2.0f));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
+                     ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
+                     style::packed(palette::background, 190), frame.units(4.0f));
+  list.AddText(at, style::packed(colour), words.c_str());
+}
+
+void draw_hint(const PanelFrame& frame) {
+  std::string hint;
+  for (const MouseHelp& help : mouse_help) {
+    if (!help.hint.empty()) hint += std::string(help.hint) + ", ";
+  }
+  hint += text_of(info_of(Command::frame_all).chords[0]) + " frames, ";
+  hint += text_of(info_of(Command::help).chords[1]) + " lists the keys";
+  const Box& view = frame.layout.view;
+  const float height = ImGui::GetTextLineHeight();
+  const float room = view.width - frame.units(170.0f);
+  const ImVec2 at(view.x + frame.units(12.0f), view.bottom() - height - frame.units(10.0f));
+  boxed_text(frame, at, cut_to_width(hint, room), palette::faint_text);
+}
+
+// What the mesh's colours say.
+void draw_time_ramp(const PanelFrame& frame) {
+  const Session& session = frame.session;
+  if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
+  if (frame.scene.timed_vertices == 0) return;
+  const Box& view = frame.layout.view;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = frame.units(90.0f);
+  const float height = frame.units(7.0f);
+  const ImVec2 low(view.right() - width - frame.units(14.0f), view.bottom() - height - frame.units(12.0f));
+  const ImVec2 high(low.x + width, low.y + height);
+  const float middle = low.x + 0.5f * width;
+  const ImU32 a = style::packed(frame.scene.time_low);
+  const ImU32 b = style::packed(frame.scene.time_middle);
+  const ImU32 c = style::packed(frame.scene.time_high);
+  list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
+  list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
+  const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
+  const ImU32 colour = style::packed(palette::faint_text);
+  list.AddText(ImVec2(low.x, y), colour, "t = 0");
+  list.AddText(ImVec2(high.x - ImGui::CalcTextSize("1").x, y), colour, "1");
+}
+
+}  // namespace
+
+void draw_captions(PanelFrame& frame) {
+  const Box& view = frame.layout.view;
+  const glm::mat4 onto = frame.scene.view.projection * frame.scene.view.view;
+  for (const Caption& caption : frame.scene.captions) {
+    const glm::vec4 place = onto * glm::vec4(caption.position, 1.0f);
+    if (place.w <= 0.0f) continue;
+    const ImVec2 size = ImGui::CalcTextSize(caption.text.c_str());
+    const ImVec2 at(view.x + (0.5f + 0.5f * place.x / place.w) * view.width + frame.units(9.0f),
+                    view.y + (0.5f - 0.5f * place.y / place.w) * view.height - size.y - frame.units(7.0f));
+    boxed_text(frame, at, caption.text, caption.colour);
+  }
+}
+
+void draw_view(PanelFrame& frame) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel(
+      "View", frame.layout.view,
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const Box& view = frame.layout.view;
+  ImGui::InvisibleButton("view", ImVec2(view.width, view.height),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  frame.mark("view");
+  const bool hovered = ImGui::IsItemHovered();
+  if (frame.timeline() != nullptr) {
+    handle_drag(frame);
+    handle_clicks(frame);
+    if (hovered && frame.session.picking != Picking::nothing) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    draw_captions(frame);
+    if (hovered) draw_hint(frame);
+  }
+  draw_time_ramp(frame);
+  ImGui::End();
+}
+
+}  // namespace app

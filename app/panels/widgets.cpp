@@ -1,0 +1,142 @@
+#include "app/panels/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace app {
+
+void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more) {
+  ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
+  ImGui::SetNextWindowSize(ImVec2(box.width, box.height));
+  ImGui::Begin(name, nullptr, fixed_panel | more);
+}
+
+void push_raised_look(const PanelFrame& frame) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, frame.units(8.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, frame.units(1.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_PopupBorderSize, frame.units(1.0f));
+}
+
+void pop_raised_look() { ImGui::PopStyleVar(3); }
+
+void heading(const PanelFrame& frame, const char* words) {
+  push_font(frame.fonts.strong);
+  faint_text(words);
+  pop_font();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float y = 0.5f * (low.y + high.y);
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(high.x + frame.units(8.0f), y), ImVec2(end, y),
+                                      style::packed(style::outline), frame.units(1.0f));
+}
+
+int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width) {
+  const ImGuiStyle& look = ImGui::GetStyle();
+  const float gap = 1.0f;
+  float spare = 0.0f;
+  if (width > 0.0f) {
+    float needed = -gap;
+    for (const std::string_view name : names) {
+      needed += ImGui::CalcTextSize(name.data(), name.data() + name.size(), true).x + gap;
+    }
+    spare = std::max(0.0f, width - needed) / static_cast<float>(names.size());
+  } else {
+    spare = 2.0f * look.FramePadding.x;
+  }
+  ImGui::PushID(id);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, look.ItemSpacing.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, look.FramePadding.y));
+  int clicked = -1;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const std::string name(names[static_cast<std::size_t>(i)]);
+    const bool lit = i == chosen;
+    if (i > 0) ImGui::SameLine();
+    if (lit) {
+      ImGui::PushStyleColor(ImGuiCol_Button, style::vector(style::accent));
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(style::accent));
+      ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::background));
+    }
+    ImGui::PushID(i);
+    const float wide = ImGui::CalcTextSize(name.c_str(), nullptr, true).x + spare;
+    if (ImGui::Button(name.c_str(), ImVec2(wide, 0.0f)) && !lit) clicked = i;
+    ImGui::PopID();
+    if (lit) ImGui::PopStyleColor(3);
+  }
+  ImGui::PopStyleVar(2);
+  ImGui::PopID();
+  return clicked;
+}
+
+bool wants_tooltip() {
+  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+         !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
+void tooltip(const PanelFrame& frame, std::string_view words) {
+  if (!wants_tooltip()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(frame.units(340.0f));
+  text(words);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
+
+void faint_text(std::string_view words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::faint_text));
+  text(words);
+  ImGui::PopStyleColor();
+}
+
+void wrapped_text(std::string_view words, Colour colour) {
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
+  ImGui::PushTextWrapPos(0.0f);
+  text(words);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+std::string cut_to_width(std::string_view words, float width) {
+  const auto wide = [](std::string_view part) {
+    return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+  };
+  if (wide(words) <= width) return std::string(words);
+  const std::string_view ellipsis = "...";
+  const float room = width - wide(ellipsis);
+  std::size_t low = 0;
+  std::size_t high = words.size();
+  while (low < high) {
+    const std::size_t middle = (low + high + 1) / 2;
+    if (wide(words.substr(0, middle)) <= room) {
+      low = middle;
+    } else {
+      high = middle - 1;
+    }
+  }
+  // Never through the middle of a character.
+  while (low > 0 && (static_cast<unsigned char>(words[low]) & 0xC0U) == 0x80U) --low;
+  return std::string(words.substr(0, low)) + std::string(ellipsis);
+}
+
+std::string with_commas(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string capitalised(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+std::string words_of(const knit::Place& place) {
+  std::string words = capitalised(knit::name_of(place.stage));
+  if (place.row > 0) words += ", row " + std::to_string(place.row);
+  return words + ", item " + std::to_string(place.item);
+}
+
+}  // namespace app

@@ -1,0 +1,86 @@
+// OpenGL objects that free themselves, and the error that the drawing code throws. Everything in this folder
+// lives and dies while its OpenGL context is current.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace app {
+
+// what() is a sentence for a person, with the driver's log where there is one.
+struct GlError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class Kind>
+class GlHandle {
+ public:
+  GlHandle() = default;
+  explicit GlHandle(GLuint id) : id_(id) {}
+  GlHandle(GlHandle&& other) noexcept : id_(std::exchange(other.id_, 0U)) {}
+  GlHandle& operator=(GlHandle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~GlHandle() {
+    if (id_ != 0) {
+      Kind::destroy(id_);
+    }
+  }
+  static GlHandle make() { return GlHandle(Kind::create()); }
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_ = 0;
+};
+
+struct BufferKind {
+  static GLuint create() {
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+struct VertexArrayKind {
+  static GLuint create() {
+    GLuint id = 0;
+    glGenVertexArrays(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+};
+struct FramebufferKind {
+  static GLuint create() {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+};
+struct RenderbufferKind {
+  static GLuint create() {
+    GLuint id = 0;
+    glGenRenderbuffers(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+};
+struct ProgramKind {
+  static GLuint create() { return glCreateProgram(); }
+  static void destroy(GLuint id) { glDeleteProgram(id); }
+};
+struct ShaderKind {
+  static void destroy(GLuint id) { glDeleteShader(id); }
+};
+
+using GlBuffer = GlHandle<BufferKind>;
+using GlVertexArray = GlHandle<VertexArrayKind>;
+using GlFramebuffer = GlHandle<FramebufferKind>;
+using GlRenderbuffer = GlHandle<RenderbufferKind>;
+using GlProgram = GlHandle<ProgramKind>;
+using GlShader = GlHandle<ShaderKind>;
+
+}  // namespace app

@@ -1,0 +1,20 @@
+// A picture in memory and as a PNG file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;  // top row first, 4 bytes a pixel
+};
+
+// Writes beside `path` and renames, so that there is never half a picture; "-" is standard output. Returns
+// what went wrong and what to do, or nothing.
+std::optional<std::string> save_png(const std::string& path, const Image& image);
+
+}  // namespace app

@@ -1,0 +1,262 @@
+#include "app/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace app {
+
+namespace {
+
+// What stands behind the surface shows through this much: what is going on more than what is finished.
+constexpr float hidden_now = 0.15f;
+constexpr float hidden_finished = 0.08f;
+
+glm::vec3 rgb(const Colour& colour) { return glm::vec3(colour.r, colour.g, colour.b) / 255.0f; }
+glm::vec4 rgba(const Colour& colour) { return {rgb(colour), static_cast<float>(colour.a) / 255.0f}; }
+
+void depth(bool test, bool write, GLenum function = GL_LEQUAL) {
+  (test ? glEnable : glDisable)(GL_DEPTH_TEST);
+  glDepthMask(write ? GL_TRUE : GL_FALSE);
+  glDepthFunc(function);
+}
+
+void blend(bool on) {
+  (on ? glEnable : glDisable)(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  // The picture itself stays opaque.
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void clear(const Rect& viewport, const Colour& background) {
+  const glm::vec4 colour = rgba(background);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glClearColor(colour.r, colour.g, colour.b, 1.0f);
+  glClearDepth(1.0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace
+
+struct Renderer::Frame {
+  const Scene& scene;
+  const MeshBuffers* mesh = nullptr;
+  glm::vec2 viewport{1.0f};
+  float scale = 1.0f;
+  float extent = 1.0f;  // size of what is shown
+  float push = 0.0f;    // how far the surface steps back behind the knit faces
+};
+
+Renderer::Renderer()
+    : surface_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "band.glsl", "surface.frag"}),
+      face_({"camera.glsl", "face.vert"}, {"light.glsl", "band.glsl", "face.frag"}),
+      band_({"camera.glsl", "surface.vert"}, {"band.glsl", "band.frag"}),
+      wire_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "wire.frag"}),
+      line_({"camera.glsl", "line.vert"}, {"line.frag"}),
+      point_({"camera.glsl", "point.vert"}, {"point.frag"}) {}
+
+void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
+  if (viewport.width <= 0 || viewport.height <= 0) {
+    return;
+  }
+  for (Program* program : {&surface_, &face_, &band_, &wire_, &line_, &point_}) {
+    program->refresh();
+  }
+  last_ = {};
+  upload(scene);
+  Frame frame{.scene = scene, .viewport = {viewport.width, viewport.height}, .scale = ui_scale};
+  float longest_side = 0.0f;
+  frame.extent = 0.0f;
+  if (scene.mesh != nullptr) {
+    frame.mesh = &meshes_.get(scene.mesh);
+    frame.extent = frame.mesh->extent();
+  }
+  for (const auto& faces : scene.faces) {
+    const FaceBuffers& buffers = faces_.get(faces);
+    longest_side = std::max(longest_side, buffers.longest_side());
+    frame.extent = std::max(frame.extent, buffers.extent());
+  }
+  frame.extent = frame.extent > 0.0f ? frame.extent : 1.0f;
+  frame.push = std::min(longest_side * longest_side / frame.extent, 0.04f * frame.extent);
+
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glDisable(GL_CULL_FACE);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  clear(viewport, scene.background);
+  draw_surface(frame);
+  draw_faces(frame);
+  draw_band_alone(frame);
+  draw_wire(frame);
+  draw_lines(frame, true);
+  draw_points(frame, true);
+  draw_lines(frame, false);
+  draw_points(frame, false);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  blend(false);
+  depth(false, true, GL_LESS);
+}
+
+// Shapes whose last holder let go are freed first, so that a tuned run never holds two runs' rows.
+void Renderer::upload(const Scene& scene) {
+  meshes_.drop_dead();
+  faces_.drop_dead();
+  line_sets_.drop_dead();
+  point_sets_.drop_dead();
+  frame_lines_.upload(scene.lines, GL_STREAM_DRAW);
+  frame_points_.upload(scene.points, GL_STREAM_DRAW);
+}
+
+void Renderer::start(const Program& program, const Frame& frame) const {
+  const Scene& scene = frame.scene;
+  program.use();
+  program.set("u_view", scene.view.view);
+  program.set("u_projection", scene.view.projection);
+  program.set("u_eye", scene.view.eye);
+  program.set("u_parallel", scene.view.projection[3][3] == 0.0f ? 0.0f : 1.0f);
+  program.set("u_viewport", frame.viewport);
+  program.set("u_scale", frame.scale);
+  program.set("u_push", frame.push);
+  const glm::vec3 centre = frame.mesh != nullptr ? frame.mesh->centre() : glm::vec3(0.0f);
+  const float middle = -(scene.view.view * glm::vec4(centre, 1.0f)).z;
+  program.set("u_near", middle - 0.15f * frame.extent);
+  program.set("u_far", middle + 0.25f * frame.extent);
+  program.set("u_far_alpha", frame.mesh == nullptr || scene.show_surface ? 1.0f : 0.30f);
+  program.set("u_toward", 0.0f);
+  program.set("u_timed", scene.show_times ? static_cast<int>(scene.timed_vertices) : 0);
+  program.set("u_ground", rgb(scene.ground));
+  program.set("u_low", rgb(scene.time_low));
+  program.set("u_middle", rgb(scene.time_middle));
+  program.set("u_high", rgb(scene.time_high));
+  program.set("u_band_colour", scene.band ? rgba(scene.band->colour) : glm::vec4(0.0f));
+  if (scene.band) {
+    program.set("u_band_centre", scene.band->centre);
+    program.set("u_band_reach", glm::vec2(scene.band->inner, scene.band->outer));
+  }
+}
+
+void Renderer::draw_surface(const Frame& frame) {
+  if (frame.mesh == nullptr || !frame.scene.show_surface) {
+    return;
+  }
+  depth(true, true);
+  blend(false);
+  start(surface_, frame);
+  frame.mesh->draw_triangles();
+  ++last_.draw_calls;
+  last_.triangles += frame.mesh->triangle_count();
+}
+
+void Renderer::draw_faces(const Frame& frame) {
+  if (frame.scene.faces.empty()) {
+    return;
+  }
+  depth(true, true);
+  blend(true);
+  start(face_, frame);
+  for (const auto& faces : frame.scene.faces) {
+    const FaceBuffers& buffers = faces_.get(faces);
+    buffers.draw();
+    ++last_.draw_calls;
+    last_.triangles += buffers.triangle_count();
+  }
+}
+
+void Renderer::draw_band_alone(const Frame& frame) {
+  if (frame.mesh == nullptr || frame.scene.show_surface || !frame.scene.band) {
+    return;
+  }
+  depth(true, false);
+  blend(true);
+  start(band_, frame);
+  frame.mesh->draw_triangles();
+  ++last_.draw_calls;
+}
+
+void Renderer::draw_wire(const Frame& frame) {
+  if (frame.mesh == nullptr || !frame.scene.show_wire) {
+    return;
+  }
+  // Where edges lie closer than a few pixels their sum would be a grey veil.
+  const View& view = frame.scene.view;
+  const glm::vec4 eye_space = view.view * glm::vec4(frame.mesh->centre(), 1.0f);
+  const float clip_w = std::max((view.projection * eye_space).w, 1e-6f);
+  const float pixels =
+      frame.mesh->mean_edge() * view.projection[1][1] * frame.viewport.y / (2.0f * clip_w * frame.scale);
+  const float strength = glm::smoothstep(1.5f, 14.0f, pixels);
+  depth(true, false);
+  blend(true);
+  start(wire_, frame);
+  wire_.set("u_toward", 0.0008f * frame.extent);
+  wire_.set("u_alpha", (0.05f + 0.21f * strength) * (frame.scene.show_surface ? 1.0f : 1.5f));
+  wire_.set("u_alpha_behind", frame.scene.show_surface ? 0.0f : 0.04f + 0.10f * strength);
+  wire_.set("u_alone", frame.scene.show_surface ? 0.0f : 1.0f);
+  glLineWidth(1.0f);
+  frame.mesh->draw_edges();
+  ++last_.draw_calls;
+}
+
+void Renderer::draw_lines(const Frame& frame, bool hidden) {
+  depth(true, false, hidden ? GL_GREATER : GL_LEQUAL);
+  blend(true);
+  start(line_, frame);
+  line_.set("u_toward", 0.0012f * frame.extent);
+  line_.set("u_chord", 1.0f / frame.extent);
+  line_.set("u_deepest", 0.02f * frame.extent);
+  line_.set("u_alpha", hidden ? hidden_finished : 1.0f);
+  line_.set("u_round", hidden ? 0.0f : 1.0f);
+  const auto draw = [&](const InstanceBuffers<Line>& buffers) {
+    if (buffers.count() > 0) {
+      buffers.draw();
+      ++last_.draw_calls;
+      last_.lines += hidden ? 0 : buffers.count();
+    }
+  };
+  for (const auto& set : frame.scene.line_sets) {
+    draw(line_sets_.get(set));
+  }
+  line_.set("u_alpha", hidden ? hidden_now : 1.0f);
+  draw(frame_lines_);
+}
+
+void Renderer::draw_points(const Frame& frame, bool hidden) {
+  depth(true, false, hidden ? GL_GREATER : GL_LEQUAL);
+  blend(true);
+  start(point_, frame);
+  point_.set("u_toward", 0.0016f * frame.extent);
+  point_.set("u_alpha", hidden ? hidden_finished : 1.0f);
+  const auto draw = [&](const InstanceBuffers<Point>& buffers) {
+    if (buffers.count() > 0) {
+      buffers.draw();
+      ++last_.draw_calls;
+      last_.points += hidden ? 0 : buffers.count();
+    }
+  };
+  for (const auto& set : frame.scene.point_sets) {
+    draw(point_sets_.get(set));
+  }
+  point_.set("u_alpha", hidden ? hidden_now : 1.0f);
+  draw(frame_points_);
+}
+
+std::string Renderer::shader_problem() const {
+  for (const Program* program : {&surface_, &face_, &band_, &wire_, &line_, &point_}) {
+    if (!program->problem().empty()) {
+      return program->problem();
+    }
+  }
+  return {};
+}
+
+Renderer::Counters Renderer::counters() const {
+  Counters counters = last_;
+  counters.uploads = meshes_.uploads() + faces_.uploads() + line_sets_.uploads() + point_sets_.uploads();
+  counters.shapes_kept = meshes_.kept() + faces_.kept() + line_sets_.kept() + point_sets_.kept();
+  return counters;
+}
+
+}  // namespace app

@@ -1,0 +1,63 @@
+// Draws a Scene into the framebuffer that is bound, and nothing else: it never thinks.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "app/core/scene.h"
+#include "app/render/program.h"
+#include "app/render/shape_cache.h"
+
+namespace app {
+
+// Pixels, from the lower left corner as OpenGL counts.
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class Renderer {
+ public:
+  // Needs a current OpenGL 3.3 core context, at destruction too. Throws GlError.
+  Renderer();
+
+  // Clears the viewport to the scene's background and draws. `ui_scale`: pixels of this screen for one pixel
+  // of a plain one; the scene's widths and diameters are multiplied by it. Afterwards depth test, blending
+  // and scissor are off and the viewport is `viewport`.
+  void draw(const Scene& scene, Rect viewport, float ui_scale);
+
+  // Empty, or why a shader that was saved while the program runs is not in use.
+  std::string shader_problem() const;
+
+  // For tests and for the curious.
+  struct Counters {
+    std::size_t uploads = 0;      // shared shapes sent to the card, ever
+    std::size_t shapes_kept = 0;  // on the card now
+    std::size_t draw_calls = 0;   // in the last draw(), as the rest
+    std::size_t triangles = 0;
+    std::size_t lines = 0;
+    std::size_t points = 0;
+  };
+  Counters counters() const;
+
+ private:
+  struct Frame;  // what the passes of one draw() share
+  void start(const Program& program, const Frame& frame) const;
+  void draw_surface(const Frame& frame);
+  void draw_faces(const Frame& frame);
+  void draw_band_alone(const Frame& frame);
+  void draw_wire(const Frame& frame);
+  void draw_lines(const Frame& frame, bool hidden);
+  void draw_points(const Frame& frame, bool hidden);
+  void upload(const Scene& scene);
+
+  Program surface_, face_, band_, wire_, line_, point_;
+  ShapeCache<MeshShape, MeshBuffers> meshes_;
+  ShapeCache<FaceShape, FaceBuffers> faces_;
+  ShapeCache<std::vector<Line>, InstanceBuffers<Line>> line_sets_;
+  ShapeCache<std::vector<Point>, InstanceBuffers<Point>> point_sets_;
+  InstanceBuffers<Line> frame_lines_;
+  InstanceBuffers<Point> frame_points_;
+  Counters last_;
+};
+
+}  // namespace app

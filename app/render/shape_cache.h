@@ -1,0 +1,95 @@
+// What lies on the graphics card. A shared shape is uploaded when it is first drawn and stays as long as
+// somebody holds its pointer.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <span>
+
+#include "app/core/scene.h"
+#include "app/render/gl_handle.h"
+
+namespace app {
+
+class MeshBuffers {
+ public:
+  explicit MeshBuffers(const MeshShape& shape);
+  void draw_triangles() const;
+  void draw_edges() const;
+  std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
+  float extent() const { return extent_; }        // diagonal of the bounding box
+  float mean_edge() const { return mean_edge_; }  // 0 without edges
+  glm::vec3 centre() const { return centre_; }
+
+ private:
+  GlVertexArray triangles_, edges_;
+  GlBuffer positions_, normals_, times_, triangle_list_, edge_list_;
+  GLsizei triangle_indices_ = 0, edge_indices_ = 0;
+  float extent_ = 0.0f, mean_edge_ = 0.0f;
+  glm::vec3 centre_{0.0f};
+};
+
+class FaceBuffers {
+ public:
+  explicit FaceBuffers(const FaceShape& shape);
+  void draw() const;
+  std::size_t triangle_count() const { return static_cast<std::size_t>(vertices_) / 3; }
+  float longest_side() const { return longest_side_; }
+  float extent() const { return extent_; }
+
+ private:
+  GlVertexArray array_;
+  GlBuffer buffer_;
+  GLsizei vertices_ = 0;
+  float longest_side_ = 0.0f, extent_ = 0.0f;
+};
+
+// Lines or points: one instance each, drawn as a strip of four corners.
+template <class Item>
+class InstanceBuffers {
+ public:
+  InstanceBuffers();
+  explicit InstanceBuffers(const std::vector<Item>& items) : InstanceBuffers() {
+    upload(items, GL_STATIC_DRAW);
+  }
+  void upload(std::span<const Item> items, GLenum usage);
+  void draw() const;
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
+
+ private:
+  GlVertexArray array_;
+  GlBuffer buffer_;
+  GLsizei count_ = 0;
+};
+
+template <class Shape, class Buffers>
+class ShapeCache {
+ public:
+  // `shape` is not null. The reference holds until drop_dead().
+  const Buffers& get(const std::shared_ptr<const Shape>& shape) {
+    const auto found = entries_.find(shape.get());
+    if (found != entries_.end() && !found->second.alive.expired()) {
+      return found->second.buffers;
+    }
+    ++uploads_;
+    // An address may be used again after its shape has gone.
+    entries_.erase(shape.get());
+    return entries_.emplace(shape.get(), Entry{shape, Buffers(*shape)}).first->second.buffers;
+  }
+  void drop_dead() {
+    std::erase_if(entries_, [](const auto& entry) { return entry.second.alive.expired(); });
+  }
+  std::size_t uploads() const { return uploads_; }
+  std::size_t kept() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    std::weak_ptr<const Shape> alive;
+    Buffers buffers;
+  };
+  std::map<const Shape*, Entry> entries_;
+  std::size_t uploads_ = 0;
+};
+
+}  // namespace app

@@ -1,0 +1,59 @@
+#include "app/window/frame.h"
+
+#include "app/panels/style.h"
+#include "app/render/headless_gl.h"
+
+namespace app {
+
+FrameDrawer::FrameDrawer(const std::filesystem::path& assets) : fonts_folder_((assets / "fonts").string()) {
+  load_fonts(1.0f);
+}
+
+void FrameDrawer::load_fonts(float scale) {
+  fonts_ = glue_.load_fonts(fonts_folder_, scale, style::text_size);
+  style::apply(scale);
+  if (fonts_scale_ > 0.0f) imgui_draw_.forget_fonts();
+  fonts_scale_ = scale;
+}
+
+Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
+  if (shape.unit_scale != fonts_scale_) load_fonts(shape.unit_scale);
+  const float pixels_per_x = static_cast<float>(shape.width_px) / shape.width;
+  const float pixels_per_y = static_cast<float>(shape.height_px) / shape.height;
+  imgui_draw_.new_frame();
+  glue_.begin_frame({shape.width, shape.height, pixels_per_x, pixels_per_y, shape.seconds}, events);
+  const Layout layout = layout_of(shape.width, shape.height, shape.unit_scale);
+  apply(session, SetAspect{layout.view_aspect()});
+  const Scene scene = describer_.describe(session);
+  Actions wishes = draw_ui(session, ui_, scene, layout, fonts_);
+  glue_.end_frame();
+
+  target_.begin(shape.width_px, shape.height_px, shape.samples);
+  const PixelBox view = pixels_of(layout.view, layout.window, pixels_per_x, pixels_per_y);
+  renderer_.draw(scene, {view.x, view.y, view.width, view.height}, shape.pixel_scale);
+  target_.resolve();
+  imgui_draw_.draw();
+  return wishes;
+}
+
+std::variant<Image, std::string> picture_of(Session& session, int width, int height) {
+  auto opened = HeadlessGl::open();
+  if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);
+  try {
+    FrameDrawer drawer(session.assets);
+    FrameShape shape;
+    shape.width = static_cast<float>(width);
+    shape.height = static_cast<float>(height);
+    shape.width_px = width;
+    shape.height_px = height;
+    // The camera frames the view only once its aspect is known; panels find their size in a few frames.
+    drawer.draw(session, shape, {});
+    apply(session, FrameAll{});
+    for (int i = 0; i < 3; ++i) drawer.draw(session, shape, {});
+    return drawer.target().read();
+  } catch (const GlError& error) {
+    return std::string(error.what());
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/core/export.h"
+#include "app/window/frame.h"
+#include "app/window/run.h"
+#include "app/window/window.h"
+
+namespace app {
+
+namespace {
+
+// Popups and notices find their size in a few frames; after these nothing changes until something happens.
+constexpr int frames_after_event = 3;
+constexpr double slow_frame_seconds = 0.04;
+
+struct Pace {
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  double frame_seconds = 1.0 / 60.0;  // what a frame costs, smoothed
+  int frames_due = frames_after_event;
+
+  double tick() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last).count();
+    last = now;
+    return seconds;
+  }
+};
+
+FrameShape shape_of(const Window& window, double seconds, int samples) {
+  const Window::Size size = window.size();
+  const Window::Size pixels = window.framebuffer_size();
+  return {static_cast<float>(size.width),
+          static_cast<float>(size.height),
+          pixels.width,
+          pixels.height,
+          window.unit_scale(),
+          window.pixel_scale(),
+          static_cast<float>(seconds),
+          samples};
+}
+
+bool working(const Session& session) {
+  return session.timeline && (session.playback.playing || !session.timeline->complete());
+}
+
+void save_pictures_wanted(Session& session, const Target& target) {
+  for (const std::filesystem::path& path : session.screenshots_wanted) {
+    const auto error = save_png(path.string(), target.read());
+    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+  }
+  session.screenshots_wanted.clear();
+}
+
+// One turn: collect, let time pass, draw, and do what was wished.
+void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
+  const bool idle =
+      pace.frames_due == 0 && window.input().empty() && !drawer.glue().busy() && !working(session);
+  if (idle) {
+    window.wait(0.5);
+  } else {
+    window.poll();
+  }
+  const double seconds = pace.tick();
+  if (window.take_refresh() || !window.input().empty()) pace.frames_due = frames_after_event;
+  for (const std::string& path : window.take_dropped()) apply(session, OpenFile{path});
+  apply(session, PassTime{idle ? 0.0 : seconds});
+  const Window::Size pixels = window.framebuffer_size();
+  if (window.minimised() || pixels.width == 0 || pixels.height == 0) {
+    window.wait(0.1);
+    return;
+  }
+  const bool drawing = pace.frames_due > 0 || working(session) || drawer.glue().busy();
+  if (!drawing) return;
+
+  // A slow machine gets jagged edges while things move, smooth ones when they rest.
+  const bool moving = pace.frames_due > 1 || working(session);
+  const int samples = moving && pace.frame_seconds > slow_frame_seconds ? 1 : 4;
+  const auto start = std::chrono::steady_clock::now();
+  const Actions wishes =
+      drawer.draw(session, shape_of(window, seconds, samples), window.input().take_frame());
+  window.set_cursor(drawer.glue().wanted_cursor());
+  drawer.target().present(pixels.width, pixels.height);
+  if (samples > 1) {
+    const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    pace.frame_seconds += 0.3 * (cost - pace.frame_seconds);
+  }
+  window.swap();
+  save_pictures_wanted(session, drawer.target());
+  for (const Action& wish : wishes) apply(session, wish);
+  pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
+}
+
+int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer& drawer) {
+  int code = exit_done;
+  for (const Export& wish : line.saves) {
+    if (!session.timeline) break;
+    const auto error = wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
+                                                        : export_to_file(session, wish.kind, wish.path);
+    if (!error) continue;
+    std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
+    code = exit_usage;
+  }
+  return code;
+}
+
+}  // namespace
+
+int run_window(Session& session, const CommandLine& line) {
+  auto opened = Window::open("knit-mesh", line.width, line.height);
+  if (const auto* error = std::get_if<std::string>(&opened)) {
+    std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
+    return exit_usage;
+  }
+  Window& window = std::get<Window>(opened);
+  try {
+    FrameDrawer drawer(session.assets);
+    drawer.set_clipboard(
+        {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
+    if (line.at) go_to(session, *line.at);
+    drawer.draw(session, shape_of(window, 0.0, 1), {});
+    apply(session, FrameAll{});  // now that the view's shape is known
+    Pace pace;
+    while (!session.quit && !window.close_requested()) turn(session, window, drawer, pace);
+    return save_at_closing(session, line, drawer);
+  } catch (const GlError& error) {
+    std::fprintf(stderr, "knit-mesh: %s Run with --headless to work without a window.\n", error.what());
+    return exit_usage;
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+# Targets from globs: a new source file needs no line in CMake, and a folder may still be empty.
+
+add_library(our_flags INTERFACE)
+target_compile_options(our_flags INTERFACE
+  # The same input gives the same bits on every machine: no fused multiply-add.
+  -ffp-contract=off
+  # A designated initialiser leaves the other members at their defaults on purpose.
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers
+  $<$<COMPILE_LANGUAGE:CXX>:-Wconversion>
+  $<$<BOOL:${KNIT_WARNINGS_AS_ERRORS}>:-Werror>)
+target_include_directories(our_flags INTERFACE "${CMAKE_SOURCE_DIR}")
+
+function(our_library name)
+  file(GLOB sources CONFIGURE_DEPENDS LIST_DIRECTORIES false ${ARGN})
+  if(NOT sources)
+    set(sources "${CMAKE_BINARY_DIR}/generated/empty.cpp")
+    file(CONFIGURE OUTPUT "${sources}" CONTENT "")
+  endif()
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE our_flags)
+endfunction()
+
+# Makes no target when there is no source yet.
+function(our_program name)
+  file(GLOB sources CONFIGURE_DEPENDS LIST_DIRECTORIES false ${ARGN})
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE our_flags)
+  if(KNIT_SANITIZE)
+    target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/cmake/keep_drivers_loaded.cpp")
+    set_target_properties(${name} PROPERTIES ENABLE_EXPORTS ON)
+    target_link_options(${name} PRIVATE -rdynamic)
+  endif()
+endfunction()

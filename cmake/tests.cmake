@@ -1,0 +1,29 @@
+# ctest knows every test case of tests/*_test.cpp and every script tests/*_test.sh.
+
+our_program(knit_tests "tests/*_test.cpp" "tests/support/*.cpp")
+if(TARGET knit_tests)
+  target_link_libraries(knit_tests PRIVATE app_window knit_catch2_main)
+  target_compile_definitions(knit_tests PRIVATE
+    "KNIT_MESH_BINARY=\"${CMAKE_BINARY_DIR}/knit-mesh\""
+    "KNIT_ASSETS_DIR=\"${CMAKE_BINARY_DIR}/assets\""
+    "KNIT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\""
+    # Meshes that may lie beside a checkout; a test says so and passes where they do not.
+    "KNIT_SHARED_MESHES=\"${CMAKE_SOURCE_DIR}/../shared/meshes\"")
+  # Compiling the tests costs more than running them: Catch2's header once, and no optimiser.
+  target_precompile_headers(knit_tests PRIVATE tests/support/catch.h)
+  if(NOT KNIT_SANITIZE)
+    target_compile_options(knit_tests PRIVATE -O0 -g1)
+  endif()
+  add_dependencies(knit_tests assets)
+  include(Catch)
+  catch_discover_tests(knit_tests EXTRA_ARGS ${KNIT_CATCH2_ARGUMENTS} PROPERTIES TIMEOUT 300)
+endif()
+
+file(GLOB scripts CONFIGURE_DEPENDS RELATIVE "${CMAKE_SOURCE_DIR}" "tests/*_test.sh")
+foreach(script IN LISTS scripts)
+  get_filename_component(name "${script}" NAME_WE)
+  add_test(NAME "${name}" COMMAND bash "${CMAKE_SOURCE_DIR}/${script}")
+  set_tests_properties("${name}" PROPERTIES TIMEOUT 300
+    RESOURCE_LOCK display  # they press keys and watch the clock, so one at a time
+    ENVIRONMENT "KNIT_MESH=${CMAKE_BINARY_DIR}/knit-mesh;KNIT_SOURCE_DIR=${CMAKE_SOURCE_DIR}")
+endforeach()

@@ -1,0 +1,153 @@
+#include "knit/obj.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <streambuf>
+#include <system_error>
+#include <utility>
+
+#ifndef TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_USE_DOUBLE
+#endif
+#include <tiny_obj_loader.h>
+
+#include "knit/edge_table.h"
+#include "knit/obj_scan.h"
+#include "knit/polygon.h"
+
+namespace knit {
+
+namespace {
+
+// A stream over text that is already in memory, without a copy.
+class TextBuffer : public std::streambuf {
+ public:
+  TextBuffer(char* begin, char* end) { setg(begin, begin, end); }
+};
+
+// The file's faces as they stand, zero-based. Filled by tinyobjloader's callbacks: unlike its arrays, they
+// keep polygons of any size whole and drop nothing.
+struct Polygons {
+  std::vector<glm::dvec3> positions;
+  std::vector<VertexId> corners;
+  std::vector<std::uint32_t> first{0};  // polygon i has corners [first[i], first[i + 1])
+};
+
+void take_vertex(void* polygons, double x, double y, double z, double /*w*/) {
+  static_cast<Polygons*>(polygons)->positions.emplace_back(x, y, z);
+}
+
+// The scan has seen to it that every index is in range and a face has three corners.
+void take_face(void* user, tinyobj::index_t* indices, int count) {
+  Polygons& polygons = *static_cast<Polygons*>(user);
+  const auto known = static_cast<int>(polygons.positions.size());
+  for (int i = 0; i < count; ++i) {
+    const int index = indices[i].vertex_index;
+    polygons.corners.push_back(static_cast<VertexId>(index < 0 ? known + index : index - 1));
+  }
+  polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+}
+
+Mesh mesh_of(Polygons polygons, const std::string& name) {
+  Mesh mesh;
+  mesh.name = name;
+  mesh.positions = std::move(polygons.positions);
+  const std::span<const VertexId> corners(polygons.corners);
+  mesh.triangles.reserve(corners.size() - 2 * (polygons.first.size() - 1));
+  std::vector<std::array<VertexId, 2>> edges;
+  edges.reserve(corners.size());
+  for (std::size_t i = 0; i + 1 < polygons.first.size(); ++i) {
+    const auto polygon = corners.subspan(polygons.first[i], polygons.first[i + 1] - polygons.first[i]);
+    triangulate(polygon, mesh.positions, mesh.triangles);
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      edges.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
+  }
+  mesh.edges = unique_edges(edges, mesh.positions.size());
+  return mesh;
+}
+
+// `file` is what messages call it, `name` what the mesh is called.
+std::variant<Mesh, ObjError> parse(std::string text, const std::string& file, const std::string& name) {
+  const ObjScan scan = scan_obj(text);
+  if (!scan.error.empty()) return ObjError{file + scan.error};
+
+  Polygons polygons;
+  polygons.positions.reserve(scan.vertices);
+  polygons.corners.reserve(scan.corners);
+  polygons.first.reserve(scan.faces + 1);
+  TextBuffer buffer(text.data() + scan.skip, text.data() + text.size());
+  std::istream in(&buffer);
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = take_vertex;
+  callbacks.index_cb = take_face;
+  tinyobj::LoadObjWithCallback(in, callbacks, &polygons);
+  if (polygons.positions.size() != scan.vertices || polygons.corners.size() != scan.corners ||
+      polygons.first.size() != scan.faces + 1) {
+    return ObjError{
+        file + ": tinyobjloader reads other vertices or faces than the file has. Export the mesh again."};
+  }
+  text = std::string();
+  return mesh_of(std::move(polygons), name);
+}
+
+std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, const std::string& name,
+                                  std::size_t expected) {
+  try {
+    std::string text;
+    constexpr std::size_t chunk = 1 << 20;
+    std::size_t size = 0;
+    do {
+      text.resize(size + (size < expected ? expected - size : chunk));
+      in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
+      size += static_cast<std::size_t>(in.gcount());
+    } while (in);
+    if (in.bad())
+      return ObjError{file + " cannot be read to its end. Check the disk or copy the file elsewhere."};
+    text.resize(size);
+    return parse(std::move(text), file, name);
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return ObjError{file + " does not fit into memory. Reduce the mesh and open it again."};
+}
+
+}  // namespace
+
+std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name) {
+  return read(in, name, name, 0);
+}
+
+std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  switch (status.type()) {
+    case std::filesystem::file_type::regular:
+      break;
+    case std::filesystem::file_type::not_found:
+      return ObjError{file + " does not exist. Check the path."};
+    case std::filesystem::file_type::directory:
+      return ObjError{file + " is a folder. Name an OBJ file in it."};
+    case std::filesystem::file_type::none:
+    case std::filesystem::file_type::unknown:
+      return ObjError{file + " cannot be reached (" + error.message() +
+                      "). Check the path and its permissions."};
+    default:
+      return ObjError{file + " is no ordinary file. Save the mesh to a file and open that."};
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    const int reason = errno;
+    return ObjError{file + " cannot be opened (" + std::generic_category().message(reason) +
+                    "). Check its permissions."};
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  // One byte more than the file has, so that its end is met in the first read.
+  return read(in, file, path.stem().string(), error ? 0 : static_cast<std::size_t>(size) + 1);
+}
+
+}  // namespace knit

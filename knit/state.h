@@ -1,0 +1,104 @@
+// All that a run knows between two steps: a regular value — copyable, comparable, hashable.
+//
+// Finished products are shared and immutable, so a copy costs what is in progress and a few pointers a row.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "knit/growing.h"
+#include "knit/products.h"
+#include "knit/rows.h"
+#include "knit/stage.h"
+
+namespace knit {
+
+struct TimingWork {
+  std::optional<Ends> ends;
+  Growing<double> times;
+  std::int32_t outside = 0;
+  [[nodiscard]] auto fields() const { return std::tie(ends, times, outside); }
+  friend bool operator==(const TimingWork&, const TimingWork&) = default;
+};
+
+struct CastOnWork {
+  std::int32_t level = -1;
+  Shared<Ring> ring;
+  std::vector<Stitch> stitches;
+  [[nodiscard]] auto fields() const { return std::tie(level, ring, stitches); }
+  friend bool operator==(const CastOnWork&, const CastOnWork&) = default;
+};
+
+enum class RowPhase : std::uint8_t { gather, order, measure, missed, resample, share };
+struct RowWork {
+  RowPhase phase = RowPhase::gather;
+  std::int32_t level = 0;
+  Shared<Ring> ring;
+  Walk walk;
+  ClosedRow closed;
+  [[nodiscard]] auto fields() const { return std::tie(phase, level, ring, walk, closed); }
+  friend bool operator==(const RowWork&, const RowWork&) = default;
+};
+
+inline RowWork row_work_at(std::int32_t level) {
+  RowWork work;
+  work.level = level;
+  return work;
+}
+
+enum class IndexPhase : std::uint8_t { count, space, place };
+struct IndexWork {
+  IndexPhase phase = IndexPhase::count;
+  Shared<Transition> plan;  // from `place` on
+  std::int32_t placed = 0;  // of plan->placed
+  [[nodiscard]] auto fields() const { return std::tie(phase, plan, placed); }
+  friend bool operator==(const IndexWork&, const IndexWork&) = default;
+};
+
+struct FacesWork {
+  Shared<Strip> plan;
+  std::int32_t made = 0;  // of plan->faces
+  [[nodiscard]] auto fields() const { return std::tie(plan, made); }
+  friend bool operator==(const FacesWork&, const FacesWork&) = default;
+};
+
+struct PatternWork {
+  [[nodiscard]] auto fields() const { return std::tuple<>(); }
+  friend bool operator==(const PatternWork&, const PatternWork&) = default;
+};
+
+struct Finished {
+  [[nodiscard]] auto fields() const { return std::tuple<>(); }
+  friend bool operator==(const Finished&, const Finished&) = default;
+};
+
+// In the order of Stage from `timing` on.
+using Work = std::variant<TimingWork, CastOnWork, RowWork, IndexWork, FacesWork, PatternWork, Finished>;
+
+struct State {
+  Place next{Stage::timing, 0, 0};  // the place of the step to come
+  Shared<Timing> timing;
+  std::int32_t last_level = -1;  // the last level that makes a row, once cast on
+  std::vector<Shared<Row>> rows;
+  std::vector<Shared<Transition>> transitions;  // [i]: rows[i] -> rows[i + 1]
+  std::vector<Shared<Strip>> strips;            // [i]: between rows[i] and rows[i + 1]
+  std::vector<Shared<PatternLine>> lines;
+  Work work;
+
+  [[nodiscard]] Stage stage() const { return next.stage; }
+  [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
+  [[nodiscard]] auto fields() const {
+    return std::tie(next.stage, next.row, next.item, timing, last_level, rows, transitions, strips, lines,
+                    work);
+  }
+  friend bool operator==(const State&, const State&) = default;
+};
+
+inline std::uint64_t hash_of(const State& state) { return content_hash_of(state); }
+
+// What a copy costs, roughly: what is in progress and the pointers, not what is shared.
+std::size_t copy_bytes(const State& state);
+
+}  // namespace knit

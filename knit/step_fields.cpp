@@ -1,0 +1,139 @@
+#include "knit/step_fields.h"
+
+#include "knit/narrate.h"
+
+namespace knit {
+
+namespace {
+
+using Fields = std::vector<StepField>;
+
+StepField count(std::string_view name, std::int64_t value) { return {name, value}; }
+StepField number(std::string_view name, double value) { return {name, value}; }
+StepField yes_no(std::string_view name, bool value) { return {name, value}; }
+StepField word(std::string_view name, std::string_view value) { return {name, std::string(value)}; }
+
+std::string_view word_of(ResampleReason reason) {
+  switch (reason) {
+    case ResampleReason::too_few:
+      return "too few";
+    case ResampleReason::more_than_double:
+      return "more than double";
+    case ResampleReason::less_than_half:
+      return "less than half";
+  }
+  return "";
+}
+
+std::string_view word_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::no_extent:
+      return "no extent";
+    case StopReason::no_row_levels:
+      return "no row levels";
+    case StopReason::not_a_ring:
+      return "not a ring";
+    case StopReason::splits:
+      return "splits";
+    case StopReason::stall:
+      return "stall";
+    case StopReason::changes_too_much:
+      return "changes too much";
+  }
+  return "";
+}
+
+std::string_view word_of(Closing closing) {
+  switch (closing) {
+    case Closing::none:
+      return "none";
+    case Closing::thesis:
+      return "thesis";
+    case Closing::arc:
+      return "arc";
+  }
+  return "";
+}
+
+struct Lister {
+  Fields operator()(const EndsFound& s) const {
+    return {count("start", s.start), count("end", s.end), number("length", s.length)};
+  }
+  Fields operator()(const VertexTimed& s) const {
+    return {count("vertex", s.vertex), number("time", s.time), yes_no("clamped", s.clamped)};
+  }
+  Fields operator()(const LevelsGrouped& s) const {
+    return {count("levels", s.levels), number("tolerance", s.tolerance), count("outside", s.outside),
+            count("split_level", s.split_level), count("split_loops", s.split_loops)};
+  }
+  Fields operator()(const CycleFound& s) const {
+    return {count("level", s.level), count("last_level", s.last_level), count("passed_over", s.passed_over),
+            number("time", s.time),  count("vertices", s.vertices),     number("length", s.length)};
+  }
+  Fields operator()(const StitchCastOn& s) const {
+    return {count("stitch", s.stitch), count("of", s.of), number("arc", s.arc)};
+  }
+  Fields operator()(const CycleGathered& s) const {
+    return {count("level", s.level), number("time", s.time), count("vertices", s.vertices)};
+  }
+  Fields operator()(const CycleOrdered& s) const {
+    return {count("first", s.first), word("by", s.by == OrderedBy::angle ? "angle" : "edges"),
+            count("vertices", s.vertices), number("length", s.length)};
+  }
+  Fields operator()(const CandidateMeasured& s) const {
+    return {count("stitch", s.stitch),       count("anchor", s.anchor),
+            count("candidate", s.candidate), count("order", s.candidate_order),
+            number("distance", s.distance),  word("verdict", name_of(s.verdict))};
+  }
+  Fields operator()(const BandMissed& s) const {
+    Fields fields{count("stitch", s.stitch), count("anchor", s.anchor), count("taken", s.taken),
+                  count("order", s.taken_order), number("distance", s.distance)};
+    if (s.skipped_distance >= 0.0) fields.push_back(number("skipped_distance", s.skipped_distance));
+    return fields;
+  }
+  Fields operator()(const RowClosed& s) const {
+    return {count("stitches", s.stitches), number("gap", s.gap), yes_no("in_band", s.in_band),
+            yes_no("dropped_last", s.dropped_last)};
+  }
+  Fields operator()(const RowResampled& s) const {
+    return {count("picked", s.from), count("stitches", s.to), count("below", s.below),
+            word("reason", word_of(s.reason)), number("length", s.length)};
+  }
+  Fields operator()(const GapShared& s) const {
+    return {count("stitches", s.stitches),      word("how", word_of(s.how)),
+            yes_no("shared", s.shared),         number("per_stitch", s.per_stitch),
+            number("gap_before", s.gap_before), number("gap_after", s.gap_after)};
+  }
+  Fields operator()(const TransitionCounted& s) const {
+    return {count("below", s.below), count("above", s.above), count("change", s.change),
+            count("mains_wanted", s.mains_wanted), count("mains_before", s.mains_before)};
+  }
+  Fields operator()(const SpacingChosen& s) const {
+    Fields fields{word("rule", name_of(s.rule)), count("mains", s.mains), count("spacing", s.spacing),
+                  count("remainder", s.remainder)};
+    if (s.fell_back) fields.push_back(word("tried", name_of(s.tried)));
+    return fields;
+  }
+  Fields operator()(const MainPlaced& s) const { return {count("cell", s.cell), count("main", s.of_mains)}; }
+  Fields operator()(const ShapingPlaced& s) const {
+    return {word("label", name_of(s.label)), count("cell", s.cell), count("partner", s.partner),
+            count("placed", s.count)};
+  }
+  Fields operator()(const FaceMade& s) const {
+    return {count("face", s.index), count("of", s.of), count("corners", s.corner_count),
+            word("label", name_of(s.label))};
+  }
+  Fields operator()(const LineWritten& s) const {
+    return {count("consumed", s.consumed), count("produced", s.produced)};
+  }
+  Fields operator()(const Stopped& s) const {
+    return {word("reason", word_of(s.reason)), count("level", s.level), count("count", s.count),
+            number("value", s.value), number("time", s.time)};
+  }
+};
+
+}  // namespace
+
+std::vector<StepField> fields_of(const Step& step) { return std::visit(Lister{}, step.what); }
+
+}  // namespace knit

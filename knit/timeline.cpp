@@ -1,0 +1,222 @@
+#include "knit/timeline.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "knit/bug.h"
+
+namespace knit {
+
+namespace {
+constexpr std::size_t first_spacing = 128;
+
+bool enters_stage(const State& state) {
+  const bool first_row = state.next.row <= 1 || (state.next.row == 2 && state.next.stage != Stage::pattern);
+  return state.next.item == 0 && first_row;
+}
+}  // namespace
+
+Timeline::Timeline(std::shared_ptr<const Input> input, const Parameters& parameters,
+                   std::size_t keyframe_budget_bytes)
+    : input_(std::move(input)),
+      base_(parameters),
+      budget_bytes_(keyframe_budget_bytes),
+      spacing_(first_spacing) {
+  // About what a run takes: each vertex timed and measured, and as much again for what is made of them.
+  steps_.reserve(3 * input_->mesh.positions.size());
+  keep_keyframe(0, frontier_);
+}
+
+bool Timeline::extend(std::size_t steps) {
+  for (; steps > 0 && !complete_; --steps) {
+    if (frontier_.finished()) {
+      complete_ = true;
+      break;
+    }
+    const Stage stage = frontier_.stage();
+    const Step step = advance(*input_, parameters_at(frontier_.next), frontier_);
+    if (is_stop(step)) {
+      stop_ = step;
+      complete_ = true;
+      break;
+    }
+    steps_.push_back(step);
+    // A stage's first step may be long (levels are sorted); no replay should have to cross it.
+    if (steps_.size() % spacing_ == 0 || frontier_.stage() != stage) keep_keyframe(steps_.size(), frontier_);
+    if (sought_ && step.place >= *sought_) return_to(*sought_);
+  }
+  if (complete_ && sought_) return_to(*sought_);
+  return !complete_;
+}
+
+void Timeline::extend_to_end() { extend(std::numeric_limits<std::size_t>::max()); }
+
+void Timeline::step_state() {
+  const Step step = advance(*input_, parameters_at(state_.next), state_);
+  if (step != steps_[position_]) throw Bug("a replayed step differs from the recorded one");
+  ++position_;
+}
+
+bool Timeline::forward() {
+  sought_.reset();
+  if (position_ == known() && (complete_ || (!extend(1) && position_ == known()))) return false;
+  step_state();
+  return true;
+}
+
+bool Timeline::back() {
+  if (position_ == 0) return false;
+  seek(position_ - 1);
+  return true;
+}
+
+void Timeline::seek(std::size_t position) {
+  sought_.reset();
+  position = std::min(position, known());
+  if (position == known()) {
+    state_ = frontier_;
+    position_ = position;
+    return;
+  }
+  const auto keyframe = std::prev(keyframes_.upper_bound(position));
+  if (position < position_ || keyframe->first > position_) {
+    state_ = keyframe->second;
+    position_ = keyframe->first;
+  }
+  while (position_ < position) step_state();
+}
+
+std::size_t Timeline::position_of(const Place& place) const {
+  const auto after = std::upper_bound(steps_.begin(), steps_.end(), place,
+                                      [](const Place& p, const Step& step) { return p < step.place; });
+  return static_cast<std::size_t>(after - steps_.begin());
+}
+
+Place Timeline::place() const { return position_ == 0 ? Place{} : steps_[position_ - 1].place; }
+
+const Parameters& Timeline::parameters_at(const Place& place) const {
+  const Parameters* in_force = &base_;
+  for (const Edit& edit : edits_) {
+    if (edit.at <= place) in_force = &edit.parameters;
+  }
+  return *in_force;
+}
+
+const Parameters& Timeline::parameters() const { return parameters_at(state_.next); }
+
+const Parameters& Timeline::parameters_of_step(std::size_t index) const {
+  return parameters_at(steps_[index].place);
+}
+
+void Timeline::tune(const Parameters& parameters) {
+  const Parameters before = this->parameters();
+  if (before == parameters) return;
+  const Stage reader = first_reader_of_change(before, parameters);
+  base_ = with_change(base_, before, parameters);
+  for (Edit& edit : edits_) edit.parameters = with_change(edit.parameters, before, parameters);
+  const Place here = sought_.value_or(place());
+  const bool at_start = position_ == 0 && !sought_;
+  rerun_from_reader(reader);
+  if (at_start) {
+    seek(0);
+  } else {
+    return_to(here);
+  }
+}
+
+void Timeline::edit_from_here(const Parameters& parameters) {
+  if (this->parameters() == parameters) return;
+  const Parameters before = this->parameters();
+  const Place here = state_.next;
+  const std::size_t position = position_;
+  auto next = std::find_if(edits_.begin(), edits_.end(), [&](const Edit& edit) { return edit.at >= here; });
+  if (next != edits_.end() && next->at == here) next = edits_.erase(next);
+  for (auto later = next; later != edits_.end(); ++later) {
+    later->parameters = with_change(later->parameters, before, parameters);
+  }
+  edits_.insert(next, {here, parameters});
+  rerun_from(position);
+  seek(position);
+}
+
+void Timeline::remove_edit(std::size_t index) {
+  const Place here = place();
+  const bool at_start = position_ == 0;
+  const Place at = edits_[index].at;
+  edits_.erase(edits_.begin() + static_cast<std::ptrdiff_t>(index));
+  const auto first = std::lower_bound(steps_.begin(), steps_.end(), at,
+                                      [](const Step& step, const Place& p) { return step.place < p; });
+  rerun_from(static_cast<std::size_t>(first - steps_.begin()));
+  if (!at_start) return_to(here);
+}
+
+void Timeline::change_input(std::shared_ptr<const Input> input, const Parameters& parameters) {
+  const Parameters before = this->parameters();
+  const Place here = sought_.value_or(place());
+  const bool at_start = position_ == 0 && !sought_;
+  input_ = std::move(input);
+  base_ = with_change(base_, before, parameters);
+  for (Edit& edit : edits_) edit.parameters = with_change(edit.parameters, before, parameters);
+  rerun_from(0);
+  if (!at_start) return_to(here);
+}
+
+// Every keyframe after the first step that could read the change is stale, whatever its stage.
+void Timeline::rerun_from_reader(Stage reader) {
+  const auto first = std::lower_bound(steps_.begin(), steps_.end(), reader,
+                                      [](const Step& step, Stage stage) { return step.place.stage < stage; });
+  rerun_from(static_cast<std::size_t>(first - steps_.begin()));
+}
+
+void Timeline::rerun_from(std::size_t position) {
+  keyframes_.erase(keyframes_.upper_bound(position), keyframes_.end());
+  count_keyframe_bytes();
+  const auto& [nearest, state] = *std::prev(keyframes_.end());
+  frontier_ = state;
+  if (position_ > position) {
+    state_ = state;
+    position_ = nearest;
+  }
+  for (std::size_t i = nearest; i < position; ++i) advance(*input_, parameters_at(frontier_.next), frontier_);
+  steps_.resize(position);
+  complete_ = false;
+  stop_.reset();
+  sought_.reset();
+}
+
+// Shows the place, or the nearest before it; waits for it while the run has not come that far.
+void Timeline::return_to(const Place& place) {
+  if (!complete_ && (steps_.empty() || steps_.back().place < place)) {
+    seek(known());
+    sought_ = place;
+    return;
+  }
+  seek(position_of(place));
+}
+
+void Timeline::keep_keyframe(std::size_t position, const State& state) {
+  keyframe_bytes_ += copy_bytes(state);
+  keyframes_.insert_or_assign(position, state);
+  if (keyframe_bytes_ > budget_bytes_) thin_keyframes();
+}
+
+// Drops every second keyframe until the rest fits; stage entries, before which a long step may lie, go last.
+void Timeline::thin_keyframes() {
+  while (keyframe_bytes_ > budget_bytes_ && keyframes_.size() > 1) {
+    spacing_ *= 2;
+    const bool only_entries = std::all_of(std::next(keyframes_.begin()), keyframes_.end(),
+                                          [](const auto& keyframe) { return enters_stage(keyframe.second); });
+    for (auto it = std::next(keyframes_.begin()); it != keyframes_.end();) {
+      const bool keep = !only_entries && (it->first % spacing_ == 0 || enters_stage(it->second));
+      it = keep ? std::next(it) : keyframes_.erase(it);
+    }
+    count_keyframe_bytes();
+  }
+}
+
+void Timeline::count_keyframe_bytes() {
+  keyframe_bytes_ = 0;
+  for (const auto& [at, state] : keyframes_) keyframe_bytes_ += copy_bytes(state);
+}
+
+}  // namespace knit

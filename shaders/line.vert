@@ -1,0 +1,52 @@
+// One instance is one line: a rectangle around it on the screen, with room for round ends and a soft edge.
+layout(location = 0) in vec3 a_from;
+layout(location = 1) in vec3 a_to;
+layout(location = 2) in vec4 a_colour;
+layout(location = 3) in float a_width;
+uniform float u_scale;
+uniform float u_toward;
+uniform float u_chord;    // a chord of length L runs up to u_chord * L * L below the surface,
+uniform float u_deepest;  // or this, for lines that are no chords at all
+noperspective out vec2 v_place;  // pixels along and across
+flat out float v_length;
+flat out float v_half;
+flat out vec4 v_colour;
+
+const float nearest = 1e-4;
+
+void main() {
+  float long_end = float(gl_VertexID & 1);
+  float side = float(gl_VertexID >> 1) * 2.0 - 1.0;
+  float span = distance(a_from, a_to);
+  float width = a_width * u_scale;
+  float middle_w = (u_projection * u_view * vec4(0.5 * (a_from + a_to), 1.0)).w;
+  float half_world = 0.5 * width * world_per_pixel(max(middle_w, 0.0));
+  float toward = u_toward + min(u_chord * span * span, u_deepest) + half_world;
+  vec4 a = project(a_from, toward);
+  vec4 b = project(a_to, toward);
+  v_half = 0.5 * max(width, 1.0);
+  float alpha = a_colour.a * min(width, 1.0) * paled(0.5 * (a_from + a_to));
+  v_colour = vec4(a_colour.rgb, alpha);
+  v_length = 0.0;
+  v_place = vec2(0.0);
+  if (a.w < nearest && b.w < nearest) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
+  if (a.w < nearest) {
+    a = mix(b, a, (b.w - nearest) / (b.w - a.w));
+  }
+  if (b.w < nearest) {
+    b = mix(a, b, (a.w - nearest) / (a.w - b.w));
+  }
+  vec2 start = a.xy / a.w * 0.5 * u_viewport;
+  vec2 end = b.xy / b.w * 0.5 * u_viewport;
+  v_length = distance(start, end);
+  vec2 along = v_length > 1e-4 ? (end - start) / v_length : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  float room = v_half + 1.0;
+  v_place = vec2(mix(-room, v_length + room, long_end), side * room);
+  vec4 here = long_end > 0.5 ? b : a;
+  vec2 shift = across * side * room + along * (long_end * 2.0 - 1.0) * room;
+  gl_Position = here + vec4(shift / (0.5 * u_viewport) * here.w, 0.0, 0.0);
+}

@@ -1,0 +1,61 @@
+// Keys: each gives its action, and none while a person types.
+#include "app/panels/commands.h"
+
+#include "tests/support/desk.h"
+
+using namespace desk;
+
+TEST_CASE("every key of the table gives its action, and no key is nameless") {
+  for (const CommandInfo& info : command_table()) {
+    for (const Chord& chord : info.chords) {
+      if (chord.key == Key::None && chord.character == 0) continue;
+      Desk desk;
+      desk.open();
+      if (info.command == Command::close) desk.session.picking = Picking::start;
+      INFO(tooltip_of(info) << " by " << text_of(chord));
+      const Actions wishes = desk.press(chord);
+      REQUIRE(wishes.size() == 1);
+      const auto made = info.make(desk.session);
+      REQUIRE(made);
+      CHECK(wishes[0].index() == made->index());
+      if (info.layer) CHECK(std::get<SetLayer>(wishes[0]).layer == *info.layer);
+      if (const auto* step = std::get_if<StepBy>(&wishes[0])) {
+        CHECK(step->unit == std::get<StepBy>(*made).unit);
+        CHECK(step->direction == std::get<StepBy>(*made).direction);
+      }
+      CHECK((text_of(chord).back() != '?' || chord.character == '?'));
+    }
+  }
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    CHECK(keys_of(info_of(static_cast<Layer>(i))) == std::to_string(i + 1));
+  }
+}
+
+TEST_CASE("while a person types, keys are text and nothing else") {
+  Desk desk;
+  desk.open();
+  CHECK(desk.click("knob/start", 0.2f).empty());
+  for (const CommandInfo& info : command_table()) {
+    for (const Chord& chord : info.chords) {
+      INFO(tooltip_of(info));
+      if (info.command != Command::close && info.command != Command::first && info.command != Command::last) {
+        CHECK(desk.press(chord).empty());
+      }
+    }
+  }
+  CHECK(desk.press({Key::Escape, {}, 0}).empty());  // leaves the field as it was
+  CHECK(desk.click("knob/start", 0.2f).empty());
+  desk.type("17");
+  const Actions entered = desk.frames({KeyPress{Key::Enter, true, {}}, KeyPress{Key::Enter, false, {}}});
+  CHECK(only<Tune>(entered).parameters.start == 17);
+  CHECK(only<StepBy>(desk.press({Key::Right, {}, 0})).direction == 1);
+}
+
+TEST_CASE("a vertex that the mesh has not is refused where it is typed") {
+  Desk desk;
+  desk.open();
+  CHECK(desk.click("knob/end", 0.2f).empty());
+  desk.type("999999");
+  CHECK(desk.frames({KeyPress{Key::Enter, true, {}}, KeyPress{Key::Enter, false, {}}}).empty());
+  CHECK(desk.ui.vertex_fields.at("end").trouble.find("999999") != std::string::npos);
+}

@@ -1,0 +1,212 @@
+// The machine's steps: every kind is met, places rise, stops leave the state alone, and edits in odd places
+// are survived.
+#include "knit/machine.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <random>
+#include <set>
+
+#include "knit/bug.h"
+#include "knit/measures.h"
+#include "knit/narrate.h"
+#include "knit/step_fields.h"
+#include "tests/support/catch.h"
+#include "tests/support/run.h"
+
+using namespace knit;
+using test_support::small_parameters;
+using test_support::small_sphere;
+
+namespace {
+
+Timeline run(std::shared_ptr<const Input> input, const Parameters& parameters) {
+  Timeline timeline(std::move(input), parameters);
+  timeline.extend_to_end();
+  return timeline;
+}
+
+}  // namespace
+
+TEST_CASE("places rise from step to step, and every stage is met in order") {
+  const Timeline timeline = run(small_sphere(), small_parameters());
+  REQUIRE(timeline.stop() == nullptr);
+  std::set<Stage> stages;
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    if (i > 0) CHECK(timeline.step(i - 1).place < timeline.step(i).place);
+    stages.insert(timeline.step(i).place.stage);
+  }
+  CHECK(stages.size() == machine_stages.size());
+}
+
+TEST_CASE("every kind of step is met, and each has a sentence, a name and numbers") {
+  std::map<std::string, std::string> sentences;
+  const auto collect = [&](const Timeline& timeline, const Parameters& parameters) {
+    for (const Step& step : timeline.steps()) {
+      sentences.emplace(kind_name(step), narrate(step, parameters));
+      CHECK_FALSE(fields_of(step).empty());
+    }
+    if (timeline.stop() != nullptr)
+      sentences.emplace(kind_name(*timeline.stop()), narrate(*timeline.stop(), parameters));
+  };
+  collect(run(small_sphere(), small_parameters()), small_parameters());
+  Parameters rough = small_parameters();
+  rough.epsilon = 0.01;
+  rough.cast_on = 3;
+  collect(run(small_sphere(), rough), rough);
+  Parameters strict = rough;
+  strict.on_stall = OnStall::stop;
+  collect(run(small_sphere(), strict), strict);
+  CHECK(sentences.size() == std::variant_size_v<Happening>);
+  for (const auto& [kind, sentence] : sentences) {
+    CAPTURE(kind, sentence);
+    CHECK(sentence.size() > 20);
+    CHECK(sentence.back() == '.');
+  }
+}
+
+TEST_CASE("sentences say what a person needs, with the numbers") {
+  const Parameters p = test_support::thesis_parameters();
+  const Step near{{Stage::rows, 7, 3}, CandidateMeasured{800, 812, 4, 5, 3, Verdict::too_near, 0.0483}};
+  CHECK(narrate(near, p) ==
+        "Row 7: vertex 812 is 0.0483 from stitch 3 (vertex 800): too near, the band begins at 0.05.");
+  const Step stall{{Stage::rows, 7, 130}, Stopped{StopReason::stall, 7, 3, 0, 800, 0.21, 0.1}};
+  CHECK(narrate(stall, p) ==
+        "Row 7: nothing within [0.05, 0.15] of stitch 3 (vertex 800); nearest 0.21. Widen epsilon, change "
+        "the stitch "
+        "width, or continue on a stall.");
+}
+
+TEST_CASE("a stop leaves the state as it was, and comes again") {
+  Parameters strict = small_parameters();
+  strict.epsilon = 0.01;
+  strict.on_stall = OnStall::stop;
+  const auto input = small_sphere();
+  Timeline timeline = run(input, strict);
+  REQUIRE(timeline.stop() != nullptr);
+  CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::stall);
+  State state = timeline.furthest();
+  const std::uint64_t before = hash_of(state);
+  const Step again = advance(*input, strict, state);
+  CHECK(again == *timeline.stop());
+  CHECK(hash_of(state) == before);
+  CHECK(timeline.furthest().rows.size() >= 1);
+}
+
+TEST_CASE("a stall is logged each time it is bridged") {
+  Parameters rough = small_parameters();
+  rough.epsilon = 0.01;
+  const Timeline timeline = run(small_sphere(), rough);
+  REQUIRE(timeline.stop() == nullptr);
+  std::size_t too_far = 0;
+  std::size_t missed = 0;
+  std::size_t at_ends = 0;  // of rings: too far was the first stitch, not a candidate
+  for (const Step& step : timeline.steps()) {
+    const auto* measured = std::get_if<CandidateMeasured>(&step.what);
+    too_far += measured != nullptr && measured->verdict == Verdict::too_far ? 1U : 0U;
+    if (!std::holds_alternative<BandMissed>(step.what)) continue;
+    ++missed;
+    at_ends += std::holds_alternative<CandidateMeasured>((&step - 1)->what) &&
+                       std::get<CandidateMeasured>((&step - 1)->what).verdict != Verdict::too_far
+                   ? 1U
+                   : 0U;
+    CHECK(is_unusual(step, rough));
+  }
+  CHECK(missed > 0);
+  CHECK(missed == too_far + at_ends);
+}
+
+TEST_CASE(
+    "no row more than doubles or halves, where that is forbidden to mend, the run stops and names the row") {
+  Parameters narrow = small_parameters();
+  narrow.cast_on = 3;
+  const Timeline mended = run(small_sphere(), narrow);
+  REQUIRE(mended.stop() == nullptr);
+  const std::vector<int> sizes = test_support::row_sizes(mended.furthest());
+  for (std::size_t i = 1; i < sizes.size(); ++i) {
+    CHECK(sizes[i] <= 2 * sizes[i - 1]);
+    CHECK(2 * sizes[i] >= sizes[i - 1]);
+  }
+  narrow.resample = Resample::off;
+  const Timeline stopped = run(small_sphere(), narrow);
+  REQUIRE(stopped.stop() != nullptr);
+  CHECK(narrate(*stopped.stop(), narrow).find("Row 2: ") == 0);
+  CHECK(narrate(*stopped.stop(), narrow).find("cannot follow 3") != std::string::npos);
+}
+
+TEST_CASE(
+    "faces look outward, and the knit mesh is a tube: each edge in at most two faces, two boundary loops") {
+  const Timeline timeline = run(small_sphere(), small_parameters());
+  const State& state = timeline.furthest();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
+  for (const auto& strip : state.strips) {
+    for (const Face& face : strip->faces) {
+      glm::dvec3 normal(0.0);
+      glm::dvec3 centre(0.0);
+      const glm::dvec3 first = stitch_at(state, face.corners[0]).position;
+      for (std::int32_t i = 0; i < face.corner_count; ++i) {
+        const std::uint32_t a = face.corners[static_cast<std::size_t>(i)];
+        const std::uint32_t b = face.corners[static_cast<std::size_t>((i + 1) % face.corner_count)];
+        ++directed[{a, b}];
+        centre += stitch_at(state, a).position / double(face.corner_count);
+        normal += glm::cross(stitch_at(state, a).position - first, stitch_at(state, b).position - first);
+      }
+      CHECK(glm::dot(normal, centre) > 0.0);  // the sphere's centre is the origin
+    }
+  }
+  std::size_t boundary = 0;
+  for (const auto& [edge, times] : directed) {
+    CHECK(times == 1);  // once in this direction: manifold and consistently oriented
+    boundary += directed.count({edge.second, edge.first}) == 0 ? 1U : 0U;
+  }
+  CHECK(boundary == state.rows.front()->stitches.size() + state.rows.back()->stitches.size());
+}
+
+TEST_CASE("parameters edited at any step give a run that ends or says why") {
+  std::mt19937 random(11);
+  Timeline timeline(small_sphere(), small_parameters());
+  timeline.extend_to_end();
+  for (int edit = 0; edit < 60; ++edit) {
+    timeline.seek(random() % (timeline.known() + 1));
+    Parameters p = timeline.parameters();
+    p.cast_on = 3 + static_cast<int>(random() % 20);
+    p.epsilon = 0.01 + 0.2 * static_cast<double>(random() % 100) / 100;
+    p.close = static_cast<Closing>(random() % 3);
+    p.on_stall = static_cast<OnStall>(random() % 4 == 0 ? 1 : 0);
+    p.placement = static_cast<PlacementPolicy>(random() % 2);
+    timeline.edit_from_here(p);
+    timeline.extend_to_end();
+    CHECK((timeline.stop() != nullptr || timeline.furthest().finished()));
+  }
+}
+
+TEST_CASE("a step after the last is a bug that is caught") {
+  Timeline timeline = run(small_sphere(), small_parameters());
+  State state = timeline.furthest();
+  CHECK(state.finished());
+  CHECK_THROWS_AS(advance(timeline.input(), small_parameters(), state), Bug);
+  timeline.seek(timeline.known());
+  CHECK_FALSE(timeline.forward());
+}
+
+TEST_CASE("one row alone: cast on and bound off at once") {
+  const Timeline timeline = run(make_input(sphere(24, 2)), small_parameters());
+  REQUIRE(timeline.stop() == nullptr);
+  const State& state = timeline.furthest();
+  CHECK(state.rows.size() == 1);
+  CHECK(state.lines.size() == 2);
+  CHECK(euler_characteristic(state) == 0);
+}
+
+TEST_CASE("written lines add up: each consumes what the one before made") {
+  const Timeline timeline = run(test_support::thesis_sphere(), test_support::thesis_parameters());
+  const State& state = timeline.furthest();
+  REQUIRE(state.lines.size() == state.rows.size() + 1);
+  for (std::size_t i = 0; i < state.rows.size(); ++i) {
+    CHECK(state.lines[i]->produced == static_cast<std::int32_t>(state.rows[i]->stitches.size()));
+    CHECK(state.lines[i + 1]->consumed == state.lines[i]->produced);
+  }
+  CHECK(state.lines.back()->produced == 0);
+  CHECK(state.lines[1]->text ==
+        "Rnd 2: k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l. (12 sts)");
+}

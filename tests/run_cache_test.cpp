@@ -1,0 +1,79 @@
+// What the panels keep of a run, against a walk through all of it.
+#include "app/panels/run_cache.h"
+
+#include <algorithm>
+
+#include "app/core/step_table.h"
+#include "tests/support/desk.h"
+
+using namespace desk;
+
+TEST_CASE("what is cached of a run equals what a walk through all steps finds") {
+  const auto check = [](const RunCache& cache, const knit::Timeline& timeline) {
+    std::vector<std::size_t> rows;
+    std::vector<knit::Stage> stages;
+    for (std::size_t i = 0; i < timeline.known(); ++i) {
+      const knit::Place& place = timeline.step(i).place;
+      if (place.item == 0) rows.push_back(i);
+      if (stages.empty() || stages.back() != place.stage) stages.push_back(place.stage);
+    }
+    CHECK(cache.row_starts() == rows);
+    REQUIRE(cache.stages().size() == stages.size());
+    for (std::size_t i = 0; i < stages.size(); ++i) CHECK(cache.stages()[i].stage == stages[i]);
+    CHECK(cache.stages().back().end == timeline.known());
+  };
+  RunCache cache;
+  knit::Timeline timeline = small_run(wide_band());
+  cache.refresh(timeline);
+  CHECK(cache.stages().empty());
+  while (timeline.extend(37)) cache.refresh(timeline);
+  cache.refresh(timeline);
+  check(cache, timeline);
+  knit::Parameters narrow = wide_band();
+  narrow.epsilon = 0.001;
+  timeline.tune(narrow);
+  cache.refresh(timeline);
+  timeline.extend_to_end();
+  cache.refresh(timeline);
+  check(cache, timeline);
+  CHECK_FALSE(cache.problems().empty());
+  timeline.seek(timeline.known() / 2);
+  timeline.edit_from_here(wide_band());
+  timeline.extend_to_end();
+  cache.refresh(timeline);
+  check(cache, timeline);
+  CHECK(cache.edits() == std::vector<std::size_t>{timeline.position()});
+}
+
+TEST_CASE("labels are tallied as they are placed, forwards and back") {
+  knit::Timeline timeline = small_run(wide_band());
+  timeline.extend_to_end();
+  LabelTally tally;
+  for (const std::size_t position :
+       {timeline.known(), timeline.known() * 3 / 4, std::size_t{0}, timeline.known()}) {
+    timeline.seek(position);
+    const LabelTally::Counts counts = tally.count(timeline.state());
+    std::size_t shaping = 0, mains = 0;
+    for (std::size_t i = 0; i < position; ++i) {
+      shaping += std::holds_alternative<knit::ShapingPlaced>(timeline.step(i).what) ? 1 : 0;
+      mains += std::holds_alternative<knit::MainPlaced>(timeline.step(i).what) ? 1 : 0;
+    }
+    CHECK(counts[1] + counts[2] + counts[3] + counts[4] == shaping);
+    CHECK(counts[6] == mains);
+  }
+}
+
+TEST_CASE("every step has numbers in words") {
+  knit::Timeline timeline = small_run(wide_band());
+  timeline.extend_to_end();
+  for (const knit::Step& step : timeline.steps()) {
+    const auto numbers = numbers_of(step);
+    REQUIRE_FALSE(numbers.empty());
+    for (const auto& [name, value] : numbers) {
+      CHECK(name.find('_') == std::string::npos);
+      CHECK_FALSE(value.empty());
+    }
+  }
+  const auto grouped = numbers_of({{}, knit::LevelsGrouped{64, 0, -1, 0, 1e-5}});
+  CHECK(std::any_of(grouped.begin(), grouped.end(), [](const auto& line) { return line.second == "none"; }));
+}

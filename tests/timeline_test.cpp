@@ -1,0 +1,222 @@
+// The rewind contract, proved by scrubbing: the state at a position never depends on the way there.
+#include <random>
+
+#include "tests/support/catch.h"
+#include "tests/support/run.h"
+
+using namespace knit;
+using test_support::small_parameters;
+using test_support::small_sphere;
+
+namespace {
+
+std::vector<std::uint64_t> hashes_forward(Timeline& timeline) {
+  timeline.seek(0);
+  std::vector<std::uint64_t> hashes{hash_of(timeline.state())};
+  while (timeline.forward()) hashes.push_back(hash_of(timeline.state()));
+  return hashes;
+}
+
+void check_backward(Timeline& timeline, const std::vector<std::uint64_t>& hashes) {
+  timeline.seek(timeline.known());
+  REQUIRE(timeline.position() + 1 == hashes.size());
+  std::size_t wrong = hash_of(timeline.state()) == hashes.back() ? 0 : 1;
+  while (timeline.back()) wrong += hash_of(timeline.state()) == hashes[timeline.position()] ? 0U : 1U;
+  CHECK(timeline.position() == 0);
+  CHECK(wrong == 0);
+}
+
+void check_at_random(Timeline& timeline, const std::vector<std::uint64_t>& hashes, int visits) {
+  std::mt19937 random(20260101);
+  std::size_t wrong = 0;
+  for (int i = 0; i < visits; ++i) {
+    const std::size_t position = random() % hashes.size();
+    timeline.seek(position);
+    wrong += timeline.position() == position && hash_of(timeline.state()) == hashes[position] ? 0U : 1U;
+  }
+  CHECK(wrong == 0);
+}
+
+// A tuned run must be a fresh one: same steps, same states everywhere.
+void check_equals_fresh(Timeline& tuned, const Parameters& parameters) {
+  Timeline fresh(tuned.input_pointer(), parameters);
+  fresh.extend_to_end();
+  tuned.extend_to_end();
+  REQUIRE(tuned.known() == fresh.known());
+  CHECK(tuned.steps() == fresh.steps());
+  CHECK((tuned.stop() == nullptr) == (fresh.stop() == nullptr));
+  CHECK(hashes_forward(tuned) == hashes_forward(fresh));
+}
+
+}  // namespace
+
+TEST_CASE("every position of the thesis sphere has one hash: forward, back, at random, on a tiny budget") {
+  Timeline timeline(test_support::thesis_sphere(), test_support::thesis_parameters());
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  REQUIRE(hashes.size() > 20000);
+  check_backward(timeline, hashes);
+  check_at_random(timeline, hashes, 5000);
+
+  Timeline tight(test_support::thesis_sphere(), test_support::thesis_parameters(), 4096);
+  tight.extend_to_end();
+  CHECK(tight.keyframe_bytes() <= 4096);
+  check_at_random(tight, hashes, 150);
+  CHECK(hashes_forward(tight) == hashes);
+}
+
+TEST_CASE("every position of a small run, backward on a tiny budget") {
+  Timeline timeline(small_sphere(), small_parameters(), 3000);
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  CHECK(timeline.keyframe_bytes() <= 3000);
+  check_backward(timeline, hashes);
+}
+
+TEST_CASE("neighbouring positions differ, so that the hashes above mean something") {
+  Timeline timeline(small_sphere(), small_parameters());
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  for (std::size_t i = 1; i < hashes.size(); ++i) CHECK(hashes[i] != hashes[i - 1]);
+}
+
+TEST_CASE("a state equals a copy and another state of the same content") {
+  Timeline a(small_sphere(), small_parameters());
+  Timeline b(small_sphere(), small_parameters());
+  for (const std::size_t position : {std::size_t{5}, std::size_t{600}, std::size_t{900}}) {
+    a.extend_to_end();
+    b.extend_to_end();
+    a.seek(position);
+    b.seek(position);
+    const State copy = a.state();
+    CHECK(copy == a.state());
+    CHECK(a.state() == b.state());
+    b.forward();
+    CHECK_FALSE(a.state() == b.state());
+  }
+}
+
+TEST_CASE("tuning any parameter anywhere gives the run as if it had been so from the start") {
+  struct Change {
+    const char* key;
+    const char* value;
+  };
+  const Change change = GENERATE(
+      Change{"epsilon", "0.1"}, Change{"epsilon", "0.02"}, Change{"stitch-width", "0.4"},
+      Change{"cast-on", "8"}, Change{"close", "thesis"}, Change{"close", "none"}, Change{"placement", "even"},
+      Change{"axis", "z"}, Change{"axis", "0.1,1,0"}, Change{"level-tolerance", "0.01"}, Change{"end", "70"},
+      Change{"on-stall", "stop"}, Change{"last-anchor", "drop"}, Change{"resample", "off"});
+  CAPTURE(change.key, change.value);
+  Parameters tuned = small_parameters();
+  const auto error = set_value(*find_parameter(change.key), tuned, change.value);
+  REQUIRE_FALSE(error);
+  for (const double part : {0.0, 0.3, 0.6, 0.85, 1.0}) {
+    Timeline timeline(small_sphere(), small_parameters(), 20000);
+    timeline.extend_to_end();
+    timeline.seek(static_cast<std::size_t>(part * static_cast<double>(timeline.known())));
+    timeline.tune(tuned);
+    check_equals_fresh(timeline, tuned);
+  }
+}
+
+TEST_CASE("tuning keeps the place: stage, row and item, or the nearest before it") {
+  Timeline timeline(small_sphere(), small_parameters());
+  timeline.extend_to_end();
+  const Place place{Stage::rows, 6, 9};
+  timeline.seek(timeline.position_of(place));
+  REQUIRE(timeline.place() == place);
+
+  Parameters wider = small_parameters();
+  wider.epsilon = 0.2;
+  timeline.tune(wider);
+  timeline.extend_to_end();
+  CHECK(timeline.place() == place);
+  CHECK_FALSE(timeline.sought());
+
+  // Along z this sphere has no rings: the run stops long before row 6.
+  Parameters other_axis = wider;
+  other_axis.axis = Axis{AxisKind::z, {0.0, 1.0, 0.0}};
+  timeline.tune(other_axis);
+  timeline.extend_to_end();
+  CHECK(timeline.place() <= place);
+  CHECK(timeline.position() == timeline.known());
+}
+
+TEST_CASE("tuning at the start stays at the start, a place not reached yet is sought") {
+  Timeline timeline(small_sphere(), small_parameters());
+  Parameters tuned = small_parameters();
+  tuned.cast_on = 7;
+  timeline.tune(tuned);
+  timeline.extend_to_end();
+  CHECK(timeline.position() == 0);
+
+  timeline.seek(timeline.known());
+  const Place end = timeline.place();
+  tuned.epsilon = 0.12;
+  timeline.tune(tuned);
+  CHECK(timeline.sought());
+  while (timeline.extend(100)) {
+  }
+  CHECK_FALSE(timeline.sought());
+  CHECK(timeline.place() == end);
+}
+
+TEST_CASE("edit from here: the past stays to the bit, what follows is run with the new parameters") {
+  Timeline plain(small_sphere(), small_parameters());
+  plain.extend_to_end();
+  const std::size_t at = plain.position_of({Stage::rows, 5, 4});
+
+  Timeline timeline(small_sphere(), small_parameters());
+  timeline.extend_to_end();
+  timeline.seek(at);
+  Parameters later = small_parameters();
+  later.epsilon = 0.28;
+  timeline.edit_from_here(later);
+  timeline.extend_to_end();
+  CHECK(timeline.position() == at);
+  CHECK(timeline.parameters() == later);
+  CHECK(std::equal(plain.steps().begin(), plain.steps().begin() + static_cast<std::ptrdiff_t>(at),
+                   timeline.steps().begin()));
+  CHECK(plain.furthest().rows[4] != timeline.furthest().rows[4]);
+  CHECK(plain.furthest().rows[3] == timeline.furthest().rows[3]);
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  check_backward(timeline, hashes);
+  check_at_random(timeline, hashes, 200);
+
+  REQUIRE(timeline.edits().size() == 1);
+  timeline.remove_edit(0);
+  timeline.extend_to_end();
+  CHECK(timeline.steps() == plain.steps());
+}
+
+TEST_CASE("tuning counts in edits too, and edits keep their own change") {
+  Timeline timeline(small_sphere(), small_parameters());
+  timeline.extend_to_end();
+  timeline.seek(timeline.position_of({Stage::rows, 5, 4}));
+  Parameters edited = timeline.parameters();
+  edited.epsilon = 0.1;
+  timeline.edit_from_here(edited);
+  timeline.extend_to_end();
+  timeline.seek(timeline.known());
+  Parameters tuned = timeline.parameters();
+  tuned.cast_on = 9;
+  timeline.tune(tuned);
+  timeline.extend_to_end();
+  CHECK(timeline.base_parameters().cast_on == 9);
+  CHECK(timeline.base_parameters().epsilon == 0.15);
+  CHECK(timeline.parameters().cast_on == 9);
+  CHECK(timeline.parameters().epsilon == 0.1);
+  CHECK(timeline.furthest().rows[0]->stitches.size() == 9);
+}
+
+TEST_CASE("a copy of the state does not grow with what is finished beyond a few pointers a row") {
+  Timeline timeline(test_support::thesis_sphere(), test_support::thesis_parameters());
+  timeline.extend_to_end();
+  const std::size_t rows = timeline.furthest().rows.size();
+  CHECK(copy_bytes(timeline.furthest()) <= sizeof(State) + rows * 4 * 2 * sizeof(void*));
+  // In the middle of timing 8258 vertices: whole blocks are shared.
+  timeline.seek(8000);
+  CHECK(copy_bytes(timeline.state()) <=
+        sizeof(State) + 8000 / 512 * 2 * sizeof(void*) + 512 * sizeof(double));
+  // Finished products are one object in all copies.
+  timeline.seek(timeline.known());
+  const State copy = timeline.state();
+  CHECK(copy.rows[10].pointer() == timeline.furthest().rows[10].pointer());
+}
