@@ -23,9 +23,11 @@ elif [ $# -eq 0 ]; then
 fi
 
 if ! has_display; then
-  headless=no
+  headless=no # or nothing that needs a window was asked for
   for argument in "$@"; do
-    case $argument in --headless | --headless=*) headless=yes ;; esac
+    case $argument in
+      --headless | --headless=* | --help | -h | --version | --list-* | index) headless=yes ;;
+    esac
   done
   if [ $headless = no ]; then
     say "There is no display, so no window: adding --headless."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test. Arguments go to ctest: ./test.sh -R timing
+# Installs what is missing, builds, and runs every test. Arguments go to ctest: ./test.sh -R thesis
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
 

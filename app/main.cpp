@@ -36,7 +36,13 @@ int run(const std::vector<std::string>& arguments, app::Session& session) {
 void report_bug(const knit::Bug& bug, const std::vector<std::string>& arguments,
                 const app::Session& session) {
   std::string command = "knit-mesh";
-  for (const std::string& argument : arguments) command += " '" + argument + "'";
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    // Where it was asked to stop gives way to where it did.
+    if (arguments[i] == "--at")
+      ++i;
+    else if (!arguments[i].starts_with("--at="))
+      command += " '" + arguments[i] + "'";
+  }
   if (session.timeline) command += " --at " + std::to_string(session.timeline->position());
   std::fprintf(stderr, "knit-mesh: this is a bug: %s. It happened at: %s\n", bug.what(), command.c_str());
 }

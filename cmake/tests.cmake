@@ -2,7 +2,7 @@
 
 our_program(knit_tests "tests/*_test.cpp" "tests/support/*.cpp")
 if(TARGET knit_tests)
-  target_link_libraries(knit_tests PRIVATE app_window knit_catch2_main)
+  target_link_libraries(knit_tests PRIVATE app_window knit_catch2_main knit_stb)
   target_compile_definitions(knit_tests PRIVATE
     "KNIT_MESH_BINARY=\"${CMAKE_BINARY_DIR}/knit-mesh\""
     "KNIT_ASSETS_DIR=\"${CMAKE_BINARY_DIR}/assets\""
@@ -14,7 +14,7 @@ if(TARGET knit_tests)
   if(NOT KNIT_SANITIZE)
     target_compile_options(knit_tests PRIVATE -O0 -g1)
   endif()
-  add_dependencies(knit_tests assets)
+  add_dependencies(knit_tests assets knit-mesh)
   include(Catch)
   catch_discover_tests(knit_tests EXTRA_ARGS ${KNIT_CATCH2_ARGUMENTS} PROPERTIES TIMEOUT 300)
 endif()

@@ -157,7 +157,7 @@ void check_areas(const Mesh& mesh, double diagonal, Report& report) {
   report.add(FindingKind::zero_area, Severity::warning, count, where,
              counted(count, "triangle has", "triangles have") + " no area; the first is at " +
                  report.place(where.front()) +
-                 ". They are passed over; remove them if the rows look wrong there.");
+                 ". They are harmless here; remove them if other programs stumble over them.");
 }
 
 void check_vertices(std::span<const std::uint8_t> used, std::span<const VertexId> twin, Report& report) {
@@ -178,7 +178,7 @@ void check_vertices(std::span<const std::uint8_t> used, std::span<const VertexId
     report.add(FindingKind::coincident, Severity::warning, coincident.size(), coincident,
                counted(coincident.size(), "vertex is", "vertices are") +
                    " at the same place as an earlier one; the first is " + report.place(first) +
-                   ", at the place of vertex " + std::to_string(std::size_t{twin[first]} + 1) +
+                   ", at the place of vertex " + std::to_string(twin[first]) +
                    ". They count as one corner of the surface; --weld on merges them.");
   }
 }

@@ -1,7 +1,5 @@
 #include "knit/links.h"
 
-#include <cassert>
-
 namespace knit {
 
 namespace {

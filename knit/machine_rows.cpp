@@ -44,20 +44,20 @@ Happening order(const Input& input, const State& state, RowWork& work) {
                       work.ring->ordered_by, work.ring->length};
 }
 
-Stopped stall(const Parameters& parameters, const RowWork& work, StopReason reason) {
+Stopped stall(const State& state, const RowWork& work) {
   const auto anchor = work.ring->vertices[static_cast<std::size_t>(work.walk.anchor)];
-  return Stopped{reason,
+  return Stopped{StopReason::stall,
                  work.level,
                  static_cast<std::int32_t>(work.walk.kept.size()) + 1,
                  0,
                  anchor,
                  work.walk.nearest_distance,
-                 parameters.stitch_width};
+                 time_of_level(state, work.level)};
 }
 
 Happening close(const Input& input, const Parameters& parameters, const State& state, RowWork& work) {
   const bool stop_on_stall = parameters.on_stall == OnStall::stop;
-  if (stop_on_stall && stalled(work.walk)) return stall(parameters, work, StopReason::stall);
+  if (stop_on_stall && stalled(work.walk)) return stall(state, work);
   ClosedRow closed = close_row(work.walk, *work.ring, input.mesh, parameters);
   const auto picked = static_cast<std::int32_t>(closed.stitches.size());
   const std::int32_t below = size_of(*state.rows.back());
@@ -94,6 +94,7 @@ Happening share(const Input& input, const Parameters& parameters, State& state, 
   const GapShared step{static_cast<std::int32_t>(shared.stitches.size()),
                        parameters.close,
                        shared.shared,
+                       work.closed.resampled,
                        shared.per_stitch,
                        work.closed.gap,
                        shared.gap};

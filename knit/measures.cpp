@@ -94,7 +94,8 @@ bool is_unusual(const Step& step, const Parameters& parameters) {
   if (const auto* shared = std::get_if<GapShared>(&step.what)) {
     const double low = parameters.stitch_width - parameters.epsilon;
     const double high = parameters.stitch_width + parameters.epsilon;
-    return !shared->shared && (shared->gap_after < low || shared->gap_after > high);
+    // A row spread evenly instead was reported by the step that spread it.
+    return !shared->shared && !shared->resampled && (shared->gap_after < low || shared->gap_after > high);
   }
   return is_stop(step);
 }

@@ -73,8 +73,8 @@ struct Sentence {
            vertex_text(s.first) + "; it is " + short_number(s.length) + " round.";
   }
   std::string operator()(const CandidateMeasured& s) const {
-    const std::string text = row() + ": " + vertex_text(s.candidate) + " is " + short_number(s.distance) +
-                             " from stitch " + str(s.stitch) + " (" + vertex_text(s.anchor) + "): ";
+    std::string text = row() + ": " + vertex_text(s.candidate) + " is " + short_number(s.distance) +
+                       " from stitch " + str(s.stitch) + " (" + vertex_text(s.anchor) + "): ";
     switch (s.verdict) {
       case Verdict::accepted:
         return text + "accepted, it lies in the band " + band_text(p) + ".";
@@ -101,7 +101,7 @@ struct Sentence {
     return text;
   }
   std::string operator()(const RowResampled& s) const {
-    const std::string text = row() + ": " + stitches_text(s.from) + " ";
+    std::string text = row() + ": " + stitches_text(s.from) + " ";
     switch (s.reason) {
       case ResampleReason::too_few:
         return text + "picked on a cycle " + short_number(s.length) + " round is too few; " + str(s.to) +
@@ -131,7 +131,7 @@ struct Sentence {
            short_number(s.gap_after) + ".";
   }
   std::string operator()(const TransitionCounted& s) const {
-    const std::string text = row() + ": from " + str(s.below) + " to " + stitches_text(s.above) + ", ";
+    std::string text = row() + ": from " + str(s.below) + " to " + stitches_text(s.above) + ", ";
     if (s.change == 0) return text + "nothing to shape.";
     const std::string what = s.change > 0 ? plural(s.change, "increase", "increases")
                                           : plural(-std::int64_t{s.change}, "decrease", "decreases");
@@ -165,9 +165,9 @@ struct Sentence {
 };
 
 std::string Sentence::operator()(const Stopped& s) const {
-  const std::string where = place.stage == Stage::cast_on  ? "Cast on"
-                            : place.stage == Stage::timing ? "Timing"
-                                                           : row();
+  std::string where = place.stage == Stage::cast_on  ? "Cast on"
+                      : place.stage == Stage::timing ? "Timing"
+                                                     : row();
   const std::string level = "level " + str(s.level) + " at t = " + short_number(s.time);
   switch (s.reason) {
     case StopReason::no_extent:
@@ -180,10 +180,9 @@ std::string Sentence::operator()(const Stopped& s) const {
              "another axis, or a stitch width below " +
              short_number(s.value) + ".";
     case StopReason::not_a_ring:
-      return where + ": the " + plural(s.count, "vertex", "vertices") + " of " + level + " (" +
-             vertex_text(s.vertex) +
-             ") form no closed ring; use a mesh with rings across the axis, another axis, or a larger level "
-             "tolerance.";
+      return where + ": no closed ring can be made of the " + plural(s.count, "vertex", "vertices") + " of " +
+             level + " (" + vertex_text(s.vertex) +
+             "); use a mesh with rings across the axis, another axis, or a larger level tolerance.";
     case StopReason::splits:
       return where + ": at " + level + " the level set splits into " + str(s.count) + " loops (" +
              vertex_text(s.vertex) + ", t = " + short_number(s.value) +

@@ -113,7 +113,8 @@ PatternLine bind_off_line(std::int32_t row, std::int32_t stitches) {
   return {row, "BO " + std::to_string(stitches) + ".", stitches, 0};
 }
 
-std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transition* const> transitions) {
+std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transition* const> transitions,
+                                    bool complete) {
   std::vector<LabelRow> view;
   const auto cast = [](std::int32_t size) {
     return std::vector<Label>(static_cast<std::size_t>(size), Label::cast);
@@ -121,7 +122,7 @@ std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transi
   view.push_back({1, std::nullopt, cast(cast_on)});
   for (std::size_t i = 0; i < transitions.size(); ++i) {
     const Transition& t = *transitions[i];
-    const bool last = i + 1 == transitions.size();
+    const bool last = complete && i + 1 == transitions.size();
     if (t.change() < 0) {
       // Decreases are labelled in the row they start from: in its own list where that is plain.
       const bool plain_below = i > 0 && transitions[i - 1]->change() <= 0;

@@ -22,7 +22,9 @@ struct LabelRow {
   std::optional<std::int32_t> into;
   std::vector<Label> labels;
 };
-std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transition* const> transitions);
+// `complete`: the last transition leads to the last row, which is cast off; else more rows are to come.
+std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transition* const> transitions,
+                                    bool complete = true);
 
 // "3: [6, 1, 0, 0, 2]"
 std::string text_of(const LabelRow& row);

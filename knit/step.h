@@ -89,6 +89,7 @@ struct GapShared {
   std::int32_t stitches;
   Closing how;
   bool shared;        // false: left as it was
+  bool resampled;     // left because the row had been spread evenly already
   double per_stitch;  // thesis: each stitch moves by its number times this; arc: the even spacing
   double gap_before, gap_after;
   friend bool operator==(const GapShared&, const GapShared&) = default;

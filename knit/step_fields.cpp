@@ -128,7 +128,8 @@ struct Lister {
   }
   Fields operator()(const Stopped& s) const {
     return {word("reason", word_of(s.reason)), count("level", s.level), count("count", s.count),
-            number("value", s.value), number("time", s.time)};
+            number("value", s.value),          number("time", s.time),  count("other", s.other),
+            count("vertex", s.vertex)};
   }
 };
 

@@ -6,12 +6,13 @@
 //
 // The rules, found from Appendix A (docs/algorithm.md gives the study). p -> n are the sizes, id = |n - p|,
 // k = ceil(id / 2) mains are wanted, P mains stand in the row before:
-//   from_cast_on (R0)   the row before is the cast on: a main for each of its stitches, shaping spread
-//   between plain (R1)          n = p: the mains stay equal (R2)          P divisible by k, P > k: every n /
-//   k cells, while they last (may give a main too many) follow (R3)         P >= k: every (P / k)-th main of
-//   the row before, moved by the shaping placed before it remainder_last (R4) P < k: every p / k + 2 cells,
-//   what is left over on the last spacing dense               when sections lack room: a label after each
-//   main even                (policy) sections of the smaller row as equal as can be, plus their own shaping
+//   from_cast_on (R0)   the row before is the cast on: a main for each of its stitches, shaping spread between
+//   plain (R1)          n = p: the mains stay
+//   equal (R2)          P divisible by k, P > k: every n / k cells, while they last (may give a main too many)
+//   follow (R3)         P >= k: every (P / k)-th main of the row before, moved by the shaping placed before it
+//   remainder_last (R4) P < k: every p / k + 2 cells, what is left over on the last spacing
+//   dense               when sections lack room: a label after each main
+//   even                (policy) sections of the smaller row as equal as can be, plus their own shaping
 #pragma once
 
 #include <span>

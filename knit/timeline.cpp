@@ -140,8 +140,8 @@ void Timeline::edit_from_here(const Parameters& parameters) {
 }
 
 void Timeline::remove_edit(std::size_t index) {
-  const Place here = place();
-  const bool at_start = position_ == 0;
+  const Place here = sought_.value_or(place());
+  const bool at_start = position_ == 0 && !sought_;
   const Place at = edits_[index].at;
   edits_.erase(edits_.begin() + static_cast<std::ptrdiff_t>(index));
   const auto first = std::lower_bound(steps_.begin(), steps_.end(), at,

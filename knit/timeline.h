@@ -42,6 +42,8 @@ class Timeline {
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   // Why the run ended before the last stage did; null while it goes on or when it finished.
   [[nodiscard]] const Step* stop() const { return stop_ ? &*stop_ : nullptr; }
+  // In force where the run stopped, or for what is to come next.
+  [[nodiscard]] const Parameters& parameters_of_stop() const { return parameters_at(frontier_.next); }
   [[nodiscard]] const State& furthest() const { return frontier_; }  // the state at position known()
 
   [[nodiscard]] std::size_t position() const { return position_; }

@@ -84,7 +84,9 @@ TEST_CASE("a stop leaves the state as it was, and comes again") {
   const auto input = small_sphere();
   Timeline timeline = run(input, strict);
   REQUIRE(timeline.stop() != nullptr);
-  CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::stall);
+  const auto& stopped = std::get<Stopped>(timeline.stop()->what);
+  CHECK(stopped.reason == StopReason::stall);
+  CHECK(stopped.time == timeline.furthest().timing->levels.times[static_cast<std::size_t>(stopped.level)]);
   State state = timeline.furthest();
   const std::uint64_t before = hash_of(state);
   const Step again = advance(*input, strict, state);

@@ -242,3 +242,26 @@ TEST_CASE("layers, rows and problems are clicked") {
   REQUIRE_FALSE(desk.ui.run.problems().empty());
   CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.problems()[0] + 1);
 }
+
+TEST_CASE("menus open, choose, and close by Escape; meanwhile keys do nothing else") {
+  Desk desk;
+  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.open();
+  for (const char* menu : {"menu/file", "menu/go", "menu/view", "menu/help"}) {
+    INFO(menu);
+    CHECK(desk.click(menu).empty());
+    desk.settle();
+    CHECK(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+    CHECK(desk.press({Key::Space, {}, 0}).empty());
+    CHECK(desk.press({Key::Escape, {}, 0}).empty());
+    desk.settle();
+    CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  }
+  CHECK(desk.click("menu/go").empty());
+  desk.settle();
+  only<ToLast>(desk.click("menu/To the end"));
+  CHECK(desk.click("menu/file").empty());
+  desk.settle();
+  CHECK(desk.click("menu/Save the report...").empty());
+  CHECK(desk.ui.save.wanted == ExportKind::report);
+}

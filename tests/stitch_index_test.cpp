@@ -164,3 +164,17 @@ TEST_CASE("a row that is grown into and shrunk out of keeps both lists") {
   CHECK(std::count_if(rows[2].labels.begin(), rows[2].labels.end(), is_decrease) == 4);
   CHECK(text_of(rows[3]) == "3: [5, 5, 5, 5, 5, 5, 5, 5]");
 }
+
+TEST_CASE("while more rows are to come, the newest row is no cast off") {
+  const std::vector<std::int32_t> sizes{6, 12, 12, 10};
+  const std::vector<Transition> transitions = plan_transitions(sizes, PlacementPolicy::thesis);
+  const std::vector<const Transition*> plain{transitions.data(), transitions.data() + 1};
+  CHECK(appendix_view(6, plain, true).back().labels == std::vector<Label>(12, Label::cast));
+  CHECK(appendix_view(6, plain, false).back().labels == transitions[1].labels);
+  const std::vector<const Transition*> shrunk{transitions.data(), transitions.data() + 1,
+                                              transitions.data() + 2};
+  const std::vector<Label> carried = appendix_view(6, shrunk, false).back().labels;
+  CHECK(carried.size() == 10);
+  CHECK(std::count(carried.begin(), carried.end(), Label::main) == 1);
+  CHECK(std::count(carried.begin(), carried.end(), Label::cast) == 0);
+}

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -66,27 +67,36 @@ struct Apply {
     take(load_file(a.path), {{}, a.path}, start);
   }
 
+  // Does what may work the run out further, and counts the time if it did.
+  template <class Work>
+  auto counted(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t known = timeline().known();
+    const auto result = work();
+    if (timeline().known() != known) session.run_ms += milliseconds_since(start);
+    return result;
+  }
+
   void operator()(const StepBy& a) {
     if (!open()) return;
     session.playback.playing = false;
-    timeline().seek(position_after(timeline(), a.unit, a.direction));
+    timeline().seek(counted([&] { return position_after(timeline(), a.unit, a.direction); }));
   }
   void operator()(const SeekTo& a) {
     if (!open()) return;
-    if (a.position > timeline().known()) timeline().extend(a.position - timeline().known());
+    const std::size_t known = timeline().known();
+    if (a.position > known) counted([&] { return timeline().extend(a.position - known); });
     timeline().seek(a.position);
   }
   void operator()(const SeekPlace& a) {
-    if (open()) timeline().seek(position_at(timeline(), a.place));
+    if (open()) timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
   }
   void operator()(const ToFirst& /*a*/) {
     if (open()) timeline().seek(0);
   }
   void operator()(const ToLast& /*a*/) {
     if (!open()) return;
-    const auto start = std::chrono::steady_clock::now();
-    timeline().extend_to_end();
-    session.run_ms += milliseconds_since(start);
+    counted([&] { return timeline().extend(std::numeric_limits<std::size_t>::max()); });
     timeline().seek(timeline().known());
   }
   void operator()(const SetPlaying& a) {
@@ -105,12 +115,9 @@ struct Apply {
 
   void operator()(const PassTime& a) {
     if (!open()) return;
-    if (!timeline().complete()) {
-      const auto start = std::chrono::steady_clock::now();
-      timeline().extend(steps_per_tick);
-      session.run_ms += milliseconds_since(start);
-    }
-    if (session.playback.playing) play(a.seconds);
+    counted([&] { return timeline().extend(steps_per_tick); });
+    // A tuned run that has not come back to its place yet plays on from there, not from where it has got to.
+    if (session.playback.playing && !timeline().sought()) play(a.seconds);
   }
   void play(double seconds) {
     Playback& playback = session.playback;

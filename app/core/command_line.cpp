@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
-#include "app/core/navigate.h"
 #include "knit/pattern.h"
 #include "knit/stage.h"
 #include "knit/stitch_index.h"
@@ -225,8 +224,8 @@ std::optional<std::string> go_to(Session& session, const At& at) {
   }
   if (const auto* stage = std::get_if<AtStage>(&at)) {
     // A stage's first row differs: 0, 1 or 2. Its first step is the one after all that stands before it.
-    const std::size_t before = position_at(timeline, {stage->stage, -1, 0});
-    apply(session, SeekTo{before + 1});
+    apply(session, SeekPlace{{stage->stage, -1, 0}});
+    apply(session, StepBy{Unit::item, 1});
     if (timeline.place().stage == stage->stage) return std::nullopt;
     return "the run does not reach the stage " + std::string(knit::name_of(stage->stage)) +
            "; showing the last step.";

@@ -84,10 +84,10 @@ void Describer::add_rows(const Session& session, Scene& scene) {
     RowShapes& kept = rows_[i];
     const auto row = state.rows[i].pointer();
     const bool ends_here = state.stage() > knit::Stage::rows;
-    if (kept.row != row || i + 1 >= state.rows.size()) {
-      const Colour colour = stitch_colour(*row, state.rows.size(), ends_here);
+    const Colour colour = stitch_colour(*row, state.rows.size(), ends_here);
+    if (kept.row != row || kept.colour != colour) {
       const Colour edge = colour == palette::stitch ? palette::row_edge : colour;
-      kept = {row, edges_of(*row, edge), stitches_of(*row, colour)};
+      kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
     }
     if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
     if (session.shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);

@@ -19,6 +19,7 @@ class Describer {
  private:
   struct RowShapes {
     std::shared_ptr<const knit::Row> row;
+    Colour colour;
     std::shared_ptr<const std::vector<Line>> edges;
     std::shared_ptr<const std::vector<Point>> stitches;
   };

@@ -66,6 +66,47 @@ void describe_distance(const Session& session, Scene& scene, knit::VertexId from
   if (from != to) scene.captions.push_back({0.5F * (a + b), knit::short_number(distance), colour});
 }
 
+void describe_ends(const Session& session, const knit::EndsFound& ends, Scene& scene) {
+  const glm::vec3 from = place_of(session, ends.start);
+  const glm::vec3 to = place_of(session, ends.end);
+  scene.lines.push_back({from, to, palette::anchor, 2.5F});
+  scene.points.push_back({from, palette::time_low, 12.0F});
+  scene.points.push_back({to, palette::time_high, 12.0F});
+  scene.captions.push_back({from, "start", palette::text});
+  scene.captions.push_back({to, "end", palette::text});
+}
+
+// Labels stand on the larger of the two rows.
+const knit::Row& labelled_row(const knit::State& state, std::int32_t row) {
+  const auto above = static_cast<std::size_t>(row) - 1;
+  const bool grows = state.rows[above]->stitches.size() >= state.rows[above - 1]->stitches.size();
+  return grows ? *state.rows[above] : *state.rows[above - 1];
+}
+
+void describe_last_label(const Session& session, std::int32_t row, std::int32_t cell, knit::Label label,
+                         Scene& scene) {
+  const knit::Row& labelled = labelled_row(session.timeline->state(), row);
+  const glm::vec3 at(labelled.stitches[static_cast<std::size_t>(cell)].position);
+  scene.points.push_back({at, palette::of(label), 13.0F});
+  scene.captions.push_back({at, std::string(knit::name_of(label)), palette::of(label)});
+}
+
+// `index`: counted from 1 in its strip, which may be finished by now.
+void describe_last_face(const Session& session, std::int32_t row, std::int32_t index, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  const auto number = static_cast<std::size_t>(row) - 2;
+  const bool finished = number < state.strips.size();
+  const knit::Strip& strip = finished ? *state.strips[number] : *std::get<knit::FacesWork>(state.work).plan;
+  const StripPlaces places = places_of(state, number);
+  const knit::Face& face = strip.faces[static_cast<std::size_t>(index) - 1];
+  for (std::int32_t i = 0; i < face.corner_count; ++i) {
+    const auto corner = static_cast<std::size_t>(i);
+    const auto next = static_cast<std::size_t>((i + 1) % face.corner_count);
+    scene.lines.push_back(
+        {places.at(face.corners[corner]), places.at(face.corners[next]), palette::accepted, 3.0F});
+  }
+}
+
 void describe_last_step(const Session& session, const knit::Step& step, Scene& scene) {
   if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what)) {
     if (session.shows(Layer::cycle)) {
@@ -73,17 +114,23 @@ void describe_last_step(const Session& session, const knit::Step& step, Scene& s
                         colour_of(measured->verdict));
     }
   } else if (const auto* missed = std::get_if<knit::BandMissed>(&step.what)) {
-    describe_distance(session, scene, missed->anchor, missed->taken, missed->distance, palette::problem);
+    if (session.shows(Layer::cycle)) {
+      describe_distance(session, scene, missed->anchor, missed->taken, missed->distance, palette::problem);
+    }
   } else if (const auto* timed = std::get_if<knit::VertexTimed>(&step.what)) {
-    scene.points.push_back({place_of(session, timed->vertex), palette::accepted, 7.0F});
+    if (session.shows(Layer::times)) {
+      scene.points.push_back({place_of(session, timed->vertex), palette::accepted, 7.0F});
+    }
   } else if (const auto* ends = std::get_if<knit::EndsFound>(&step.what)) {
-    const glm::vec3 from = place_of(session, ends->start);
-    const glm::vec3 to = place_of(session, ends->end);
-    scene.lines.push_back({from, to, palette::anchor, 2.5F});
-    scene.points.push_back({from, palette::time_low, 12.0F});
-    scene.points.push_back({to, palette::time_high, 12.0F});
-    scene.captions.push_back({from, "start", palette::text});
-    scene.captions.push_back({to, "end", palette::text});
+    if (session.shows(Layer::times)) describe_ends(session, *ends, scene);
+  } else if (const auto* main = std::get_if<knit::MainPlaced>(&step.what)) {
+    if (session.shows(Layer::stitches))
+      describe_last_label(session, step.place.row, main->cell, knit::Label::main, scene);
+  } else if (const auto* shaping = std::get_if<knit::ShapingPlaced>(&step.what)) {
+    if (session.shows(Layer::stitches))
+      describe_last_label(session, step.place.row, shaping->cell, shaping->label, scene);
+  } else if (const auto* made = std::get_if<knit::FaceMade>(&step.what)) {
+    if (session.shows(Layer::faces)) describe_last_face(session, step.place.row, made->index, scene);
   }
 }
 
@@ -113,37 +160,33 @@ void describe_rows_stage(const Session& session, const knit::RowWork& work, Scen
     const glm::vec3 at(stitches[i].position);
     const glm::vec3 next(stitches[(i + 1) % stitches.size()].position);
     const bool gap = i + 1 == stitches.size();
-    scene.points.push_back({at, palette::stitch, 7.0F});
+    if (session.shows(Layer::stitches)) scene.points.push_back({at, palette::stitch, 7.0F});
+    if (!session.shows(Layer::row_edges)) continue;
     scene.lines.push_back({at, next, gap ? palette::anchor : palette::row_edge, gap ? 3.5F : 2.4F});
     if (gap)
       scene.captions.push_back({0.5F * (at + next), knit::short_number(work.closed.gap), palette::anchor});
   }
 }
 
-// Labels as coloured stitches on the larger of the two rows.
-void describe_labels(const Session& session, const knit::Transition& plan, std::size_t count, bool current,
+// Labels placed so far, as coloured stitches.
+void describe_labels(const knit::State& state, const knit::Transition& plan, std::size_t count,
                      Scene& scene) {
-  const knit::State& state = session.timeline->state();
-  const std::size_t above = static_cast<std::size_t>(plan.row) - 1;
-  const knit::Row& row = plan.above >= plan.below ? *state.rows[above] : *state.rows[above - 1];
+  const knit::Row& row = labelled_row(state, plan.row);
   for (std::size_t i = 0; i < count; ++i) {
     const knit::PlacedLabel& placed = plan.placed[i];
     const glm::vec3 at(row.stitches[static_cast<std::size_t>(placed.cell)].position);
-    const bool last = current && i + 1 == count;
-    const bool plain = plan.change() == 0;
-    if (plain && !current) continue;  // mains that merely go on
-    scene.points.push_back({at, palette::of(placed.label), last ? 13.0F : 8.0F});
-    if (last)
-      scene.captions.push_back({at, std::string(knit::name_of(placed.label)), palette::of(placed.label)});
+    scene.points.push_back({at, palette::of(placed.label), 8.0F});
   }
 }
 
 void describe_stitches_stage(const Session& session, const knit::IndexWork& work, Scene& scene) {
+  if (!session.shows(Layer::stitches)) return;
   const knit::State& state = session.timeline->state();
   for (const auto& transition : state.transitions) {
-    describe_labels(session, *transition, transition->placed.size(), false, scene);
+    const bool plain = transition->change() == 0;  // its mains merely go on
+    if (!plain) describe_labels(state, *transition, transition->placed.size(), scene);
   }
-  if (work.plan) describe_labels(session, *work.plan, static_cast<std::size_t>(work.placed), true, scene);
+  if (work.plan) describe_labels(state, *work.plan, static_cast<std::size_t>(work.placed), scene);
 }
 
 void describe_faces_stage(const Session& session, const knit::FacesWork& work, Scene& scene) {
@@ -157,14 +200,6 @@ void describe_faces_stage(const Session& session, const knit::FacesWork& work, S
   if (session.shows(Layer::column_edges)) {
     const std::vector<Line> columns = columns_of(*work.plan, made, places);
     scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
-  }
-  if (made == 0) return;
-  const knit::Face& face = work.plan->faces[made - 1];
-  for (std::int32_t i = 0; i < face.corner_count; ++i) {
-    const auto corner = static_cast<std::size_t>(i);
-    const auto next = static_cast<std::size_t>((i + 1) % face.corner_count);
-    scene.lines.push_back(
-        {places.at(face.corners[corner]), places.at(face.corners[next]), palette::accepted, 3.0F});
   }
 }
 
@@ -218,6 +253,7 @@ void describe_step(const Session& session, Scene& scene) {
   if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work); cast_on != nullptr && cast_on->ring) {
     describe_cycle(session, cast_on->ring->vertices, scene);
     for (const knit::Stitch& stitch : cast_on->stitches) {
+      if (!session.shows(Layer::stitches)) break;
       scene.points.push_back({glm::vec3(stitch.position), palette::of(knit::Label::cast), 10.0F});
     }
   }

@@ -76,7 +76,10 @@ std::string steps_text(const Session& session) {
   return text;
 }
 
-std::string report_text(const Session& session) { return report_json(session).dump(2) + "\n"; }
+std::string report_text(const Session& session) {
+  // A file's name need not be valid UTF-8; JSON must be.
+  return report_json(session).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
 
 std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
                                           const std::filesystem::path& path) {

@@ -21,6 +21,16 @@ std::optional<std::string> write_standard_output(std::string_view content) {
   return done ? std::nullopt : std::optional(cannot_write("standard output", std::strerror(errno)));
 }
 
+// What went wrong, if anything did.
+std::optional<std::string> write_whole(const std::filesystem::path& path, std::string_view content) {
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  if (out) return std::nullopt;
+  return errno != 0 ? std::strerror(errno) : "the file could not be written whole";
+}
+
 }  // namespace
 
 std::filesystem::path aside_of(const std::filesystem::path& path) {
@@ -41,18 +51,22 @@ std::optional<std::string> put_in_place(const std::filesystem::path& aside,
 
 std::optional<std::string> write_file(const std::filesystem::path& path, std::string_view content) {
   if (path == "-") return write_standard_output(content);
-  const std::filesystem::path aside = aside_of(path);
-  errno = 0;
-  std::ofstream out(aside, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (!out) {
-    const std::string why = errno != 0 ? std::strerror(errno) : "the file could not be written whole";
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    return cannot_write(path, why);
+  std::error_code ignored;
+  std::filesystem::path target = path;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
+    // A device or a pipe is written to, never replaced; a link stays a link.
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+      const auto trouble = write_whole(path, content);
+      return trouble ? std::optional(cannot_write(path, *trouble)) : std::nullopt;
+    }
+    target = std::filesystem::canonical(path, ignored);
   }
-  return put_in_place(aside, path);
+  const std::filesystem::path aside = aside_of(target);
+  if (const auto trouble = write_whole(aside, content)) {
+    std::filesystem::remove(aside, ignored);
+    return cannot_write(path, *trouble);
+  }
+  return put_in_place(aside, target);
 }
 
 }  // namespace app

@@ -9,7 +9,7 @@
 
 namespace app {
 
-// "-" writes to standard output. The error is one sentence.
+// "-" writes to standard output; a device or a pipe is written to as it is. The error is one sentence.
 std::optional<std::string> write_file(const std::filesystem::path& path, std::string_view content);
 
 // The name to write `path` under before it is renamed: beside it, and nobody else's.

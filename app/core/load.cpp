@@ -11,6 +11,10 @@ namespace app {
 
 namespace {
 
+void forget_coincident(std::vector<knit::Finding>& findings) {
+  std::erase_if(findings, [](const knit::Finding& f) { return f.kind == knit::FindingKind::coincident; });
+}
+
 std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> original,
                                           const knit::Parameters* parameters) {
   Loaded loaded;
@@ -19,6 +23,7 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   if (!checked.fit()) return loaded.original->name + ": " + checked.findings.front().sentence;
   loaded.findings = std::move(checked.findings);
   const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
+  if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
   loaded.parameters = parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
   return loaded;
@@ -72,10 +77,7 @@ std::variant<Loaded, std::string> load_example(const std::filesystem::path& asse
   auto loaded =
       prepare(std::make_shared<const knit::Mesh>(std::move(mesh)), &std::get<knit::Parameters>(parameters));
   // An example decides about welding itself; its seam is no news.
-  if (auto* ready = std::get_if<Loaded>(&loaded)) {
-    std::erase_if(ready->findings,
-                  [](const knit::Finding& f) { return f.kind == knit::FindingKind::coincident; });
-  }
+  if (auto* ready = std::get_if<Loaded>(&loaded)) forget_coincident(ready->findings);
   return loaded;
 }
 

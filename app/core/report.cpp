@@ -81,7 +81,8 @@ Json edits_json(const knit::Timeline& timeline) {
 std::vector<knit::LabelRow> label_rows(const knit::State& state) {
   std::vector<const knit::Transition*> transitions;
   for (const auto& transition : state.transitions) transitions.push_back(&*transition);
-  return knit::appendix_view(static_cast<std::int32_t>(state.rows.front()->stitches.size()), transitions);
+  return knit::appendix_view(static_cast<std::int32_t>(state.rows.front()->stitches.size()), transitions,
+                             state.stage() > knit::Stage::stitches);
 }
 
 Json report_json(const Session& session) {

@@ -36,7 +36,7 @@ enum class Unit : std::uint8_t { item, row, stage };
 struct Playback {
   bool playing = false;
   int direction = 1;  // -1: backwards
-  double steps_per_second = 60.0;
+  double steps_per_second = 300.0;
   double owed = 0.0;  // part of a step not yet taken
 };
 inline constexpr double slowest_steps_per_second = 1.0;

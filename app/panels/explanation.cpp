@@ -55,8 +55,9 @@ struct Cells {
   float line;
   [[nodiscard]] std::size_t lines() const { return (count + 1) / 2; }
   [[nodiscard]] ImVec2 at(std::size_t i) const {
-    return {origin.x + static_cast<float>(i / lines()) * second,
-            origin.y + static_cast<float>(i % lines()) * line};
+    const bool right = i >= lines();
+    const std::size_t down = right ? i - lines() : i;
+    return {right ? origin.x + second : origin.x, origin.y + static_cast<float>(down) * line};
   }
   [[nodiscard]] ImVec2 end() const { return {origin.x, origin.y + static_cast<float>(lines()) * line}; }
 };

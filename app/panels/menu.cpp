@@ -11,7 +11,7 @@ namespace {
 bool begin_menu(PanelFrame& frame, const char* label, const char* control) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) {
-    frame.mark(control);
+    frame.mark(control);  // open, the last item is the menu's own
   } else if (key_pressed(Key::Escape)) {
     ImGui::CloseCurrentPopup();
   }
@@ -19,7 +19,9 @@ bool begin_menu(PanelFrame& frame, const char* label, const char* control) {
 }
 
 void command_item(PanelFrame& frame, const CommandInfo& info, const char* label, bool enabled = true) {
-  if (!ImGui::MenuItem(label, keys_of(info).c_str(), false, enabled)) return;
+  const bool chosen = ImGui::MenuItem(label, keys_of(info).c_str(), false, enabled);
+  frame.mark("menu/" + std::string(label));
+  if (!chosen) return;
   if (auto action = info.make(frame.session)) frame.wish(std::move(*action));
 }
 
@@ -47,6 +49,7 @@ void draw_file_menu(PanelFrame& frame) {
     if (ImGui::MenuItem(label.c_str(), nullptr, false, frame.timeline() != nullptr)) {
       frame.ui.save.wanted = kind.kind;
     }
+    frame.mark("menu/" + label);
   }
   ImGui::Separator();
   command_item(frame, info_of(Command::quit), "Quit");

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 #include "app/panels/widgets.h"
 
@@ -116,7 +115,12 @@ void draw_inside(PanelFrame& frame) {
   OpenDialog& dialog = frame.ui.open;
   faint_text(cut_to_width(dialog.folder.string(), ImGui::GetContentRegionAvail().x));
   ImGui::PushID(dialog.field);
-  if (std::exchange(dialog.refocus, false)) ImGui::SetKeyboardFocusHere();
+  // While something is held, the focus would go back to it.
+  if (dialog.refocus && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) {
+    ImGui::SetWindowFocus();  // back from the list, where a click went
+    ImGui::SetKeyboardFocusHere();
+    dialog.refocus = false;
+  }
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::InputText("##path", dialog.path.bytes.data(), dialog.path.bytes.size())) dialog.chosen = -1;
   frame.mark("open/path");

@@ -39,7 +39,8 @@ std::string changes_text(const knit::Parameters& from, const knit::Parameters& t
     const std::string after = knit::value_text(info, to);
     if (before == after) continue;
     if (!words.empty()) words += "\n";
-    words += std::string(info.label) + " " + before + " \xE2\x86\x92 " + after;
+    words += info.label;
+    words += " " + before + " \xE2\x86\x92 " + after;
   }
   return words.empty() ? "nothing changes" : words;
 }

@@ -98,9 +98,7 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   if (i < steps.size()) {
     return {knit::narrate(timeline.step(steps[i]), timeline.parameters_of_step(steps[i])), steps[i] + 1};
   }
-  const knit::Parameters& parameters =
-      timeline.known() > 0 ? timeline.parameters_of_step(timeline.known() - 1) : timeline.base_parameters();
-  return {knit::narrate(*timeline.stop(), parameters), timeline.known()};
+  return {knit::narrate(*timeline.stop(), timeline.parameters_of_stop()), timeline.known()};
 }
 
 void draw_problem(PanelFrame& frame, std::size_t i) {

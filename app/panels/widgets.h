@@ -26,7 +26,7 @@ void push_raised_look(const PanelFrame& frame);
 void pop_raised_look();
 
 // A section's title with a thin line.
-void heading(const PanelFrame& frame, const char* text);
+void heading(const PanelFrame& frame, const char* words);
 
 enum class Icon : std::uint8_t { first, back, play, pause, forward, last, cross, reset };
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
@@ -36,7 +36,7 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
 int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width);
 
 // For the last item, wrapped.
-void tooltip(const PanelFrame& frame, std::string_view text);
+void tooltip(const PanelFrame& frame, std::string_view words);
 // Whether the last item is long enough under the pointer for a tooltip.
 bool wants_tooltip();
 

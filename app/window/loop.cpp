@@ -119,7 +119,10 @@ int run_window(Session& session, const CommandLine& line) {
     FrameDrawer drawer(session.assets);
     drawer.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
-    if (line.at) go_to(session, *line.at);
+    if (line.at) {
+      if (const auto nearest = go_to(session, *line.at))
+        session.notices.push_back({Notice::Kind::warning, *nearest});
+    }
     drawer.draw(session, shape_of(window, 0.0, 1), {});
     apply(session, FrameAll{});  // now that the view's shape is known
     Pace pace;
