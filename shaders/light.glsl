@@ -13,9 +13,9 @@ vec3 to_eye_from(vec3 world) {
 // `n` looks to the eye's side.
 vec3 shaded(vec3 colour, vec3 n, vec3 to_eye) {
   vec3 seen = mat3(u_view) * n;
-  float key = wrapped(dot(seen, normalize(vec3(-0.40, 0.62, 0.68))), 0.30);
-  float fill = wrapped(dot(seen, normalize(vec3(0.75, -0.20, 0.45))), 0.45);
-  float light = 0.50 + 0.46 * key + 0.13 * fill;
+  float key = wrapped(dot(seen, normalize(vec3(-0.40, 0.45, 0.80))), 0.42);
+  float fill = wrapped(dot(seen, normalize(vec3(0.70, -0.45, 0.50))), 0.50);
+  float light = 0.46 + 0.44 * key + 0.20 * fill;
   float turn = 1.0 - clamp(dot(n, to_eye), 0.0, 1.0);
   light *= 1.0 - 0.22 * turn * turn * turn;
   // Shadows a little cooler than the light: form reads without greying the colour.

@@ -16,7 +16,8 @@ namespace app {
 struct Camera {
   glm::dvec3 target{0.0};
   double distance = 4.0;
-  double yaw = 0.6;  // 0: seen from +z; rising turns the viewer towards +x
+  // 0: seen from +z; rising turns the viewer towards +x. Rows begin at -z, so one sees them begin.
+  double yaw = 3.65;
   // 0: level; pi / 2: from above. Knitting begins below, so one looks up at it.
   double pitch = -0.42;
   double field_of_view = 0.7;  // vertical

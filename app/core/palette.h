@@ -10,7 +10,7 @@ namespace app::palette {
 
 inline constexpr Colour background{24, 27, 33};
 inline constexpr Colour ground{96, 102, 112};
-inline constexpr Colour time_low{84, 68, 135};
+inline constexpr Colour time_low{102, 86, 160};
 inline constexpr Colour time_middle{52, 138, 141};
 inline constexpr Colour time_high{221, 206, 92};
 inline constexpr Colour text{226, 228, 232};

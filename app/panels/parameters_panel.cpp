@@ -39,8 +39,7 @@ std::string changes_text(const knit::Parameters& from, const knit::Parameters& t
     const std::string after = knit::value_text(info, to);
     if (before == after) continue;
     if (!words.empty()) words += "\n";
-    words += info.label;
-    words += " " + before + " \xE2\x86\x92 " + after;
+    words.append(info.label).append(" ").append(before).append(" \xE2\x86\x92 ").append(after);
   }
   return words.empty() ? "nothing changes" : words;
 }

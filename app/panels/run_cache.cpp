@@ -9,8 +9,6 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t scanned_a_frame = 100000;
-
 std::size_t index_of(knit::Label label) { return static_cast<std::size_t>(label); }
 
 LabelTally::Counts counts_of(const knit::Transition& transition, std::size_t placed) {
@@ -64,8 +62,7 @@ void RunCache::find_edits(const knit::Timeline& timeline) {
 }
 
 void RunCache::find_problems(const knit::Timeline& timeline) {
-  const std::size_t end = std::min(timeline.known(), scanned_ + scanned_a_frame);
-  for (; scanned_ < end; ++scanned_) {
+  for (; scanned_ < timeline.known(); ++scanned_) {
     if (knit::is_unusual(timeline.step(scanned_), timeline.parameters_of_step(scanned_))) {
       problems_.push_back(scanned_);
     }
