@@ -243,7 +243,7 @@ TEST_CASE("layers, rows and problems are clicked") {
   CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.problems()[0] + 1);
 }
 
-TEST_CASE("menus open, choose, and close by Escape; meanwhile keys do nothing else") {
+TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing else") {
   Desk desk;
   desk.session.assets = KNIT_ASSETS_DIR;
   desk.open();
