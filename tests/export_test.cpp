@@ -189,6 +189,8 @@ TEST_CASE("every example that finishes gives a tube with two ends, and its mesh 
     const auto read = knit::read_obj(in, name);
     REQUIRE(std::holds_alternative<knit::Mesh>(read));
     const Json report = Json::parse(report_text(session));
+    CHECK(report["labels"].size() == rows.size());  // one array a row, even where rows grow and shrink again
+    for (std::size_t i = 0; i < rows.size(); ++i) CHECK(report["labels"][i].size() == report["rows"][i]);
     const auto& mesh = std::get<knit::Mesh>(read);
     const std::vector<glm::dvec3> written = parse_obj(text).vertices;
     REQUIRE(mesh.positions.size() == written.size());
@@ -229,6 +231,27 @@ TEST_CASE("the map is Appendix A's form, the same as index gives for the row siz
   std::string sizes;
   for (const int size : golden_rows()) sizes += (sizes.empty() ? "" : ",") + std::to_string(size);
   CHECK(map == index_answer(sizes, "thesis").out);
+}
+
+TEST_CASE(
+    "a row that is grown into and shrunk out of has two lists in the map, and one in the report's labels") {
+  Session session = test_support::small_session();
+  knit::Parameters parameters = test_support::small_parameters();
+  parameters.stitch_width = 0.25;
+  parameters.epsilon = 0.125;
+  parameters.cast_on = 12;
+  session.timeline.emplace(knit::make_input(knit::sphere(40, 4)), parameters);
+  apply(session, ToLast{});
+  const Json report = Json::parse(report_text(session));
+  const std::vector<int> rows = report["rows"];
+  REQUIRE(rows == std::vector<int>{12, 24, 20});
+  const std::vector<std::string> map = lines_of(map_text(session));
+  REQUIRE(map.size() == 4);
+  CHECK(map[1].substr(0, 4) == "2: [");
+  CHECK(map[2].substr(0, 8) == "2 > 3: [");
+  REQUIRE(report["labels"].size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(report["labels"][i].size() == report["rows"][i]);
+  CHECK(report["transitions"].size() == 2);
 }
 
 TEST_CASE("thesis sphere: the report's every field") {

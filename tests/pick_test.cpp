@@ -82,6 +82,15 @@ TEST_CASE("picking follows the camera's zoom and pan and the view's shape") {
   }
 }
 
+TEST_CASE("from inside the mesh, what lies before the eye is picked, not what lies behind it") {
+  Session session = test_support::small_session();
+  session.camera.distance = 0.5;
+  const glm::dvec3 eye = session.camera.eye();
+  const auto picked = pick_vertex(session, {0.0, 0.0});
+  REQUIRE(picked);
+  CHECK(glm::dot(session.timeline->input().mesh.positions[*picked] - eye, session.camera.target - eye) > 0.0);
+}
+
 TEST_CASE("a place between vertices gives the nearest corner of the triangle hit") {
   const Session session = test_support::small_session();
   const knit::Mesh& mesh = session.timeline->input().mesh;

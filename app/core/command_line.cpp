@@ -259,6 +259,7 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
   const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
   const std::vector<knit::Transition> transitions = knit::plan_transitions(sizes, policy);
   std::vector<const knit::Transition*> view;
+  view.reserve(transitions.size());
   for (const knit::Transition& transition : transitions) view.push_back(&transition);
   std::string text;
   for (const knit::LabelRow& row : knit::appendix_view(sizes.front(), view))

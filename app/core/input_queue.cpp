@@ -13,7 +13,7 @@ class FrameRules {
   bool admits(const MouseMove& /*event*/) const { return buttons_.none(); }
   bool admits(const MouseLeave& /*event*/) const { return buttons_.none() && !wheel_; }
   bool admits(const MouseClick& event) const {
-    return !buttons_[static_cast<std::size_t>(event.button)] && !wheel_;
+    return !buttons_[static_cast<std::size_t>(event.button)] && !wheel_ && (event.down || !moved_);
   }
   bool admits(const Wheel& /*event*/) const { return buttons_.none(); }
   bool admits(const KeyPress& event) const {
@@ -29,7 +29,7 @@ class FrameRules {
   bool admits(const Text& /*event*/) const { return !editing_key_ && buttons_.none(); }
   bool admits(const Focus& /*event*/) const { return keys_.none() && buttons_.none() && !wheel_ && !text_; }
 
-  void note(const MouseMove& /*event*/) {}
+  void note(const MouseMove& /*event*/) { moved_ = true; }
   void note(const MouseLeave& /*event*/) {}
   void note(const MouseClick& event) { buttons_.set(static_cast<std::size_t>(event.button)); }
   void note(const Wheel& /*event*/) { wheel_ = true; }
@@ -46,6 +46,7 @@ class FrameRules {
  private:
   std::bitset<static_cast<std::size_t>(MouseButton::Count)> buttons_;
   std::bitset<static_cast<std::size_t>(Key::Count)> keys_;
+  bool moved_ = false;
   bool wheel_ = false;
   bool text_ = false;
   bool plain_key_ = false;    // pressed: any key but a modifier

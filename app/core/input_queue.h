@@ -93,6 +93,7 @@ class InputQueue {
   // The next frame's events, oldest first. Within a frame
   // - each button and each key changes at most once;
   // - the pointer does not move after a button changed, and no button changes after the wheel turned;
+  // - no button goes up after the pointer moved: what is dragged goes where it is dropped;
   // - a modifier does not change after any other key, button or wheel (else Ctrl would seem held, or not);
   // - text and editing keys stay in the order in which they were typed;
   // - the focus does not change after anything else did.

@@ -10,6 +10,7 @@ namespace app {
 
 namespace {
 
+// OpenGL takes offsets into buffers as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
 const void* at_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 template <class Item>

@@ -1,0 +1,290 @@
+// The real window on a virtual screen: keys and clicks from outside, judged by what it leaves behind.
+//
+// Nothing here waits a fixed time (but keys have some milliseconds between them: GLFW takes two presses of a
+// key in the same one for the same). Keys are queued by the X server in order, and the program is closed by a
+// key, too, so that a slow machine only takes longer.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/core/palette.h"
+#include "tests/support/catch.h"
+#include "tests/support/desk.h"
+#include "tests/support/session.h"
+
+// The system's library may hold the same names.
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+using namespace app;
+using Json = nlohmann::json;
+using test_support::Folder;
+using test_support::read_text;
+
+namespace {
+
+constexpr int width = 1200;
+constexpr int height = 760;
+
+bool have(const std::string& command) {
+  return std::system(("command -v " + command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+bool can_run() {
+  for (const char* command : {"Xvfb", "xdotool", "timeout"}) {
+    if (have(command)) continue;
+    WARN("the real window is not tested: " << command << " is missing");
+    return false;
+  }
+  return true;
+}
+
+// `start ARGUMENTS...` opens the window and waits until it has the keyboard. `at_once COMMANDS...` lets xdotool
+// do all of it while the program sleeps, as if one frame had taken that long. `close` ends it by Ctrl+Q.
+const char* const script_head = R"sh(
+set -euo pipefail
+program=$1
+cd "$2"
+# The server itself takes a free display, so that several tests may run at once; without -noreset it would be away
+# for a moment whenever its last window closes.
+Xvfb -displayfd 7 -noreset -screen 0 1280x800x24 -nolisten tcp 7>display 2>/dev/null &
+server=$!
+trap 'kill $server 2>/dev/null || true' EXIT
+for _ in $(seq 300); do
+  [ ! -s display ] || break
+  sleep 0.1
+done
+export DISPLAY=:$(cat display)
+fail() {
+  echo "window test: $1"
+  [ -z "${pid:-}" ] || kill -KILL "$pid" 2>/dev/null || true
+  exit 1
+}
+start() {
+  "$program" --size 1200x760 "$@" 2>errors &
+  pid=$!
+  window=
+  for _ in $(seq 150); do
+    kill -0 $pid 2>/dev/null || fail "the program ended early: $(cat errors)"
+    window=$(xdotool search --onlyvisible --name '^knit-mesh$' 2>/dev/null | head -n 1) || true
+    [ -z "$window" ] || break
+    sleep 0.1
+  done
+  [ -n "$window" ] || fail "no window came"
+  for _ in $(seq 100); do
+    xdotool windowfocus "$window" 2>/dev/null || true
+    [ "$(xdotool getwindowfocus 2>/dev/null)" != "$window" ] || return 0
+    sleep 0.1
+  done
+  fail "the window does not take the keyboard"
+}
+at_once() {
+  kill -STOP $pid
+  xdotool "$@"
+  kill -CONT $pid
+}
+close() {
+  xdotool key ctrl+q
+  for _ in $(seq 250); do
+    kill -0 $pid 2>/dev/null || break
+    sleep 0.1
+  done
+  ! kill -0 $pid 2>/dev/null || fail "Ctrl+Q does not close the window"
+  code=0
+  wait $pid || code=$?
+  pid=
+  [ $code = 0 ] || fail "exit code $code: $(cat errors)"
+}
+)sh";
+
+// Runs a script on a virtual screen, in the folder. Nothing, or what went wrong.
+std::string run_on_screen(const Folder& folder, const std::string& script) {
+  test_support::write_text(folder.path() / "script", script_head + script);
+  const std::string in = folder.path().string();
+  const std::string command = "timeout -k 5 100 bash '" + in + "/script' '" + KNIT_MESH_BINARY + "' '" + in +
+                              "' >'" + in + "/log' 2>&1";
+  if (std::system(command.c_str()) == 0) return "";
+  const std::string log = read_text(folder.path() / "log");
+  return log.empty() ? "the virtual screen did not work" : log;
+}
+
+std::size_t steps_in(const Folder& folder, const std::string& report) {
+  const Json json = Json::parse(read_text(folder.path() / report), nullptr, false);
+  CAPTURE(report);
+  REQUIRE(json.is_object());
+  return json["steps"];
+}
+
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<Colour> pixels;  // top row first
+  [[nodiscard]] const Colour& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
+  }
+};
+
+Picture read_picture(const Folder& folder, const std::string& name) {
+  Picture picture;
+  int channels = 0;
+  unsigned char* data =
+      stbi_load((folder.path() / name).string().c_str(), &picture.width, &picture.height, &channels, 4);
+  CAPTURE(name);
+  REQUIRE(data != nullptr);
+  const auto count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  for (std::size_t i = 0; i < count; ++i) {
+    picture.pixels.push_back({data[4 * i], data[4 * i + 1], data[4 * i + 2], data[4 * i + 3]});
+  }
+  stbi_image_free(data);
+  return picture;
+}
+
+// Pixels in the window's middle, where the scene is, that pass a test.
+template <class Test>
+int count_in_view(const Picture& picture, Test test) {
+  const Box view = layout_of(width, height, 1.0f).view;
+  int count = 0;
+  for (int y = static_cast<int>(view.y); y < static_cast<int>(view.bottom()); ++y) {
+    for (int x = static_cast<int>(view.x); x < static_cast<int>(view.right()); ++x)
+      count += test(picture.at(x, y)) ? 1 : 0;
+  }
+  return count;
+}
+
+// Of the same hue, lit more or less.
+bool looks_like(const Colour& seen, const Colour& wanted) {
+  const double a = std::hypot(seen.r, seen.g, seen.b);
+  const double b = std::hypot(wanted.r, wanted.g, wanted.b);
+  const double along = seen.r * wanted.r + seen.g * wanted.g + seen.b * wanted.b;
+  return a > 60.0 && along > 0.996 * a * b;
+}
+
+std::size_t steps_of_whole_run() {
+  Session session = test_support::example_session("thesis-sphere");
+  apply(session, ToLast{});
+  return session.timeline->known();
+}
+
+// "x y" of the middle of a control, for xdotool.
+std::string middle_of(const std::string& control) {
+  desk::Desk desk(width, height);
+  desk.open();
+  const MouseMove middle = desk.over(control);
+  return std::to_string(std::lround(middle.x)) + " " + std::to_string(std::lround(middle.y));
+}
+
+}  // namespace
+
+TEST_CASE("the real window opens, plays, seeks to the end and shows the knit mesh") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string trouble = run_on_screen(folder, R"(
+start --save-report opened.json
+close
+start --save-report played.json
+xdotool key space
+close
+start --save-report end.json --screenshot end.png --save-map end.txt
+xdotool key End
+close
+)");
+  REQUIRE(trouble == "");
+  const std::size_t all = steps_of_whole_run();
+  CHECK(steps_in(folder, "opened.json") == 0);
+  CHECK(steps_in(folder, "played.json") > 0);
+  CHECK(steps_in(folder, "played.json") < all);
+  CHECK(steps_in(folder, "end.json") == all);
+  CHECK(test_support::lines_of(read_text(folder.path() / "end.txt")).size() == 64);
+
+  const Picture picture = read_picture(folder, "end.png");
+  CHECK(picture.width == width);
+  CHECK(picture.height == height);
+  std::map<std::array<int, 3>, int> colours;
+  for (const Colour& pixel : picture.pixels) ++colours[{pixel.r, pixel.g, pixel.b}];
+  CHECK(colours.size() > 500);
+  for (int label = 0; label < 7; ++label) {
+    const Colour colour = palette::of(static_cast<knit::Label>(label));
+    CAPTURE(label);
+    CHECK(colours[{colour.r, colour.g, colour.b}] > 20);  // in the legend
+  }
+  const auto in_view = [&](Colour colour) {
+    return count_in_view(picture, [&](const Colour& pixel) { return looks_like(pixel, colour); });
+  };
+  CHECK(in_view(palette::of(knit::Label::knit)) > 20000);
+  CHECK(in_view(palette::of(knit::Label::main)) > 2000);
+  CHECK(count_in_view(picture, [](const Colour& pixel) { return pixel == palette::background; }) > 20000);
+}
+
+TEST_CASE("two clicks and four keys that come within one long frame all count") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string forward = middle_of("forward");
+  const std::string trouble = run_on_screen(folder, R"(
+start --save-report quick.json
+at_once mousemove --window "$window" )" + forward + R"( click 1 click 1 key --delay 8 Right Right Right Right
+close
+start --save-report mixed.json
+at_once key --delay 8 shift+Right Right ctrl+Right Right Right Left
+close
+)");
+  REQUIRE(trouble == "");
+  CHECK(steps_in(folder, "quick.json") == 6);
+
+  Session session = test_support::example_session("thesis-sphere");
+  for (const Action& action : Actions{StepBy{Unit::row, 1}, StepBy{}, StepBy{Unit::stage, 1}, StepBy{},
+                                      StepBy{}, StepBy{Unit::item, -1}}) {
+    apply(session, action);
+  }
+  CHECK(steps_in(folder, "mixed.json") == session.timeline->position());
+}
+
+TEST_CASE("in the real window a drag turns the view, keys hide layers, and the play button plays") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string view = middle_of("view");
+  const std::string play = middle_of("play");
+  const std::string trouble = run_on_screen(folder, R"(
+start --at rows:30 --screenshot still.png
+close
+start --at rows:30 --screenshot turned.png --save-report turned.json
+xdotool mousemove --window "$window" )" + view + R"( mousedown 1 mousemove_relative -- -120 60 mouseup 1
+close
+start --at end --screenshot bare.png
+at_once keydown 6 keydown 7 keydown 8 keydown 9 keyup 6 keyup 7 keyup 8 keyup 9
+close
+start --save-report button.json
+xdotool mousemove --window "$window" )" + play + R"( click 1
+close
+)");
+  REQUIRE(trouble == "");
+  const Picture still = read_picture(folder, "still.png");
+  const Picture turned = read_picture(folder, "turned.png");
+  REQUIRE(still.pixels.size() == turned.pixels.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < still.pixels.size(); ++i)
+    different += still.pixels[i] == turned.pixels[i] ? 0U : 1U;
+  CHECK(different > still.pixels.size() / 50);
+
+  Session session = test_support::example_session("thesis-sphere");
+  apply(session, SeekPlace{{knit::Stage::rows, 30, 0}});
+  CHECK(steps_in(folder, "turned.json") == session.timeline->position());  // dragging is no stepping
+
+  const Picture bare = read_picture(folder, "bare.png");
+  const Colour main = palette::of(knit::Label::main);
+  CHECK(count_in_view(bare, [&](const Colour& pixel) { return looks_like(pixel, main); }) < 200);
+  CHECK(count_in_view(bare, [](const Colour& pixel) { return pixel == palette::background; }) > 20000);
+  CHECK(steps_in(folder, "button.json") > 0);
+}
