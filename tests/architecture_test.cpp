@@ -1,9 +1,10 @@
 // The arrows of the house, read off the #include lines: third_party -> knit -> app/core -> panels, render -> window.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
-#include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -38,11 +39,18 @@ struct Include {
 };
 
 std::vector<Include> includes_of(const Source& source) {
-  static const std::regex line("[ \\t]*#[ \\t]*include[ \\t]*([<\"])([^>\"]+)[>\"].*");
   std::vector<Include> includes;
-  for (const std::string& text : test_support::lines_of(source.text)) {
-    std::smatch match;
-    if (std::regex_match(text, match, line)) includes.push_back({match[1] == "\"", match[2]});
+  for (const std::string& line : test_support::lines_of(source.text)) {
+    std::istringstream words(line);
+    char hash = ' ';
+    if (!(words >> hash) || hash != '#') continue;
+    std::string rest;
+    std::getline(words >> std::ws, rest);
+    const std::size_t open = rest.find_first_of("<\"");
+    if (rest.rfind("include", 0) != 0 || open == std::string::npos) continue;
+    const bool ours = rest[open] == '"';
+    const std::size_t close = rest.find(ours ? '"' : '>', open + 1);
+    includes.push_back({ours, rest.substr(open + 1, close - open - 1)});
   }
   return includes;
 }
@@ -125,16 +133,36 @@ Strings wrong_in_knit(const Source& source) {
 
 // Comments and texts in quotes may say anything.
 std::string code_of(const std::string& text) {
-  static const std::regex noise("//[^\\n]*|/\\*[^]*?\\*/|\"(\\\\.|[^\"\\\\\\n])*\"");
-  return std::regex_replace(text, noise, " ");
+  std::string code;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    if (text.compare(i, 2, "//") == 0) {
+      end = text.find('\n', i);
+    } else if (text.compare(i, 2, "/*") == 0) {
+      end = text.find("*/", i + 2);
+    } else if (text[i] == '"') {
+      while (end < text.size() && text[end] != '"' && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+      ++end;
+    } else {
+      code += text[i];
+    }
+    i = std::min(end, text.size());
+  }
+  return code;
 }
 
 Strings prints_in(const Source& source) {
-  static const std::regex printing("\\b(printf|fprintf|puts|fputs|putchar|fwrite|cout|cerr|clog|perror)\\b");
+  static const std::set<std::string> printing{"printf", "fprintf", "puts", "fputs", "putchar",
+                                              "fwrite", "cout",    "cerr", "clog",  "perror"};
   Strings found;
-  const std::string code = code_of(source.text);
-  for (std::sregex_iterator at(code.begin(), code.end(), printing), end; at != end; ++at) {
-    found.push_back(source.name() + " uses " + at->str());
+  std::string word;
+  for (const char c : code_of(source.text) + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else {
+      if (printing.count(word) > 0) found.push_back(source.name() + " uses " + word);
+      word.clear();
+    }
   }
   return found;
 }
