@@ -20,6 +20,6 @@ struct FirstCycle {
 // The first level after the start, and the last before the end, whose ring is at least 3 half stitch widths
 // long. Stops with splits, not_a_ring or no_row_levels.
 std::variant<FirstCycle, Stopped> find_first_cycle(const Input& input, const Timing& timing,
-                                                   double stitch_width);
+                                                   const Parameters& parameters);
 
 }  // namespace knit

@@ -9,8 +9,6 @@ namespace knit {
 
 namespace {
 
-using HalfEdge = std::uint32_t;
-
 struct Surface {
   std::span<const Triangle> triangles;
   std::span<const VertexId> twin;

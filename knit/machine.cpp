@@ -6,13 +6,24 @@ namespace knit {
 
 namespace {
 
+// The first step of the cast on decides where rows come from.
+Happening advance_first_row(const Input& input, const Parameters& parameters, State& state) {
+  if (state.next.item == 0) {
+    const bool contours = parameters.rows == RowSource::contours;
+    state.work = contours ? Work(ContourWork{}) : Work(CastOnWork{});
+  }
+  if (std::holds_alternative<ContourWork>(state.work)) return advance_contours(input, parameters, state);
+  return advance_cast_on(input, parameters, state);
+}
+
 Happening advance_stage(const Input& input, const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
       return advance_timing(input, parameters, state);
     case Stage::cast_on:
-      return advance_cast_on(input, parameters, state);
+      return advance_first_row(input, parameters, state);
     case Stage::rows:
+      if (std::holds_alternative<ContourWork>(state.work)) return advance_contours(input, parameters, state);
       return advance_rows(input, parameters, state);
     case Stage::stitches:
       return advance_stitches(parameters, state);
@@ -37,6 +48,19 @@ Step advance(const Input& input, const Parameters& parameters, State& state) {
   return step;
 }
 
+bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
+  constexpr std::size_t many_triangles = 20000;
+  if (input.mesh.triangles.size() < many_triangles) return false;
+  if (const auto* contours = std::get_if<ContourWork>(&state.work))
+    return contours->phase == ContourPhase::plan;
+  const auto* timing = std::get_if<TimingWork>(&state.work);
+  if (timing == nullptr) return false;
+  const TimingKind kind = timing->ends ? timing->kind : parameters.timing;
+  if (kind == TimingKind::linear) return timing->times.size() == input.mesh.positions.size();
+  return timing->ends && (!timing->times.empty() ? timing->times.size() == input.mesh.positions.size()
+                                                 : !timing->field || !timing->scale);
+}
+
 std::size_t copy_bytes(const State& state) {
   std::size_t bytes = sizeof(State);
   bytes += sizeof(void*) * 2 *
@@ -44,6 +68,8 @@ std::size_t copy_bytes(const State& state) {
   if (const auto* timing = std::get_if<TimingWork>(&state.work)) bytes += timing->times.copy_bytes();
   if (const auto* cast_on = std::get_if<CastOnWork>(&state.work))
     bytes += cast_on->stitches.size() * sizeof(Stitch);
+  if (const auto* contour = std::get_if<ContourWork>(&state.work))
+    bytes += contour->stitches.size() * sizeof(Stitch);
   if (const auto* row = std::get_if<RowWork>(&state.work)) {
     bytes += (row->walk.kept.size() + row->closed.orders.size()) * sizeof(std::int32_t);
     bytes += row->closed.stitches.size() * sizeof(Stitch);

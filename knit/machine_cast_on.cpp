@@ -6,9 +6,11 @@ namespace knit {
 
 namespace {
 
+constexpr std::int32_t default_cast_on = 6;
+
 Happening find_cycle(const Input& input, const Parameters& parameters, State& state, CastOnWork& work) {
   const Timing& timing = *state.timing;
-  auto found = find_first_cycle(input, timing, parameters.stitch_width);
+  auto found = find_first_cycle(input, timing, parameters);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   auto& cycle = std::get<FirstCycle>(found);
   const CycleFound step{cycle.level,
@@ -43,9 +45,10 @@ Happening advance_cast_on(const Input& input, const Parameters& parameters, Stat
   if (!work.ring) return find_cycle(input, parameters, state, work);
   // The count may be edited half way; a stitch already cast on stays.
   const auto placed = static_cast<std::int32_t>(work.stitches.size());
-  const std::int32_t count = std::max(parameters.cast_on, placed + 1);
+  const std::int32_t wanted = parameters.cast_on > 0 ? parameters.cast_on : default_cast_on;
+  const std::int32_t count = std::max(wanted, placed + 1);
   const double arc = work.ring->length * placed / count;
-  work.stitches.push_back({point_at(*work.ring, input.mesh, arc), no_vertex});
+  work.stitches.push_back({point_at(*work.ring, arc), no_vertex});
   if (placed + 1 == count) finish_cast_on(state, work);
   return StitchCastOn{placed + 1, count, arc};
 }

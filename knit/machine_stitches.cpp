@@ -1,6 +1,9 @@
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "knit/machine.h"
+#include "knit/nearest.h"
 #include "knit/stitch_index.h"
 
 namespace knit {
@@ -29,24 +32,43 @@ void finish_transition(State& state, const IndexWork& work) {
   }
 }
 
-Happening count(const State& state, IndexWork& work) {
+Happening count(const Parameters& parameters, const State& state, IndexWork& work) {
   const RowBelow below = row_below(state, state.next.row);
   const std::int32_t above = size_of(*state.rows[static_cast<std::size_t>(state.next.row) - 1]);
   work.phase = IndexPhase::space;
-  return TransitionCounted{below.size, above, above - below.size, mains_wanted(below.size, above),
-                           static_cast<std::int32_t>(below.mains.size())};
+  const auto carried = static_cast<std::int32_t>(below.mains.size());
+  const bool nearest = parameters.placement == PlacementPolicy::nearest;
+  return TransitionCounted{below.size, above, above - below.size,
+                           nearest ? carried : mains_wanted(below.size, above), carried};
+}
+
+Transition plan_nearest_transition(const Parameters& parameters, const State& state, std::int32_t row) {
+  const auto i = static_cast<std::size_t>(row) - 2;
+  const RowBelow below = row_below(state, row);
+  const std::vector<std::uint8_t> shaped =
+      i > 0 ? shaped_by(*state.transitions[i - 1]) : std::vector<std::uint8_t>{};
+  const double square = parameters.stitch_width * parameters.stitch_width;
+  const NearestPenalties penalties{parameters.stacking_penalty * square,
+                                   parameters.follow_mains == FollowMains::on ? square : 0.0};
+  return plan_nearest({state.rows[i]->stitches, state.rows[i + 1]->stitches, below.mains, shaped}, penalties,
+                      row);
 }
 
 Happening space(const Parameters& parameters, State& state, IndexWork& work) {
   const std::int32_t row = state.next.row;
   const std::int32_t above = size_of(*state.rows[static_cast<std::size_t>(row) - 1]);
-  work.plan = Shared(plan_transition(row_below(state, row), above, row, parameters.placement));
+  const bool nearest = parameters.placement == PlacementPolicy::nearest;
+  work.plan = Shared(nearest ? plan_nearest_transition(parameters, state, row)
+                             : plan_transition(row_below(state, row), above, row, parameters.placement));
   work.phase = IndexPhase::place;
   const Transition& plan = *work.plan;
   std::int32_t mains = 0;
   for (const PlacedLabel& p : plan.placed) mains += p.label == Label::main ? 1 : 0;
-  const SpacingChosen step{
-      plan.rule, plan.tried.value_or(plan.rule), plan.tried.has_value(), plan.spacing, plan.remainder, mains};
+  const Happening step =
+      nearest ? Happening(RowsMatched{static_cast<std::int32_t>(plan.link.size()), std::abs(plan.change()),
+                                      plan.sum_of_squares, std::sqrt(plan.longest_square)})
+              : Happening(SpacingChosen{plan.rule, plan.tried.value_or(plan.rule), plan.tried.has_value(),
+                                        plan.spacing, plan.remainder, mains});
   if (plan.placed.empty()) finish_transition(state, IndexWork{work});
   return step;
 }
@@ -81,7 +103,7 @@ Happening advance_stitches(const Parameters& parameters, State& state) {
   auto& work = std::get<IndexWork>(state.work);
   switch (work.phase) {
     case IndexPhase::count:
-      return count(state, work);
+      return count(parameters, state, work);
     case IndexPhase::space:
       return space(parameters, state, work);
     case IndexPhase::place:

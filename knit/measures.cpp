@@ -36,10 +36,7 @@ LengthFigures course_figures(const State& state) {
 }
 
 LengthFigures wale_figures(const State& state) {
-  std::vector<glm::dvec3> path;
-  for (const auto& row : state.rows) {
-    for (const Stitch& stitch : row->stitches) path.push_back(stitch.position);
-  }
+  const std::vector<glm::dvec3> path = knitting_path(state);
   std::vector<double> lengths;
   for (const auto& strip : state.strips) {
     for (const auto& [lower, upper] : strip->column_edges)
@@ -78,6 +75,15 @@ std::int64_t euler_characteristic(const State& state) {
   for (const auto& strip : state.strips) edges += static_cast<std::int64_t>(strip->column_edges.size());
   const FaceCounts faces = count_faces(state);
   return vertices - edges + static_cast<std::int64_t>(faces.quads + faces.triangles);
+}
+
+std::vector<glm::dvec3> knitting_path(const State& state) {
+  std::vector<glm::dvec3> path;
+  path.reserve(count_stitches(state));
+  for (const auto& row : state.rows) {
+    for (const Stitch& stitch : row->stitches) path.push_back(stitch.position);
+  }
+  return path;
 }
 
 const Stitch& stitch_at(const State& state, std::uint32_t number) {

@@ -30,9 +30,22 @@ std::uint64_t hash_of(const PlaceKey& key) {
   return mixed(key[0] + mixed(key[1] + mixed(key[2] + 0x9e3779b97f4a7c15u)));
 }
 
+void fill_across(Input& input, const EdgeTable& table) {
+  input.across.assign(3 * input.mesh.triangles.size(), no_half_edge);
+  const std::vector<EdgeUse>& uses = table.uses;
+  // Uses of one edge lie side by side; those of an edge with more than two triangles are left alone.
+  for (std::size_t v = 0; v < input.twin.size(); ++v) {
+    for (std::uint32_t i = table.first[v], end = i; i < table.first[v + 1]; i = end) {
+      while (end < table.first[v + 1] && uses[end].high == uses[i].high) ++end;
+      if (end - i != 2) continue;
+      input.across[uses[i].half_edge] = uses[i + 1].half_edge;
+      input.across[uses[i + 1].half_edge] = uses[i].half_edge;
+    }
+  }
+}
+
 // Neighbours come out ascending without sorting: v first meets its lower neighbours, then its own group.
-void fill_neighbours(Input& input) {
-  const EdgeTable table = make_edge_table(input.mesh.triangles, input.twin);
+void fill_neighbours(Input& input, const EdgeTable& table) {
   const std::size_t count = input.twin.size();
   const auto for_each_edge = [&](auto&& visit) {
     for (std::size_t v = 0; v < count; ++v)
@@ -134,11 +147,16 @@ std::shared_ptr<const Input> make_input(Mesh mesh) {
   const std::vector<glm::dvec3>& positions = input->mesh.positions;
   input->twin = find_twins(positions);
   input->referenced.assign(positions.size(), 0);
+  input->first_corner.assign(positions.size(), no_half_edge);
   std::vector<std::uint8_t> used_place(positions.size(), 0);
+  HalfEdge corner = 0;
   for (const Triangle& triangle : input->mesh.triangles) {
+    const bool has_sides = !collapsed(twins_of(triangle, input->twin));
     for (const VertexId v : triangle) {
       input->referenced[v] = 1;
       used_place[input->twin[v]] = 1;
+      if (has_sides) input->first_corner[input->twin[v]] = corner;
+      ++corner;
     }
   }
   // A vertex that no triangle uses must not move the frame or the centroid.
@@ -152,7 +170,9 @@ std::shared_ptr<const Input> make_input(Mesh mesh) {
   }
   input->bounds = bounds_of(places);
   if (!places.empty()) input->centroid = sum / static_cast<double>(places.size());
-  fill_neighbours(*input);
+  const EdgeTable table = make_edge_table(input->mesh.triangles, input->twin);
+  fill_neighbours(*input, table);
+  fill_across(*input, table);
   return input;
 }
 

@@ -18,6 +18,9 @@ namespace knit {
 using VertexId = std::uint32_t;
 inline constexpr VertexId no_vertex = UINT32_MAX;
 using Triangle = std::array<VertexId, 3>;
+// 3 t + k: corner k of triangle t, and the side from it to the next corner.
+using HalfEdge = std::uint32_t;
+inline constexpr HalfEdge no_half_edge = UINT32_MAX;
 
 struct Bounds {
   glm::dvec3 low{0.0};
@@ -47,6 +50,9 @@ struct Input {
   // Only lowest-index vertices have entries.
   std::vector<std::uint32_t> first_neighbour;
   std::vector<VertexId> neighbours;
+  // Walking from triangle to triangle, by twins; triangles with two corners at one place are left out.
+  std::vector<HalfEdge> across;        // per side: the same edge in the triangle beyond, if there is just one
+  std::vector<HalfEdge> first_corner;  // per lowest-index vertex: one of its corners, if it has any
 
   [[nodiscard]] std::span<const VertexId> neighbours_of(VertexId vertex) const;
   [[nodiscard]] bool adjacent(VertexId a, VertexId b) const;  // also true for twins of adjacent vertices

@@ -8,11 +8,13 @@ namespace knit {
 
 namespace {
 
-constexpr std::array<std::string_view, 19> kind_names{
-    "ends-found",     "vertex-timed",  "levels-grouped",     "cycle-found",    "stitch-cast-on",
-    "cycle-gathered", "cycle-ordered", "candidate-measured", "band-missed",    "row-closed",
-    "row-resampled",  "gap-shared",    "transition-counted", "spacing-chosen", "main-placed",
-    "shaping-placed", "face-made",     "line-written",       "stopped"};
+constexpr std::array<std::string_view, 29> kind_names{
+    "ends-found",         "field-solved",       "heights-measured", "vertex-timed",    "criticals-found",
+    "levels-grouped",     "cycle-found",        "stitch-cast-on",   "cycle-gathered",  "cycle-ordered",
+    "candidate-measured", "band-missed",        "row-closed",       "row-resampled",   "gap-shared",
+    "rows-planned",       "cut-found",          "loop-closed",      "length-measured", "count-chosen",
+    "stitch-placed",      "transition-counted", "spacing-chosen",   "rows-matched",    "main-placed",
+    "shaping-placed",     "face-made",          "line-written",     "stopped"};
 static_assert(kind_names.size() == std::variant_size_v<Happening>);
 
 std::string str(std::int64_t value) { return std::to_string(value); }
@@ -38,6 +40,37 @@ struct Sentence {
   std::string operator()(const EndsFound& s) const {
     return "The time runs from " + vertex_text(s.start) + " (t = 0) to " + vertex_text(s.end) +
            " (t = 1), over a length of " + short_number(s.length) + ".";
+  }
+  std::string operator()(const FieldSolved& s) const {
+    switch (s.which) {
+      case FieldStep::net:
+        return "The surface is laid out as a net of " + plural(s.count, "triangle", "triangles") +
+               " by edge lengths, its edges flipped until all are Delaunay.";
+      case FieldStep::heat:
+        return "Heat put in at " + vertex_text(s.vertex) + " spreads over the surface for a short while.";
+      case FieldStep::slopes:
+        return "In each of " + plural(s.count, "triangle", "triangles") +
+               " the slope of the heat is turned round and made 1: it points away from the start.";
+      case FieldStep::distance:
+        return "The distance along the surface is the function with these slopes; farthest is " +
+               vertex_text(s.vertex) + ", " + short_number(s.high) + " away.";
+      case FieldStep::harmonic:
+        return "The harmonic field is solved for: 0 at the start, 1 at the end, and at each other vertex the "
+               "weighted mean of its neighbours.";
+    }
+    return "";
+  }
+  std::string operator()(const HeightsMeasured& s) const {
+    return "From start to end the surface is " + short_number(s.height) +
+           " high; equal steps of time shall be equally high on it.";
+  }
+  std::string operator()(const CriticalsFound& s) const {
+    return "The time has " + plural(s.minima, "minimum", "minima") + ", " +
+           plural(s.saddles, "saddle", "saddles") + " and " + plural(s.maxima, "maximum", "maxima") + ": " +
+           str(s.minima) + " - " + str(s.saddles) + " + " + str(s.maxima) + " = " +
+           str(std::int64_t{s.minima} - s.saddles + s.maxima) +
+           (s.minima - s.saddles + s.maxima == s.euler ? ", the" : ", but not the") +
+           " Euler characteristic " + str(s.euler) + ".";
   }
   std::string operator()(const VertexTimed& s) const {
     const std::string text =
@@ -130,6 +163,38 @@ struct Sentence {
            " along the cycle; the gap goes from " + short_number(s.gap_before) + " to " +
            short_number(s.gap_after) + ".";
   }
+  std::string operator()(const RowsPlanned& s) const {
+    if (s.rows == 0) return row() + ": nothing is left to cut.";
+    std::string text = row() + ": the surface goes on for " + short_number(s.height) +
+                       "; at a stitch height of " + short_number(s.stitch_height) + " it is cut " +
+                       plural(s.rows, "time", "times") + ", " + short_number(s.row_height) + " apart.";
+    if (s.passed_over > 0)
+      text += " " + plural(s.passed_over, "cut was", "cuts were") + " too short for three half stitches.";
+    return text;
+  }
+  std::string operator()(const CutFound& s) const {
+    return row() + ": at t = " + short_number(s.time) + " the surface is cut through " +
+           plural(s.edges, "edge", "edges") + " of the mesh.";
+  }
+  std::string operator()(const LoopClosed& s) const {
+    return row() + ": the cut closes to one loop of " + plural(s.points, "point", "points") +
+           ", from where rounds begin.";
+  }
+  std::string operator()(const LengthMeasured& s) const {
+    return row() + ": the loop is " + short_number(s.length) + " long, " + short_number(s.ideal) +
+           " stitch widths of " + short_number(p.stitch_width) + ".";
+  }
+  std::string operator()(const CountChosen& s) const;
+  std::string operator()(const StitchPlaced& s) const {
+    return row() + ": stitch " + str(s.stitch) + " of " + str(s.of) + " is placed, " + short_number(s.arc) +
+           " along the loop.";
+  }
+  std::string operator()(const RowsMatched& s) const {
+    return row() + ": " + plural(s.links, "link", "links") +
+           " join the two rows with the least sum of squares, " + short_number(s.sum_of_squares) + "; " +
+           stitches_text(s.doubled) + (s.doubled == 1 ? " has" : " have") + " two, and the longest link is " +
+           short_number(s.longest) + ".";
+  }
   std::string operator()(const TransitionCounted& s) const {
     std::string text = row() + ": from " + str(s.below) + " to " + stitches_text(s.above) + ", ";
     if (s.change == 0) return text + "nothing to shape.";
@@ -164,6 +229,43 @@ struct Sentence {
   std::string operator()(const Stopped& s) const;
 };
 
+std::string Sentence::operator()(const CountChosen& s) const {
+  const std::string head = row() + ": " + stitches_text(s.count);
+  const std::string tail = ", each " + short_number(s.course) + " wide.";
+  const std::string instead = ", not the " + short_number(std::round(s.ideal)) + " that its length holds";
+  switch (s.reason) {
+    case CountReason::ideal:
+      return head + ", as many as its length holds" + tail;
+    case CountReason::as_cast_on:
+      return head + ", as many as shall be cast on" + tail;
+    case CountReason::at_least_three:
+      return head + ", because a round needs three" + tail;
+    case CountReason::at_most_double:
+      return head + ", twice the " + str(s.below) + " below" + instead + tail;
+    case CountReason::at_least_half:
+      return head + ", half of the " + str(s.below) + " below" + instead + tail;
+    case CountReason::room_ahead:
+      return head + instead + ", so that the rows above come nearer to what theirs hold" + tail;
+  }
+  return head;
+}
+
+// Why a level set falls into several loops, and what a person may do.
+std::string split_text(const std::string& where, const Stopped& s) {
+  const std::string head = where + ": at level " + str(s.level) + ", t = " + short_number(s.time) +
+                           ", the level set splits into " + str(s.count) + " loops, ";
+  const std::string saddle =
+      "the saddle at " + vertex_text(s.vertex) + " (t = " + short_number(s.value) + ")";
+  const std::string why =
+      s.cause == CriticalKind::saddle
+          ? "because the surface parts at " + saddle
+          : "because another lowest part of the shape has begun, which joins the first only at " + saddle;
+  return head + why +
+         ". One tube of knitting cannot follow several; choose an axis or a timing along which the shape "
+         "does "
+         "not branch.";
+}
+
 std::string Sentence::operator()(const Stopped& s) const {
   std::string where = place.stage == Stage::cast_on  ? "Cast on"
                       : place.stage == Stage::timing ? "Timing"
@@ -174,6 +276,11 @@ std::string Sentence::operator()(const Stopped& s) const {
       return "Timing: start and end lie at the same time along this axis; choose another axis or other end "
              "vertices.";
     case StopReason::no_row_levels:
+      if (p.rows == RowSource::contours) {
+        return "Cast on: none of " + plural(s.level, "cut", "cuts") +
+               " is long enough for three half stitches; make the stitches narrower than " +
+               short_number(s.value) + " or lower.";
+      }
       return "Cast on: none of the " + str(s.level) +
              " levels of this mesh makes a first row between start and end; use a mesh with rings across the "
              "axis, "
@@ -184,10 +291,7 @@ std::string Sentence::operator()(const Stopped& s) const {
              level + " (" + vertex_text(s.vertex) +
              "); use a mesh with rings across the axis, another axis, or a larger level tolerance.";
     case StopReason::splits:
-      return where + ": at " + level + " the level set splits into " + str(s.count) + " loops (" +
-             vertex_text(s.vertex) + ", t = " + short_number(s.value) +
-             "), and one tube of knitting cannot follow several; choose an axis along which the shape does "
-             "not branch.";
+      return split_text(where, s);
     case StopReason::stall:
       return where + ": nothing within " + band_text(p) + " of stitch " + str(s.count) + " (" +
              vertex_text(s.vertex) + "); nearest " + short_number(s.value) +
@@ -203,6 +307,18 @@ std::string Sentence::operator()(const Stopped& s) const {
 
 std::string narrate(const Step& step, const Parameters& parameters) {
   return std::visit(Sentence{step.place, parameters}, step.what);
+}
+
+std::string_view work_ahead(const State& state) {
+  if (std::holds_alternative<ContourWork>(state.work)) return "cutting the surface";
+  const auto* timing = std::get_if<TimingWork>(&state.work);
+  if (timing == nullptr || !timing->ends) return "working";
+  if (!timing->times.empty()) return timing->criticals ? "sorting the levels" : "finding critical points";
+  if (timing->field || timing->kind == TimingKind::arc_length) return "measuring heights";
+  if (!timing->net) return "laying out the surface";
+  if (timing->kind == TimingKind::harmonic) return "solving for the harmonic field";
+  if (!timing->heat) return "spreading heat";
+  return timing->slopes ? "solving for the distance" : "turning the slopes of the heat";
 }
 
 std::string_view kind_name(const Step& step) { return kind_names.at(step.what.index()); }
@@ -243,6 +359,8 @@ std::string_view name_of(Rule rule) {
       return "dense";
     case Rule::even:
       return "even";
+    case Rule::nearest:
+      return "nearest";
   }
   return "";
 }

@@ -5,12 +5,16 @@
 #include <string>
 
 #include "knit/parameters.h"
+#include "knit/state.h"
 #include "knit/step.h"
 
 namespace knit {
 
 // `parameters`: those in force for the step.
 std::string narrate(const Step& step, const Parameters& parameters);
+
+// What the step to come is about, for a person who waits for it: "solving for the distance".
+std::string_view work_ahead(const State& state);
 
 // A short name of the step's kind, the same in step logs and tests: "candidate-measured".
 std::string_view kind_name(const Step& step);

@@ -10,69 +10,6 @@ namespace knit {
 
 namespace {
 
-template <auto Field, class Enum>
-constexpr Choice choice(std::span<const std::string_view> names) {
-  return {[](const Parameters& p) { return static_cast<int>(p.*Field); },
-          [](Parameters& p, int value) { p.*Field = static_cast<Enum>(value); }, names};
-}
-
-constexpr std::array<std::string_view, 2> stall_names{"continue", "stop"};
-constexpr std::array<std::string_view, 2> anchor_names{"keep", "drop"};
-constexpr std::array<std::string_view, 2> switch_names{"on", "off"};
-constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"};
-constexpr std::array<std::string_view, 2> placement_names{"thesis", "even"};
-constexpr std::array<std::string_view, 2> weld_names{"off", "on"};
-
-const std::array table{
-    ParameterInfo{"weld", "Weld", "", "Merge vertices at exactly the same place when the mesh is opened.",
-                  Stage::import, choice<&Parameters::weld, Weld>(weld_names)},
-    ParameterInfo{"axis", "Axis", "",
-                  "The direction of knitting: x, y, z or a direction X,Y,Z. The time rises along it.",
-                  Stage::timing, AxisChoice{}},
-    ParameterInfo{
-        "start", "Start vertex", "vertex",
-        "Where the time is 0: a vertex of the mesh, counted from 0, or auto for the lowest along the axis.",
-        Stage::timing, PickedVertex{&Parameters::start}},
-    ParameterInfo{
-        "end", "End vertex", "vertex",
-        "Where the time is 1: a vertex of the mesh, counted from 0, or auto for the highest along the axis.",
-        Stage::timing, PickedVertex{&Parameters::end}},
-    ParameterInfo{
-        "level-tolerance", "Level tolerance", "of the time, 0 to 1",
-        "Vertices whose times lie closer together than this belong to one level, one cycle to pick from.",
-        Stage::timing, Number{&Parameters::level_tolerance, 0.0, 0.1}},
-    ParameterInfo{"cast-on", "Cast on", "stitches",
-                  "Stitches of the first row, spread evenly along the first cycle.", Stage::cast_on,
-                  Count{&Parameters::cast_on, 3, 1000}},
-    ParameterInfo{"stitch-width", "Stitch width w", "mesh units",
-                  "The distance that Algorithm 2 looks for between neighbouring stitches of a row.",
-                  Stage::cast_on, Number{&Parameters::stitch_width, 0.0, 1e12}},
-    ParameterInfo{
-        "epsilon", "Epsilon \xCE\xB5", "mesh units",
-        "Half the band's width: a vertex is accepted at a distance within [w - \xCE\xB5, w + \xCE\xB5]. The "
-        "first one wins, so \xCE\xB5 sets the stitch length as much as w does.",
-        Stage::rows, Number{&Parameters::epsilon, 0.0, 1e12}},
-    ParameterInfo{
-        "on-stall", "When nothing is in the band", "",
-        "continue: take the vertex nearest to the stitch width, and log it. stop: end the run there.",
-        Stage::rows, choice<&Parameters::on_stall, OnStall>(stall_names)},
-    ParameterInfo{
-        "last-anchor", "Last anchor", "",
-        "keep: the last vertex picked is always a stitch. drop: not when it is nearer than w/2 to the first.",
-        Stage::rows, choice<&Parameters::last_anchor, LastAnchor>(anchor_names)},
-    ParameterInfo{
-        "resample", "Resample jumps", "",
-        "on: a row that more than doubles or halves is spread anew within that limit, and logged. off: stop.",
-        Stage::rows, choice<&Parameters::resample, Resample>(switch_names)},
-    ParameterInfo{
-        "close", "Closing gap", "",
-        "How the gap between last and first stitch is shared out: none, the thesis's shift, or equal arcs.",
-        Stage::rows, choice<&Parameters::close, Closing>(closing_names)},
-    ParameterInfo{"placement", "Placement", "",
-                  "Where mains and shaping go: the thesis's rules (R0-R4), or sections as even as can be.",
-                  Stage::stitches, choice<&Parameters::placement, PlacementPolicy>(placement_names)},
-};
-
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -81,10 +18,8 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-std::optional<Axis> parse_axis(std::string_view text) {
-  if (text == "x") return Axis{AxisKind::x, {0.0, 1.0, 0.0}};
-  if (text == "y") return Axis{AxisKind::y, {0.0, 1.0, 0.0}};
-  if (text == "z") return Axis{AxisKind::z, {0.0, 1.0, 0.0}};
+// "X,Y,Z", not all 0.
+std::optional<glm::dvec3> parse_direction(std::string_view text) {
   glm::dvec3 direction(0.0);
   for (int i = 0; i < 3; ++i) {
     const std::size_t comma = text.find(',');
@@ -95,7 +30,15 @@ std::optional<Axis> parse_axis(std::string_view text) {
     if (i < 2) text.remove_prefix(comma + 1);
   }
   if (!(glm::length(direction) > 0.0) || !std::isfinite(glm::length(direction))) return std::nullopt;
-  return Axis{AxisKind::custom, direction};
+  return direction;
+}
+
+std::optional<Axis> parse_axis(std::string_view text) {
+  if (text == "x") return Axis{AxisKind::x, {0.0, 1.0, 0.0}};
+  if (text == "y") return Axis{AxisKind::y, {0.0, 1.0, 0.0}};
+  if (text == "z") return Axis{AxisKind::z, {0.0, 1.0, 0.0}};
+  const auto direction = parse_direction(text);
+  return direction ? std::optional(Axis{AxisKind::custom, *direction}) : std::nullopt;
 }
 
 std::string refused(const ParameterInfo& info, std::string_view text) {
@@ -104,14 +47,23 @@ std::string refused(const ParameterInfo& info, std::string_view text) {
 }
 
 bool set_from(const Number& number, Parameters& p, std::string_view text) {
+  if (number.zero == Zero::means_auto && text == "auto") {
+    p.*number.field = 0.0;
+    return true;
+  }
   const auto value = parse_number(text);
-  const bool above = value && (number.low == 0.0 ? *value > 0.0 : *value >= number.low);
+  const bool above_zero = number.low == 0.0 && number.zero != Zero::allowed;
+  const bool above = value && (above_zero ? *value > 0.0 : *value >= number.low);
   if (!above || *value > number.high) return false;
   p.*number.field = *value;
   return true;
 }
 
 bool set_from(const Count& count, Parameters& p, std::string_view text) {
+  if (count.zero_means_auto && text == "auto") {
+    p.*count.field = 0;
+    return true;
+  }
   int value = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
@@ -139,11 +91,31 @@ bool set_from(const AxisChoice& /*axis*/, Parameters& p, std::string_view text) 
   return axis.has_value();
 }
 
+bool set_from(const DirectionChoice& choice, Parameters& p, std::string_view text) {
+  const auto direction = parse_direction(text);
+  if (direction || text == "auto") p.*choice.field = direction;
+  return direction || text == "auto";
+}
+
+bool set_from(const GaugeChoice& choice, Parameters& p, std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  const auto stitches = parse_number(text.substr(0, comma));
+  const auto rounds = parse_number(text.substr(comma + 1));
+  if (!stitches || !rounds || *stitches <= 0.0 || *rounds <= 0.0) return false;
+  p.*choice.field = {*stitches, *rounds};
+  return true;
+}
+
 bool set_from(const Choice& choice, Parameters& p, std::string_view text) {
   const auto found = std::find(choice.names.begin(), choice.names.end(), text);
   if (found == choice.names.end()) return false;
   choice.set(p, static_cast<int>(found - choice.names.begin()));
   return true;
+}
+
+std::string direction_text(const glm::dvec3& d) {
+  return number_text(d.x) + "," + number_text(d.y) + "," + number_text(d.z);
 }
 
 std::string axis_text(const Axis& axis) {
@@ -157,7 +129,7 @@ std::string axis_text(const Axis& axis) {
     case AxisKind::custom:
       break;
   }
-  return number_text(axis.custom.x) + "," + number_text(axis.custom.y) + "," + number_text(axis.custom.z);
+  return direction_text(axis.custom);
 }
 
 }  // namespace
@@ -176,6 +148,10 @@ glm::dvec3 Axis::direction() const {
   return glm::normalize(custom);
 }
 
+double stitch_height_of(const Parameters& parameters) {
+  return parameters.stitch_height > 0.0 ? parameters.stitch_height : 0.72 * parameters.stitch_width;
+}
+
 Parameters default_parameters(const Bounds& bounds) {
   Parameters parameters;
   parameters.stitch_width = 0.03 * bounds.diagonal();
@@ -183,9 +159,8 @@ Parameters default_parameters(const Bounds& bounds) {
   return parameters;
 }
 
-std::span<const ParameterInfo> parameter_table() { return table; }
-
 const ParameterInfo* find_parameter(std::string_view key) {
+  const auto table = parameter_table();
   const auto found =
       std::find_if(table.begin(), table.end(), [&](const ParameterInfo& i) { return i.key == key; });
   return found == table.end() ? nullptr : &*found;
@@ -194,12 +169,24 @@ const ParameterInfo* find_parameter(std::string_view key) {
 std::string value_text(const ParameterInfo& info, const Parameters& p) {
   struct Text {
     const Parameters& p;
-    std::string operator()(const Number& n) const { return number_text(p.*n.field); }
-    std::string operator()(const Count& c) const { return std::to_string(p.*c.field); }
+    std::string operator()(const Number& n) const {
+      const bool automatic = n.zero == Zero::means_auto && p.*n.field == 0.0;
+      return automatic ? "auto" : number_text(p.*n.field);
+    }
+    std::string operator()(const Count& c) const {
+      return c.zero_means_auto && p.*c.field == 0 ? "auto" : std::to_string(p.*c.field);
+    }
     std::string operator()(const PickedVertex& v) const {
       return p.*v.field == no_vertex ? "auto" : std::to_string(p.*v.field);
     }
     std::string operator()(const AxisChoice& /*axis*/) const { return axis_text(p.axis); }
+    std::string operator()(const DirectionChoice& d) const {
+      const auto& direction = p.*d.field;
+      return direction ? direction_text(*direction) : "auto";
+    }
+    std::string operator()(const GaugeChoice& g) const {
+      return number_text((p.*g.field).stitches) + "," + number_text((p.*g.field).rounds);
+    }
     std::string operator()(const Choice& c) const {
       return std::string(c.names[static_cast<std::size_t>(c.get(p))]);
     }
@@ -216,11 +203,14 @@ std::optional<std::string> set_value(const ParameterInfo& info, Parameters& para
 std::string range_text(const ParameterInfo& info) {
   struct Text {
     std::string operator()(const Number& n) const {
-      const std::string low = n.low == 0.0 ? "a number above 0" : "a number from " + number_text(n.low);
-      return n.high >= 1e12 ? low : low + " up to " + number_text(n.high);
+      const bool from_low = n.low != 0.0 || n.zero == Zero::allowed;
+      const std::string low = from_low ? "a number from " + number_text(n.low) : "a number above 0";
+      const std::string range = n.high >= no_limit ? low : low + " up to " + number_text(n.high);
+      return n.zero == Zero::means_auto ? range + ", or auto" : range;
     }
     std::string operator()(const Count& c) const {
-      return "a whole number from " + std::to_string(c.low) + " to " + std::to_string(c.high);
+      return "a whole number from " + std::to_string(c.low) + " to " + std::to_string(c.high) +
+             (c.zero_means_auto ? ", or auto" : "");
     }
     std::string operator()(const PickedVertex& /*v*/) const {
       return "a vertex number counted from 0, or auto";
@@ -228,6 +218,10 @@ std::string range_text(const ParameterInfo& info) {
     std::string operator()(const AxisChoice& /*a*/) const {
       return "x, y, z or a direction X,Y,Z that is not 0,0,0";
     }
+    std::string operator()(const DirectionChoice& /*d*/) const {
+      return "a direction X,Y,Z that is not 0,0,0, or auto";
+    }
+    std::string operator()(const GaugeChoice& /*g*/) const { return "two numbers above 0, as 22,32"; }
     std::string operator()(const Choice& c) const {
       std::string names;
       for (std::size_t i = 0; i < c.names.size(); ++i) {
@@ -240,6 +234,25 @@ std::string range_text(const ParameterInfo& info) {
   return std::visit(Text{}, info.kind);
 }
 
+namespace {
+
+// The direction of knitting as far as the parameters tell: the axis, or the line between picked vertices.
+glm::dvec3 knitting_direction(const Parameters& p, const Mesh& mesh) {
+  if (p.start == no_vertex || p.end == no_vertex) return p.axis.direction();
+  return mesh.positions[p.end] - mesh.positions[p.start];
+}
+
+std::optional<std::string> start_direction_fault(const Parameters& p, const Mesh& mesh) {
+  if (!p.start_direction) return std::nullopt;
+  const glm::dvec3 along = knitting_direction(p, mesh);
+  const glm::dvec3 side = glm::cross(*p.start_direction, along);
+  if (glm::length(side) > 1e-6 * glm::length(*p.start_direction) * glm::length(along)) return std::nullopt;
+  return "--start-direction " + direction_text(*p.start_direction) +
+         " points along the direction of knitting; give one across it.";
+}
+
+}  // namespace
+
 std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
   for (const auto& [key, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
@@ -251,7 +264,8 @@ std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
   if (p.start != no_vertex && p.start == p.end) {
     return "--start and --end are both vertex " + std::to_string(p.start) + "; pick two different ones.";
   }
-  if (p.epsilon >= p.stitch_width) {
+  if (const auto fault = start_direction_fault(p, mesh)) return fault;
+  if (p.rows == RowSource::rings && p.epsilon >= p.stitch_width) {
     return "epsilon " + number_text(p.epsilon) + " is not below the stitch width " +
            number_text(p.stitch_width) +
            ", so a vertex would be a stitch away from itself; make epsilon smaller or the stitches wider.";
@@ -259,9 +273,18 @@ std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
   return std::nullopt;
 }
 
+bool is_read(const ParameterInfo& info, const Parameters& parameters) {
+  const std::string_view key = info.key;
+  const bool of_rings = key == "level-tolerance" || key == "metric" || key == "epsilon" || key == "on-stall" ||
+                        key == "last-anchor" || key == "resample" || key == "close";
+  if (of_rings) return parameters.rows == RowSource::rings;
+  const bool of_nearest = key == "stacking-penalty" || key == "follow-mains";
+  return !of_nearest || parameters.placement == PlacementPolicy::nearest;
+}
+
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
   Stage first = Stage::done;
-  for (const ParameterInfo& info : table) {
+  for (const ParameterInfo& info : parameter_table()) {
     if (info.first_reader < first && value_text(info, a) != value_text(info, b)) first = info.first_reader;
   }
   return first;
@@ -269,7 +292,7 @@ Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
 
 Parameters with_change(const Parameters& base, const Parameters& from, const Parameters& to) {
   Parameters result = base;
-  for (const ParameterInfo& info : table) {
+  for (const ParameterInfo& info : parameter_table()) {
     const std::string text = value_text(info, to);
     if (value_text(info, from) != text) set_value(info, result, text);
   }

@@ -34,14 +34,49 @@ struct Ends {
   friend bool operator==(const Ends&, const Ends&) = default;
 };
 
-// The level at which the surface stops being one tube.
+enum class CriticalKind : std::uint8_t { minimum, saddle, maximum };
+
+// Where the level sets of the time begin, part, join or end. A flat part of the surface counts as one point,
+// its lowest-numbered vertex.
+struct CriticalPoint {
+  VertexId vertex = no_vertex;
+  CriticalKind kind = CriticalKind::saddle;
+  std::int32_t multiplicity = 1;  // of a saddle: 2 for one where three loops meet
+  double time = 0.0;
+  [[nodiscard]] auto fields() const { return std::tie(vertex, kind, multiplicity, time); }
+  friend bool operator==(const CriticalPoint&, const CriticalPoint&) = default;
+};
+
+// By time, rising. minima - saddles + maxima equals the Euler characteristic, which is counted apart.
+struct Criticals {
+  std::vector<CriticalPoint> points;
+  std::int32_t minima = 0, saddles = 0, maxima = 0;  // saddles with their multiplicity
+  std::int32_t euler = 0;                            // vertices - edges + triangles of the mesh
+  [[nodiscard]] auto fields() const { return std::tie(points, minima, saddles, maxima, euler); }
+  friend bool operator==(const Criticals&, const Criticals&) = default;
+};
+
+// A level set of several loops, which one tube cannot follow, and the saddle that tells why.
 struct Split {
   std::int32_t level = 0;  // rows before this level are sound
-  std::int32_t loops = 0;  // of the level set just above it
-  VertexId vertex = no_vertex;
+  std::int32_t loops = 0;
+  // saddle: the tube parts there, below. minimum: another end of the shape has begun, and joins the first at
+  // the saddle, above.
+  CriticalKind cause = CriticalKind::saddle;
+  VertexId vertex = no_vertex;  // of the saddle
   double time = 0.0;
-  [[nodiscard]] auto fields() const { return std::tie(level, loops, vertex, time); }
+  [[nodiscard]] auto fields() const { return std::tie(level, loops, cause, vertex, time); }
   friend bool operator==(const Split&, const Split&) = default;
+};
+
+// How far up the surface a level lies: a rising, piecewise linear map from the field that orders the vertices
+// to the mean height along the surface.
+struct HeightScale {
+  std::vector<double> values;   // of the field, rising strictly from 0 to 1
+  std::vector<double> heights;  // rising from 0
+  [[nodiscard]] double total() const { return heights.empty() ? 0.0 : heights.back(); }
+  [[nodiscard]] auto fields() const { return std::tie(values, heights); }
+  friend bool operator==(const HeightScale&, const HeightScale&) = default;
 };
 
 // Vertices of equal time, level by level, rising.
@@ -61,26 +96,60 @@ struct Levels {
 
 struct Timing {
   Ends ends;
+  // What a time is read from: cuts are made in it, because it is what runs straight across a triangle. Empty:
+  // the times themselves.
+  std::vector<double> field;
+  HeightScale scale;          // of the field
+  bool retimed = false;       // time = height / total height, else the field itself
   std::vector<double> times;  // per vertex, clamped to [0, 1]
   std::int32_t outside = 0;   // vertices that had to be clamped
+  Criticals criticals;
   Levels levels;
-  [[nodiscard]] auto fields() const { return std::tie(ends, times, outside, levels); }
+  [[nodiscard]] const std::vector<double>& cut_field() const { return field.empty() ? times : field; }
+  [[nodiscard]] auto fields() const {
+    return std::tie(ends, field, scale, retimed, times, outside, criticals, levels);
+  }
   friend bool operator==(const Timing&, const Timing&) = default;
 };
 
 // --- cast on, rows
 // -------------------------------------------------------------------------------------------------
 
-enum class OrderedBy : std::uint8_t { angle, edges };
+enum class OrderedBy : std::uint8_t { angle, edges, cut };
 
-// A level's vertices as a closed polyline in working order.
+// A closed polyline in working order from where rounds begin: a level's vertices, or a cut through edges.
 struct Ring {
-  std::vector<VertexId> vertices;  // from the start direction on; copies of the first vertex come last
-  std::vector<double> arc;  // of each vertex, along the polyline from the first; rising, within [0, length]
+  std::vector<VertexId> vertices;  // one a point, copies of the first come last; empty for a cut
+  std::vector<glm::dvec3> points;
+  std::vector<double> arc;  // of each point, along the polyline from the first; rising, within [0, length]
   double length = 0.0;      // of the closed polyline
   OrderedBy ordered_by = OrderedBy::angle;
-  [[nodiscard]] auto fields() const { return std::tie(vertices, arc, length, ordered_by); }
+  [[nodiscard]] auto fields() const { return std::tie(vertices, points, arc, length, ordered_by); }
   friend bool operator==(const Ring&, const Ring&) = default;
+};
+
+// The surface cut at one time.
+struct Cut {
+  double time = 0.0;
+  std::int32_t edges = 0;           // of the mesh, cut through
+  std::vector<Shared<Ring>> loops;  // one where a tube is; the longest first
+  [[nodiscard]] auto fields() const { return std::tie(time, edges, loops); }
+  friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+// The cuts that rows are taken from, at equal steps of time.
+struct CutPlan {
+  double from_time = 0.0;        // planned from here on to 1
+  double stitch_height = 0.0;    // what was asked
+  double height = 0.0;           // still to go along the surface
+  double row_height = 0.0;       // what fits: the mean height between two cuts
+  std::int32_t passed_over = 0;  // cuts too short for three half stitches, at the start
+  std::vector<Cut> cuts;         // up to the first of several loops
+  std::optional<Split> split;    // of the last cut
+  [[nodiscard]] auto fields() const {
+    return std::tie(from_time, stitch_height, height, row_height, passed_over, cuts, split);
+  }
+  friend bool operator==(const CutPlan&, const CutPlan&) = default;
 };
 
 struct Stitch {
@@ -93,7 +162,7 @@ struct Stitch {
 struct Row {
   TubeId tube = 0;
   std::int32_t number = 1;  // from 1, the cast on
-  std::int32_t level = 0;
+  std::int32_t level = 0;   // of the levels, or of the cuts planned
   double time = 0.0;
   Shared<Ring> ring;
   std::vector<Stitch> stitches;  // at least 3, working order
@@ -111,7 +180,7 @@ inline bool is_decrease(Label label) { return label == Label::k2tog || label == 
 inline bool is_shaping(Label label) { return is_increase(label) || is_decrease(label); }
 
 // How mains were spaced; names as in docs/algorithm.md.
-enum class Rule : std::uint8_t { from_cast_on, plain, equal, follow, remainder_last, dense, even };
+enum class Rule : std::uint8_t { from_cast_on, plain, equal, follow, remainder_last, dense, even, nearest };
 
 struct PlacedLabel {
   std::int32_t cell = 0;
@@ -134,10 +203,12 @@ struct Transition {
   std::vector<std::int32_t> mains;    // cells of the mains in row `row`
   std::vector<std::int32_t> partner;  // per cell: the cell a shaping label works with, else the cell itself
   std::vector<std::int32_t> link;     // per cell: its stitch in the smaller row
+  double sum_of_squares = 0.0;        // nearest: of the lengths of its wale edges
+  double longest_square = 0.0;
   [[nodiscard]] std::int32_t change() const { return above - below; }
   [[nodiscard]] auto fields() const {
     return std::tie(tube, row, below, above, rule, tried, spacing, remainder, labels, placed, mains, partner,
-                    link);
+                    link, sum_of_squares, longest_square);
   }
   friend bool operator==(const Transition&, const Transition&) = default;
 };

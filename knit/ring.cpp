@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/frame.h"
+
 namespace knit {
 
 namespace {
@@ -12,14 +14,12 @@ struct Frame {
   glm::dvec3 centre, right, ahead;  // angle 0 lies along `right`, rising towards `ahead`
 };
 
-Frame frame_of(const Input& input, const Ends& ends, std::span<const VertexId> places) {
-  const glm::dvec3 d = glm::normalize(ends.direction);
-  glm::dvec3 u = glm::dvec3(0, 0, -1) - glm::dot(glm::dvec3(0, 0, -1), d) * d;
-  if (glm::length(u) < 1e-6) u = glm::dvec3(-1, 0, 0) - glm::dot(glm::dvec3(-1, 0, 0), d) * d;
-  u = glm::normalize(u);
+Frame frame_of(const Input& input, const Ends& ends, std::span<const VertexId> places,
+               const std::optional<glm::dvec3>& start_direction) {
+  const RowFrame frame = row_frame(ends.direction, start_direction);
   glm::dvec3 centre(0.0);
   for (const VertexId v : places) centre += input.mesh.positions[v];
-  return {centre / static_cast<double>(places.size()), u, glm::cross(u, d)};
+  return {centre / static_cast<double>(places.size()), frame.right, frame.ahead};
 }
 
 // Rises with the angle about the centre without needing it: in [-2, 2], 0 at the start direction, 1 a quarter
@@ -172,24 +172,24 @@ Ring assemble(const Input& input, std::span<const VertexId> level, std::vector<V
     }
     append_copies(first);
   }
-  const auto& positions = input.mesh.positions;
-  ring.arc.reserve(ring.vertices.size());
-  for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
+  ring.points.reserve(ring.vertices.size());
+  for (const VertexId v : ring.vertices) ring.points.push_back(input.mesh.positions[v]);
+  ring.arc.reserve(ring.points.size());
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
     ring.arc.push_back(ring.length);
-    const VertexId next = ring.vertices[(i + 1) % ring.vertices.size()];
-    ring.length += glm::distance(positions[ring.vertices[i]], positions[next]);
+    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
   }
   return ring;
 }
 
 }  // namespace
 
-std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends,
-                                        std::span<const VertexId> level) {
+std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends, std::span<const VertexId> level,
+                                        const std::optional<glm::dvec3>& start_direction) {
   const std::vector<VertexId> places = distinct_places(input, level);
   const auto count = static_cast<std::int32_t>(places.size());
   if (count < 3) return NotARing{count, 0};
-  const Frame frame = frame_of(input, ends, places);
+  const Frame frame = frame_of(input, ends, places, start_direction);
   const std::vector<AngledPlace> sorted = by_angle(input, frame, places);
   const VertexId first = first_of(sorted);
   std::vector<VertexId> order;
@@ -209,23 +209,23 @@ std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends,
   return assemble(input, level, std::move(order), first, OrderedBy::angle);
 }
 
-glm::dvec3 point_at(const Ring& ring, const Mesh& mesh, double arc) {
+glm::dvec3 point_at(const Ring& ring, double arc) {
   double wrapped = std::fmod(arc, ring.length);
   if (wrapped < 0.0) wrapped += ring.length;
   const auto after = std::upper_bound(ring.arc.begin(), ring.arc.end(), wrapped);
   const auto i = static_cast<std::size_t>(after - ring.arc.begin()) - 1;
   const double next_arc = i + 1 < ring.arc.size() ? ring.arc[i + 1] : ring.length;
-  const glm::dvec3& from = mesh.positions[ring.vertices[i]];
-  const glm::dvec3& to = mesh.positions[ring.vertices[(i + 1) % ring.vertices.size()]];
+  const glm::dvec3& from = ring.points[i];
+  const glm::dvec3& to = ring.points[(i + 1) % ring.points.size()];
   const double span = next_arc - ring.arc[i];
   return span > 0.0 ? from + (to - from) * ((wrapped - ring.arc[i]) / span) : from;
 }
 
-std::vector<Stitch> spread_evenly(const Ring& ring, const Mesh& mesh, std::int32_t count) {
+std::vector<Stitch> spread_evenly(const Ring& ring, std::int32_t count) {
   std::vector<Stitch> stitches;
   stitches.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i)
-    stitches.push_back({point_at(ring, mesh, ring.length * i / count), no_vertex});
+    stitches.push_back({point_at(ring, ring.length * i / count), no_vertex});
   return stitches;
 }
 

@@ -2,10 +2,11 @@
 // step 2.
 //
 // Order: counter-clockwise seen along the direction of knitting, by angle about the level's centroid. It
-// starts at the vertex nearest to -z (where that is parallel to the axis: -x), so that every row begins on
-// the same side.
+// starts at the vertex nearest to the start direction (see row_frame), so that every row begins on the same
+// side.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -21,13 +22,13 @@ struct NotARing {
 
 // By angle; where neighbours by angle are not neighbours on the mesh (not star-shaped), by walking the mesh's
 // edges. A level without edges of its own is accepted by angle, unless it has fewer than three places.
-std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends,
-                                        std::span<const VertexId> level);
+std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends, std::span<const VertexId> level,
+                                        const std::optional<glm::dvec3>& start_direction = std::nullopt);
 
 // The place at `arc` along the closed polyline, for any arc (it wraps).
-glm::dvec3 point_at(const Ring& ring, const Mesh& mesh, double arc);
+glm::dvec3 point_at(const Ring& ring, double arc);
 
-// `count` places spread evenly from the ring's first vertex on.
-std::vector<Stitch> spread_evenly(const Ring& ring, const Mesh& mesh, std::int32_t count);
+// `count` places spread evenly from the ring's first point on.
+std::vector<Stitch> spread_evenly(const Ring& ring, std::int32_t count);
 
 }  // namespace knit

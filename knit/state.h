@@ -8,7 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "knit/fields.h"
 #include "knit/growing.h"
+#include "knit/parameters.h"
 #include "knit/products.h"
 #include "knit/rows.h"
 #include "knit/stage.h"
@@ -17,9 +19,19 @@ namespace knit {
 
 struct TimingWork {
   std::optional<Ends> ends;
+  TimingKind kind = TimingKind::linear;  // once the ends are found
+  // Of the timings that are solved for on the surface, each once it is there.
+  Shared<IntrinsicMesh> net;
+  Shared<std::vector<double>> heat;
+  Shared<EdgeSlopes> slopes;
+  Shared<std::vector<double>> field;  // what the times are read from, in [0, 1] at the referenced vertices
+  Shared<HeightScale> scale;
   Growing<double> times;
   std::int32_t outside = 0;
-  [[nodiscard]] auto fields() const { return std::tie(ends, times, outside); }
+  Shared<Criticals> criticals;
+  [[nodiscard]] auto fields() const {
+    return std::tie(ends, kind, net, heat, slopes, field, scale, times, outside, criticals);
+  }
   friend bool operator==(const TimingWork&, const TimingWork&) = default;
 };
 
@@ -48,6 +60,18 @@ inline RowWork row_work_at(std::int32_t level) {
   return work;
 }
 
+// A row from a cut through the surface; row 1 belongs to the stage cast on, the others to rows.
+enum class ContourPhase : std::uint8_t { plan, cut, loop, measure, count, place };
+struct ContourWork {
+  ContourPhase phase = ContourPhase::plan;
+  Shared<CutPlan> plan;
+  std::int32_t cut = 0;    // of plan->cuts: the one at hand
+  std::int32_t count = 0;  // of stitches, once chosen
+  std::vector<Stitch> stitches;
+  [[nodiscard]] auto fields() const { return std::tie(phase, plan, cut, count, stitches); }
+  friend bool operator==(const ContourWork&, const ContourWork&) = default;
+};
+
 enum class IndexPhase : std::uint8_t { count, space, place };
 struct IndexWork {
   IndexPhase phase = IndexPhase::count;
@@ -74,8 +98,8 @@ struct Finished {
   friend bool operator==(const Finished&, const Finished&) = default;
 };
 
-// In the order of Stage from `timing` on.
-using Work = std::variant<TimingWork, CastOnWork, RowWork, IndexWork, FacesWork, PatternWork, Finished>;
+using Work =
+    std::variant<TimingWork, CastOnWork, RowWork, ContourWork, IndexWork, FacesWork, PatternWork, Finished>;
 
 struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come

@@ -25,6 +25,24 @@ struct VertexTimed {
   double time;
   friend bool operator==(const VertexTimed&, const VertexTimed&) = default;
 };
+// One of the solves on the surface that a time is made from.
+enum class FieldStep : std::uint8_t { net, heat, slopes, distance, harmonic };
+struct FieldSolved {
+  FieldStep which;
+  VertexId vertex;     // the start; distance: the farthest vertex
+  std::int64_t count;  // of triangles (net, slopes) or of unknowns
+  double high;         // distance: the greatest, in mesh units
+  friend bool operator==(const FieldSolved&, const FieldSolved&) = default;
+};
+struct HeightsMeasured {
+  std::int32_t bands;  // of area between two levels
+  double height;       // from start to end along the surface, mean over each level
+  friend bool operator==(const HeightsMeasured&, const HeightsMeasured&) = default;
+};
+struct CriticalsFound {
+  std::int32_t minima, saddles, maxima, euler;
+  friend bool operator==(const CriticalsFound&, const CriticalsFound&) = default;
+};
 struct LevelsGrouped {
   std::int32_t levels, outside, split_level, split_loops;  // split_level -1: one tube all the way
   double tolerance;
@@ -95,6 +113,45 @@ struct GapShared {
   friend bool operator==(const GapShared&, const GapShared&) = default;
 };
 
+// rows from contours
+struct RowsPlanned {
+  std::int32_t rows, passed_over;
+  double height, row_height, stitch_height;  // still to go along the surface; of a row; what was asked
+  friend bool operator==(const RowsPlanned&, const RowsPlanned&) = default;
+};
+struct CutFound {
+  std::int32_t level, edges, loops;
+  double time;
+  friend bool operator==(const CutFound&, const CutFound&) = default;
+};
+struct LoopClosed {
+  std::int32_t points;
+  friend bool operator==(const LoopClosed&, const LoopClosed&) = default;
+};
+struct LengthMeasured {
+  double length, ideal;  // ideal: stitches of width w that it holds
+  friend bool operator==(const LengthMeasured&, const LengthMeasured&) = default;
+};
+enum class CountReason : std::uint8_t {
+  ideal,           // the length in stitch widths, rounded
+  as_cast_on,      // the person said how many
+  at_least_three,  // a round needs three
+  at_most_double,  // of the row below
+  at_least_half,   // of the row below
+  room_ahead,      // so that the rows above come nearer to what they hold
+};
+struct CountChosen {
+  std::int32_t count, below;  // below: 0 for the first row
+  CountReason reason;
+  double ideal, course;  // course: the stitch width that comes out
+  friend bool operator==(const CountChosen&, const CountChosen&) = default;
+};
+struct StitchPlaced {
+  std::int32_t stitch, of;
+  double arc;
+  friend bool operator==(const StitchPlaced&, const StitchPlaced&) = default;
+};
+
 // stitch index
 struct TransitionCounted {
   std::int32_t below, above, change, mains_wanted, mains_before;
@@ -105,6 +162,12 @@ struct SpacingChosen {
   bool fell_back;
   std::int32_t spacing, remainder, mains;
   friend bool operator==(const SpacingChosen&, const SpacingChosen&) = default;
+};
+// nearest: which stitch each cell of the larger row hangs on.
+struct RowsMatched {
+  std::int32_t links, doubled;     // doubled: stitches of the smaller row with two links
+  double sum_of_squares, longest;  // of the wale edges
+  friend bool operator==(const RowsMatched&, const RowsMatched&) = default;
 };
 struct MainPlaced {
   std::int32_t cell, of_mains;
@@ -141,6 +204,7 @@ enum class StopReason : std::uint8_t {
 };
 struct Stopped {
   StopReason reason;
+  CriticalKind cause;                // of a split
   std::int32_t level, count, other;  // see narrate.cpp for each reason's reading
   VertexId vertex;
   double value, time;
@@ -148,9 +212,11 @@ struct Stopped {
 };
 
 using Happening =
-    std::variant<EndsFound, VertexTimed, LevelsGrouped, CycleFound, StitchCastOn, CycleGathered, CycleOrdered,
-                 CandidateMeasured, BandMissed, RowClosed, RowResampled, GapShared, TransitionCounted,
-                 SpacingChosen, MainPlaced, ShapingPlaced, FaceMade, LineWritten, Stopped>;
+    std::variant<EndsFound, FieldSolved, HeightsMeasured, VertexTimed, CriticalsFound, LevelsGrouped,
+                 CycleFound, StitchCastOn, CycleGathered, CycleOrdered, CandidateMeasured, BandMissed,
+                 RowClosed, RowResampled, GapShared, RowsPlanned, CutFound, LoopClosed, LengthMeasured,
+                 CountChosen, StitchPlaced, TransitionCounted, SpacingChosen, RowsMatched, MainPlaced,
+                 ShapingPlaced, FaceMade, LineWritten, Stopped>;
 
 struct Step {
   Place place;

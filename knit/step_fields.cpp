@@ -55,12 +55,57 @@ std::string_view word_of(Closing closing) {
   return "";
 }
 
+std::string_view word_of(FieldStep step) {
+  switch (step) {
+    case FieldStep::net:
+      return "net";
+    case FieldStep::heat:
+      return "heat";
+    case FieldStep::slopes:
+      return "slopes";
+    case FieldStep::distance:
+      return "distance";
+    case FieldStep::harmonic:
+      return "harmonic";
+  }
+  return "";
+}
+
+std::string_view word_of(CountReason reason) {
+  switch (reason) {
+    case CountReason::ideal:
+      return "ideal";
+    case CountReason::as_cast_on:
+      return "as cast on";
+    case CountReason::at_least_three:
+      return "at least three";
+    case CountReason::at_most_double:
+      return "at most double";
+    case CountReason::at_least_half:
+      return "at least half";
+    case CountReason::room_ahead:
+      return "room ahead";
+  }
+  return "";
+}
+
 struct Lister {
   Fields operator()(const EndsFound& s) const {
     return {count("start", s.start), count("end", s.end), number("length", s.length)};
   }
   Fields operator()(const VertexTimed& s) const {
     return {count("vertex", s.vertex), number("time", s.time), yes_no("clamped", s.clamped)};
+  }
+  Fields operator()(const FieldSolved& s) const {
+    return {word("what", word_of(s.which)), count("vertex", s.vertex), count("count", s.count),
+            number("high", s.high)};
+  }
+  Fields operator()(const HeightsMeasured& s) const {
+    return {number("height", s.height), count("bands", s.bands)};
+  }
+  Fields operator()(const CriticalsFound& s) const {
+    return {count("minima", s.minima), count("saddles", s.saddles), count("maxima", s.maxima),
+            count("euler", s.euler)};
   }
   Fields operator()(const LevelsGrouped& s) const {
     return {count("levels", s.levels), number("tolerance", s.tolerance), count("outside", s.outside),
@@ -103,6 +148,29 @@ struct Lister {
     return {count("stitches", s.stitches),      word("how", word_of(s.how)),
             yes_no("shared", s.shared),         number("per_stitch", s.per_stitch),
             number("gap_before", s.gap_before), number("gap_after", s.gap_after)};
+  }
+  Fields operator()(const RowsPlanned& s) const {
+    return {count("rows", s.rows), count("passed_over", s.passed_over), number("height", s.height),
+            number("row_height", s.row_height), number("stitch_height", s.stitch_height)};
+  }
+  Fields operator()(const CutFound& s) const {
+    return {count("level", s.level), number("time", s.time), count("edges", s.edges),
+            count("loops", s.loops)};
+  }
+  Fields operator()(const LoopClosed& s) const { return {count("points", s.points)}; }
+  Fields operator()(const LengthMeasured& s) const {
+    return {number("length", s.length), number("ideal", s.ideal)};
+  }
+  Fields operator()(const CountChosen& s) const {
+    return {count("stitches", s.count), number("ideal", s.ideal), count("below", s.below),
+            word("reason", word_of(s.reason)), number("course", s.course)};
+  }
+  Fields operator()(const StitchPlaced& s) const {
+    return {count("stitch", s.stitch), count("of", s.of), number("arc", s.arc)};
+  }
+  Fields operator()(const RowsMatched& s) const {
+    return {count("links", s.links), count("doubled", s.doubled), number("sum_of_squares", s.sum_of_squares),
+            number("longest", s.longest)};
   }
   Fields operator()(const TransitionCounted& s) const {
     return {count("below", s.below), count("above", s.above), count("change", s.change),

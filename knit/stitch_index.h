@@ -12,6 +12,7 @@
 //   follow (R3)         P >= k: every (P / k)-th main of the row before, moved by the shaping placed before it
 //   remainder_last (R4) P < k: every p / k + 2 cells, what is left over on the last spacing
 //   dense               when sections lack room: a label after each main
+//   nearest             (policy) in nearest.h, from where the stitches stand
 //   even                (policy) sections of the smaller row as equal as can be, plus their own shaping
 #pragma once
 
@@ -32,7 +33,7 @@ struct RowBelow {
 
 std::int32_t mains_wanted(std::int32_t below, std::int32_t above);
 
-// Requires ceil(below / 2) <= above <= 2 * below and below, above >= 1. `row` is the row made.
+// For the policies thesis and even. Requires ceil(below / 2) <= above <= 2 * below and below, above >= 1. `row` is the row made.
 Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32_t row,
                            PlacementPolicy policy);
 

@@ -4,13 +4,17 @@
 #include <limits>
 
 #include "knit/bug.h"
+#include "knit/gauge.h"
 
 namespace knit {
 
 namespace {
 constexpr std::size_t first_spacing = 128;
 
-bool enters_stage(const State& state) {
+// Where a keyframe stands just after a long step, or at a stage's beginning.
+bool follows_long_work(const State& state) {
+  if (const auto* timing = std::get_if<TimingWork>(&state.work))
+    return (timing->net || timing->scale) && timing->times.empty();
   const bool first_row = state.next.row <= 1 || (state.next.row == 2 && state.next.stage != Stage::pattern);
   return state.next.item == 0 && first_row;
 }
@@ -19,7 +23,7 @@ bool enters_stage(const State& state) {
 Timeline::Timeline(std::shared_ptr<const Input> input, const Parameters& parameters,
                    std::size_t keyframe_budget_bytes)
     : input_(std::move(input)),
-      base_(parameters),
+      base_(agreed(parameters, *input_)),
       budget_bytes_(keyframe_budget_bytes),
       spacing_(first_spacing) {
   // About what a run takes: each vertex timed and measured, and as much again for what is made of them.
@@ -27,31 +31,70 @@ Timeline::Timeline(std::shared_ptr<const Input> input, const Parameters& paramet
   keep_keyframe(0, frontier_);
 }
 
-bool Timeline::extend(std::size_t steps) {
+bool Timeline::extend(std::size_t steps) { return extend_while(steps, true); }
+bool Timeline::extend_briefly(std::size_t steps) { return extend_while(steps, false); }
+
+bool Timeline::extend_while(std::size_t steps, bool take_long) {
   for (; steps > 0 && !complete_; --steps) {
     if (frontier_.finished()) {
       complete_ = true;
       break;
     }
     const Stage stage = frontier_.stage();
+    const bool was_long = next_is_long();
+    if (was_long && !take_long) break;
     const Step step = advance(*input_, parameters_at(frontier_.next), frontier_);
-    if (is_stop(step)) {
-      stop_ = step;
-      complete_ = true;
-      break;
-    }
-    steps_.push_back(step);
-    // A stage's first step may be long (levels are sorted); no replay should have to cross it.
-    if (steps_.size() % spacing_ == 0 || frontier_.stage() != stage) keep_keyframe(steps_.size(), frontier_);
-    if (sought_ && step.place >= *sought_) return_to(*sought_);
+    take_frontier_step(step, stage, was_long);
   }
   if (complete_ && sought_) return_to(*sought_);
   return !complete_;
 }
 
+// `frontier_` has taken the step already; it came from `stage`.
+void Timeline::take_frontier_step(const Step& step, Stage stage, bool was_long) {
+  if (is_stop(step)) {
+    stop_ = step;
+    complete_ = true;
+    return;
+  }
+  steps_.push_back(step);
+  // A stage's first step may be long (levels are sorted); no replay should have to cross it.
+  const bool entered = frontier_.stage() != stage;
+  if (steps_.size() % spacing_ == 0 || entered || was_long) keep_keyframe(steps_.size(), frontier_);
+  if (sought_ && step.place >= *sought_) return_to(*sought_);
+}
+
+bool Timeline::next_is_long() const {
+  return !complete_ && !frontier_.finished() &&
+         step_is_long(*input_, parameters_at(frontier_.next), frontier_);
+}
+
+Timeline::Job Timeline::next_job() const { return {input_, parameters_at(frontier_.next), frontier_}; }
+
+Timeline::Outcome Timeline::work(Job job) {
+  const Step step = advance(*job.input, job.parameters, job.state);
+  return {step, std::move(job.state)};
+}
+
+void Timeline::accept(const Job& job, const Outcome& outcome) {
+  const bool current = job.input == input_ && !complete_ && job.state == frontier_ &&
+                       job.parameters == parameters_at(frontier_.next);
+  if (!current) return;
+  const Stage stage = frontier_.stage();
+  frontier_ = outcome.state;
+  take_frontier_step(outcome.step, stage, true);
+  if (complete_ && sought_) return_to(*sought_);
+}
+
 void Timeline::extend_to_end() { extend(std::numeric_limits<std::size_t>::max()); }
 
 void Timeline::step_state() {
+  // What was long is not done twice.
+  if (const auto kept = keyframes_.find(position_ + 1); kept != keyframes_.end()) {
+    state_ = kept->second;
+    ++position_;
+    return;
+  }
   const Step step = advance(*input_, parameters_at(state_.next), state_);
   if (step != steps_[position_]) throw Bug("a replayed step differs from the recorded one");
   ++position_;
@@ -108,12 +151,18 @@ const Parameters& Timeline::parameters_of_step(std::size_t index) const {
   return parameters_at(steps_[index].place);
 }
 
-void Timeline::tune(const Parameters& parameters) {
+void Timeline::change_everywhere(const Parameters& before, const Parameters& parameters) {
+  base_ = agreed(with_change(base_, before, parameters), *input_);
+  for (Edit& edit : edits_)
+    edit.parameters = agreed(with_change(edit.parameters, before, parameters), *input_);
+}
+
+void Timeline::tune(const Parameters& wished) {
+  const Parameters parameters = agreed(wished, *input_);
   const Parameters before = this->parameters();
   if (before == parameters) return;
   const Stage reader = first_reader_of_change(before, parameters);
-  base_ = with_change(base_, before, parameters);
-  for (Edit& edit : edits_) edit.parameters = with_change(edit.parameters, before, parameters);
+  change_everywhere(before, parameters);
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   rerun_from_reader(reader);
@@ -124,7 +173,8 @@ void Timeline::tune(const Parameters& parameters) {
   }
 }
 
-void Timeline::edit_from_here(const Parameters& parameters) {
+void Timeline::edit_from_here(const Parameters& wished) {
+  const Parameters parameters = agreed(wished, *input_);
   if (this->parameters() == parameters) return;
   const Parameters before = this->parameters();
   const Place here = state_.next;
@@ -132,7 +182,7 @@ void Timeline::edit_from_here(const Parameters& parameters) {
   auto next = std::find_if(edits_.begin(), edits_.end(), [&](const Edit& edit) { return edit.at >= here; });
   if (next != edits_.end() && next->at == here) next = edits_.erase(next);
   for (auto later = next; later != edits_.end(); ++later) {
-    later->parameters = with_change(later->parameters, before, parameters);
+    later->parameters = agreed(with_change(later->parameters, before, parameters), *input_);
   }
   edits_.insert(next, {here, parameters});
   rerun_from(position);
@@ -155,8 +205,7 @@ void Timeline::change_input(std::shared_ptr<const Input> input, const Parameters
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   input_ = std::move(input);
-  base_ = with_change(base_, before, parameters);
-  for (Edit& edit : edits_) edit.parameters = with_change(edit.parameters, before, parameters);
+  change_everywhere(before, parameters);
   rerun_from(0);
   if (!at_start) return_to(here);
 }
@@ -184,6 +233,8 @@ void Timeline::rerun_from(std::size_t position) {
   sought_.reset();
 }
 
+void Timeline::await(const Place& place) { return_to(place); }
+
 // Shows the place, or the nearest before it; waits for it while the run has not come that far.
 void Timeline::return_to(const Place& place) {
   if (!complete_ && (steps_.empty() || steps_.back().place < place)) {
@@ -204,10 +255,11 @@ void Timeline::keep_keyframe(std::size_t position, const State& state) {
 void Timeline::thin_keyframes() {
   while (keyframe_bytes_ > budget_bytes_ && keyframes_.size() > 1) {
     spacing_ *= 2;
-    const bool only_entries = std::all_of(std::next(keyframes_.begin()), keyframes_.end(),
-                                          [](const auto& keyframe) { return enters_stage(keyframe.second); });
+    const bool only_entries =
+        std::all_of(std::next(keyframes_.begin()), keyframes_.end(),
+                    [](const auto& keyframe) { return follows_long_work(keyframe.second); });
     for (auto it = std::next(keyframes_.begin()); it != keyframes_.end();) {
-      const bool keep = !only_entries && (it->first % spacing_ == 0 || enters_stage(it->second));
+      const bool keep = !only_entries && (it->first % spacing_ == 0 || follows_long_work(it->second));
       it = keep ? std::next(it) : keyframes_.erase(it);
     }
     count_keyframe_bytes();

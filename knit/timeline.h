@@ -7,7 +7,8 @@
 //
 // Two wishes change parameters. `tune`: as if they had been so from the start; the same place — stage, row,
 // item — is shown in the new run, or the nearest before it. `edit_from_here`: what is past stays, the rest is
-// run anew. Edits are kept at their places when the run is tuned; a tuned parameter counts in them too.
+// run anew. Edits are kept at their places when the run is tuned; a tuned parameter counts in them too. All
+// parameters kept here agree with themselves (gauge.h).
 #pragma once
 
 #include <cstddef>
@@ -35,7 +36,25 @@ class Timeline {
 
   // Works out up to `steps` more of the run. True while there is more to come.
   bool extend(std::size_t steps);
+  // The same, but stops before a step that may take long.
+  bool extend_briefly(std::size_t steps);
   void extend_to_end();
+  // The step to come may take long (a solve on a large mesh). Whoever must stay responsive takes it elsewhere,
+  // on copies of next_job(), and hands the outcome to `accept`; `extend` takes it itself.
+  struct Job {
+    std::shared_ptr<const Input> input;
+    Parameters parameters;
+    State state;
+  };
+  struct Outcome {
+    Step step;
+    State state;
+  };
+  [[nodiscard]] bool next_is_long() const;
+  [[nodiscard]] Job next_job() const;
+  static Outcome work(Job job);
+  // Nothing happens when the run has been changed since the job was given out.
+  void accept(const Job& job, const Outcome& outcome);
   [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] std::size_t known() const { return steps_.size(); }
   [[nodiscard]] const Step& step(std::size_t index) const { return steps_[index]; }
@@ -72,7 +91,9 @@ class Timeline {
   void remove_edit(std::size_t index);
   // As tune, on another form of the same mesh (welded, or not).
   void change_input(std::shared_ptr<const Input> input, const Parameters& parameters);
-  // A place that a tune wants to return to and the run has not reached yet.
+  // Shows the place, or the nearest before it, as soon as the run has come so far; until then its end.
+  void await(const Place& place);
+  // A place that is awaited, or that a tune wants to return to, and the run has not reached yet.
   [[nodiscard]] const std::optional<Place>& sought() const { return sought_; }
 
   [[nodiscard]] std::size_t keyframe_count() const { return keyframes_.size(); }
@@ -80,6 +101,9 @@ class Timeline {
 
  private:
   [[nodiscard]] const Parameters& parameters_at(const Place& place) const;
+  bool extend_while(std::size_t steps, bool take_long);
+  void take_frontier_step(const Step& step, Stage stage, bool was_long);
+  void change_everywhere(const Parameters& before, const Parameters& parameters);
   void rerun_from(std::size_t position);
   void rerun_from_reader(Stage reader);
   void return_to(const Place& place);

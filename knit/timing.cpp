@@ -41,7 +41,7 @@ std::variant<Ends, Stopped> find_ends(const Input& input, const Parameters& para
   Ends ends;
   ends.start = parameters.start != no_vertex ? parameters.start : extreme_vertex(input, -axis);
   ends.end = parameters.end != no_vertex ? parameters.end : extreme_vertex(input, axis);
-  const Stopped flat{StopReason::no_extent, -1, 0, 0, ends.start, 0.0, 0.0};
+  const Stopped flat{StopReason::no_extent, {}, -1, 0, 0, ends.start, 0.0, 0.0};
   if (ends.start == no_vertex || ends.end == no_vertex) return flat;
 
   const auto& positions = input.mesh.positions;

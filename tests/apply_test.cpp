@@ -269,7 +269,7 @@ TEST_CASE("tuning keeps the place and counts from the start") {
   CHECK(session.timeline->base_parameters().cast_on == 8);
   CHECK(session.timeline->place() == place);
   CHECK(session.timeline->state().rows[0]->stitches.size() == 8);
-  CHECK(session.defaults.cast_on == 6);
+  CHECK(session.defaults.cast_on == 0);
   CHECK(session.notices.empty());
 }
 

@@ -94,17 +94,44 @@ Strings wrong_arrows(const Source& source, const Arrow& arrow) {
 
 // --- knit's own rules ---------------------------------------------------------------------------------------
 
-const std::set<std::string> stage_files{"timing", "levels",       "ring",  "cast_on", "rows",
-                                        "links",  "stitch_index", "faces", "pattern"};
+const std::set<std::string> stage_files{"timing",       "critical", "heights",      "levels", "fields",
+                                        "intrinsic",    "spokes",   "dissection",   "ring",   "cast_on",
+                                        "contour",      "rows",     "contour_rows", "links",  "nearest",
+                                        "stitch_index", "faces",    "pattern"};
 // Geometry and parts that a stage shares.
 const std::set<std::pair<std::string, std::string>> allowed_between_stages{
-    {"cast_on", "ring"}, {"rows", "ring"}, {"stitch_index", "links"}};
+    {"cast_on", "ring"},         {"rows", "ring"},
+    {"stitch_index", "links"},   {"levels", "critical"},
+    {"contour_rows", "contour"}, {"contour_rows", "critical"},
+    {"contour_rows", "heights"}, {"fields", "intrinsic"},
+    {"fields", "spokes"},        {"fields", "dissection"},
+    {"spokes", "intrinsic"},     {"dissection", "spokes"}};
 // Below all stages: meshes, what stages hand on, and how it is kept.
-const std::set<std::string> below_stages{
-    "bug",      "check",      "check_topology", "edge_table", "growing", "hash",   "mesh",  "obj",
-    "obj_scan", "parameters", "polygon",        "products",   "shapes",  "shared", "stage", "step"};
-const std::set<std::string> above_stages{"machine",  "timeline", "state",
-                                         "measures", "narrate",  "step_fields"};
+const std::set<std::string> below_stages{"bug",
+                                         "check",
+                                         "check_topology",
+                                         "edge_table",
+                                         "frame",
+                                         "growing",
+                                         "hash",
+                                         "mesh",
+                                         "obj",
+                                         "obj_scan",
+                                         "parameter_table",
+                                         "parameters",
+                                         "polygon",
+                                         "products",
+                                         "shapes",
+                                         "shared",
+                                         "stage",
+                                         "step",
+                                         "surface_distance",
+                                         "surface_patch",
+                                         "surface_windows",
+                                         "triangle_tree",
+                                         "union_find"};
+const std::set<std::string> above_stages{"machine",     "timeline", "state",   "measures", "narrate",
+                                         "step_fields", "gauge",    "quality", "mirror",   "closeness"};
 
 Strings wrong_in_knit(const Source& source) {
   Strings wrong;

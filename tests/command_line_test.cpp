@@ -106,12 +106,29 @@ TEST_CASE("a mesh or an example is opened, spaces and all") {
 }
 
 TEST_CASE("every parameter has its option") {
-  const std::map<std::string, std::string> samples{
-      {"weld", "on"},          {"axis", "0,-1,0.5"},         {"start", "3"},
-      {"end", "auto"},         {"level-tolerance", "0.001"}, {"cast-on", "8"},
-      {"stitch-width", "0.2"}, {"epsilon", "0.1"},           {"on-stall", "stop"},
-      {"last-anchor", "drop"}, {"resample", "off"},          {"close", "thesis"},
-      {"placement", "even"}};
+  const std::map<std::string, std::string> samples{{"weld", "on"},
+                                                   {"axis", "0,-1,0.5"},
+                                                   {"start", "3"},
+                                                   {"end", "auto"},
+                                                   {"level-tolerance", "0.001"},
+                                                   {"cast-on", "8"},
+                                                   {"stitch-width", "0.2"},
+                                                   {"epsilon", "0.1"},
+                                                   {"on-stall", "stop"},
+                                                   {"last-anchor", "drop"},
+                                                   {"resample", "off"},
+                                                   {"close", "thesis"},
+                                                   {"placement", "even"},
+                                                   {"timing", "geodesic"},
+                                                   {"sizes", "gauge"},
+                                                   {"stitch-height", "0.1"},
+                                                   {"gauge", "24,30"},
+                                                   {"height-cm", "20"},
+                                                   {"rows", "contours"},
+                                                   {"start-direction", "1,0,0"},
+                                                   {"metric", "arc"},
+                                                   {"stacking-penalty", "0"},
+                                                   {"follow-mains", "on"}};
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     const std::string key(info.key);
     CAPTURE(key);
@@ -157,13 +174,14 @@ TEST_CASE("bad usage ends with 2, nothing on standard output and one line that s
       Case{{"--cast-on", "2"}, "from 3 to 1000"}, Case{{"--cast-on", "6.5"}, "whole number"},
       Case{{"--axis", "w"}, "x, y, z"}, Case{{"--axis", "0,0,0"}, "0,0,0"}, Case{{"--start", "-1"}, "auto"},
       Case{{"--close", "round"}, "none, thesis or arc"}, Case{{"--on-stall", "go"}, "continue or stop"},
-      Case{{"--placement", "odd"}, "thesis or even"}, Case{{"--weld", "yes"}, "off or on"},
+      Case{{"--placement", "odd"}, "thesis, even or nearest"}, Case{{"--weld", "yes"}, "off or on"},
       Case{{"--at", "purl"}, "STAGE[:ROW[:ITEM]]"}, Case{{"--size", "0x10"}, "WIDTHxHEIGHT"},
       Case{{"--size", "640"}, "WIDTHxHEIGHT"}, Case{{"--headless", "--size", "99999x99999"}, "16384"},
       Case{{"index"}, "--help"}, Case{{"index", "6,twelve"}, "twelve"}, Case{{"index", "6,,12"}, "row size"},
       Case{{"index", "6,13"}, "double or halve"},
-      Case{{"index", "6,12", "--placement", "odd"}, "thesis or even"}, Case{{"index", "0"}, "row size"},
-      Case{{"index", "-6"}, "row size"});
+      Case{{"index", "6,12", "--placement", "odd"}, "thesis or even"},
+      Case{{"index", "6,12", "--placement", "nearest"}, "where stitches stand"},
+      Case{{"index", "0"}, "row size"}, Case{{"index", "-6"}, "row size"});
   CAPTURE(c.words);
   const Answer answer = answered(c.words);
   CHECK(answer.exit_code == 2);
@@ -277,7 +295,7 @@ TEST_CASE("an opened example has its parameters, and the command line's over the
   CHECK(parameters.stitch_width == 0.1);
   CHECK(parameters.epsilon == 0.05);
   CHECK(session.timeline->position() == 0);
-  CHECK(session.defaults.cast_on == 6);
+  CHECK(session.defaults.cast_on == 0);
 }
 
 TEST_CASE("a stitch width alone takes epsilon along, an epsilon given stays") {

@@ -270,7 +270,7 @@ TEST_CASE("thesis sphere: the report's every field") {
   for (const knit::ParameterInfo& info : knit::parameter_table()) CHECK(parameters.contains(info.key));
   CHECK(parameters["stitch-width"] == 0.1);
   CHECK(parameters["epsilon"] == 0.05);
-  CHECK(parameters["cast-on"] == 6);
+  CHECK(parameters["cast-on"] == "auto");
   CHECK(parameters["axis"] == "y");
   CHECK(parameters["close"] == "thesis");
   CHECK(parameters["start"] == "auto");

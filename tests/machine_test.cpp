@@ -57,6 +57,13 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   Parameters strict = rough;
   strict.on_stall = OnStall::stop;
   collect(run(small_sphere(), strict), strict);
+  Parameters contours = small_parameters();
+  contours.timing = TimingKind::arc_length;
+  contours.rows = RowSource::contours;
+  contours.placement = PlacementPolicy::nearest;
+  collect(run(small_sphere(), contours), contours);
+  contours.timing = TimingKind::geodesic;
+  collect(run(small_sphere(), contours), contours);
   CHECK(sentences.size() == std::variant_size_v<Happening>);
   for (const auto& [kind, sentence] : sentences) {
     CAPTURE(kind, sentence);
@@ -70,7 +77,7 @@ TEST_CASE("sentences say what a person needs, with the numbers") {
   const Step near{{Stage::rows, 7, 3}, CandidateMeasured{800, 812, 4, 5, 3, Verdict::too_near, 0.0483}};
   CHECK(narrate(near, p) ==
         "Row 7: vertex 812 is 0.0483 from stitch 3 (vertex 800): too near, the band begins at 0.05.");
-  const Step stall{{Stage::rows, 7, 130}, Stopped{StopReason::stall, 7, 3, 0, 800, 0.21, 0.1}};
+  const Step stall{{Stage::rows, 7, 130}, Stopped{StopReason::stall, {}, 7, 3, 0, 800, 0.21, 0.1}};
   CHECK(narrate(stall, p) ==
         "Row 7: nothing within [0.05, 0.15] of stitch 3 (vertex 800); nearest 0.21. Widen epsilon, change "
         "the stitch "

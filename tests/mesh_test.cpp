@@ -110,6 +110,36 @@ TEST_CASE("mesh: neighbours are ascending and mutual, 6 on average on a closed s
   CHECK(input->first_neighbour.size() == input->twin.size() + 1);
 }
 
+TEST_CASE("mesh: one can walk across a seam, and round a triangle that has collapsed", "[mesh]") {
+  Mesh mesh = seam();
+  mesh.triangles.insert(mesh.triangles.begin(), {1, 2, 3});  // 1 and 3 are one place
+  mesh.positions.push_back({100, 100, 100});
+  const auto input = make_input(mesh);
+  std::vector<HalfEdge> across(9, no_half_edge);
+  across[4] = 8;  // from 1 to 2, and from 4 to 3
+  across[8] = 4;
+  CHECK(input->across == across);
+  CHECK(input->first_corner == std::vector<HalfEdge>{3, 6, 8, no_half_edge, no_half_edge, 7, no_half_edge});
+}
+
+TEST_CASE("mesh: on a closed surface every side has one across, which leads back", "[mesh]") {
+  const auto input = make_input(sphere(16, 9, true));
+  const auto& triangles = input->mesh.triangles;
+  const auto ends = [&](HalfEdge h) {
+    const VertexId a = input->twin[triangles[h / 3][h % 3]];
+    const VertexId b = input->twin[triangles[h / 3][(h + 1 - h / 3 * 3) % 3]];
+    return std::array{a, b};
+  };
+  REQUIRE(input->across.size() == 3 * triangles.size());
+  for (HalfEdge h = 0; h < input->across.size(); ++h) {
+    const HalfEdge other = input->across[h];
+    REQUIRE(other < input->across.size());
+    CHECK(input->across[other] == h);
+    CHECK(ends(other) == std::array{ends(h)[1], ends(h)[0]});
+    CHECK(input->first_corner[ends(h)[0]] != no_half_edge);
+  }
+}
+
 TEST_CASE("mesh: an empty mesh makes an empty input", "[mesh]") {
   const auto input = make_input({});
   CHECK(input->neighbours.empty());

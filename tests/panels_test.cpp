@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "knit/gauge.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -134,7 +135,7 @@ TEST_CASE("dragging the scrubber seeks, and only when it moves") {
 
 TEST_CASE("dragging a knob tunes live, or edits from here") {
   for (const bool from_here : {false, true}) {
-    Desk desk;
+    Desk desk(1280, 1400);
     desk.open();
     desk.session.timeline->seek(desk.session.timeline->known() / 2);
     if (from_here) CHECK(desk.click("mode", 0.9f).empty());
@@ -157,20 +158,20 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.settle();
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
-      CHECK(only<Tune>(desk.click("reset/epsilon")).parameters == wide_band());
+      CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
+            knit::agreed(wide_band(), desk.session.timeline->input()));
     }
   }
 }
 
 TEST_CASE("choices, the axis and welding are one click") {
-  Desk desk;
+  Desk desk(1280, 1280);
   desk.open();
   CHECK(only<Tune>(desk.click("knob/close", 0.1f)).parameters.close == knit::Closing::none);
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.axis.kind == knit::AxisKind::x);
   desk.ui.from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.weld == knit::Weld::on);
-  CHECK(only<EditFromHere>(desk.click("knob/placement", 0.9f)).parameters.placement ==
-        knit::PlacementPolicy::even);
+  CHECK(only<EditFromHere>(desk.click("knob/rows", 0.9f)).parameters.rows == knit::RowSource::contours);
   CHECK(only<SetPicking>(desk.click("pick/start")).picking == Picking::start);
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("what is refused leaves the value, and the sentence gives the range") 
     CHECK(error->find("; give ") != std::string::npos);
     CHECK(p == Parameters{});
   }
-  CHECK(*set(p, "cast-on", "2") == "--cast-on cannot be \"2\"; give a whole number from 3 to 1000.");
+  CHECK(*set(p, "cast-on", "2") == "--cast-on cannot be \"2\"; give a whole number from 3 to 1000, or auto.");
 }
 
 TEST_CASE("the first reader of a change is the earliest among what differs") {

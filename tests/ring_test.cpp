@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "knit/critical.h"
 #include "knit/levels.h"
 #include "knit/timing.h"
 #include "tests/support/catch.h"
@@ -29,7 +30,7 @@ Timed timed(const Mesh& mesh, const Axis& axis = {}) {
   REQUIRE(std::holds_alternative<Ends>(found));
   t.ends = std::get<Ends>(found);
   for (const auto& position : t.input->mesh.positions) t.times.push_back(time_of(t.ends, position));
-  t.levels = group_levels(*t.input, t.times, 1e-5);
+  t.levels = group_levels(*t.input, t.times, find_criticals(*t.input, t.times), 1e-5);
   return t;
 }
 
@@ -125,7 +126,7 @@ TEST_CASE("a place along the ring, for any arc") {
   const Timed t = timed(sphere(16, 8));
   const Ring ring = ring_of(t, 4);
   const Mesh& mesh = t.input->mesh;
-  const auto at = [&](double arc) { return point_at(ring, mesh, arc); };
+  const auto at = [&](double arc) { return point_at(ring, arc); };
   CHECK(at(0.0) == mesh.positions[ring.vertices[0]]);
   CHECK(glm::distance(at(ring.arc[3]), mesh.positions[ring.vertices[3]]) < 1e-12);
   CHECK(glm::distance(at(ring.length + 0.1), at(0.1)) < 1e-12);
@@ -133,5 +134,5 @@ TEST_CASE("a place along the ring, for any arc") {
   const glm::dvec3 middle = at(0.5 * ring.arc[1]);
   CHECK(glm::distance(middle, 0.5 * (mesh.positions[ring.vertices[0]] + mesh.positions[ring.vertices[1]])) <
         1e-12);
-  CHECK(spread_evenly(ring, mesh, 8).size() == 8);
+  CHECK(spread_evenly(ring, 8).size() == 8);
 }

@@ -14,7 +14,7 @@ using namespace knit;
 namespace {
 
 struct RingMesh {
-  Mesh mesh;
+  Input input;  // positions only: enough for every metric but geodesic
   Ring ring;
 };
 
@@ -23,12 +23,12 @@ RingMesh ring_at(const std::vector<double>& turns) {
   RingMesh made;
   for (const double turn : turns) {
     const double angle = 2 * std::numbers::pi * turn;
-    made.mesh.positions.emplace_back(std::cos(angle), 0.0, std::sin(angle));
+    made.ring.points.emplace_back(std::cos(angle), 0.0, std::sin(angle));
     made.ring.vertices.push_back(static_cast<VertexId>(made.ring.vertices.size()));
   }
   for (std::size_t i = 0; i < turns.size(); ++i) {
     made.ring.arc.push_back(made.ring.length);
-    made.ring.length += glm::distance(made.mesh.positions[i], made.mesh.positions[(i + 1) % turns.size()]);
+    made.ring.length += glm::distance(made.ring.points[i], made.ring.points[(i + 1) % turns.size()]);
   }
   return made;
 }
@@ -49,7 +49,7 @@ Parameters with(double width, double epsilon) {
 std::vector<Verdict> walk_verdicts(Walk& walk, const RingMesh& r, const Parameters& parameters) {
   std::vector<Verdict> verdicts;
   while (walk.next < static_cast<std::int32_t>(r.ring.vertices.size())) {
-    verdicts.push_back(measure_next(walk, r.ring, r.mesh, parameters).verdict);
+    verdicts.push_back(measure_next(walk, r.ring, r.input, parameters).verdict);
   }
   return verdicts;
 }
@@ -70,13 +70,13 @@ TEST_CASE("the first vertex in the band wins, and the old anchor is kept") {
 
 TEST_CASE("both edges of the band belong to it") {
   RingMesh r = even_ring(6);
-  r.mesh.positions = {{0, 0, 0}, {0.75, 0, 0}, {2.0, 0, 0}, {2.5, 0, 0}, {3.0, 0, 0}, {4.0, 0, 0}};
+  r.ring.points = {{0, 0, 0}, {0.75, 0, 0}, {2.0, 0, 0}, {2.5, 0, 0}, {3.0, 0, 0}, {4.0, 0, 0}};
   Walk walk;
   Parameters parameters = with(1.0, 0.25);
-  measure_next(walk, r.ring, r.mesh, parameters);
-  CHECK(measure_next(walk, r.ring, r.mesh, parameters).verdict == Verdict::accepted);  // 0.75
-  CHECK(measure_next(walk, r.ring, r.mesh, parameters).verdict == Verdict::accepted);  // 1.25
-  CHECK(measure_next(walk, r.ring, r.mesh, parameters).verdict == Verdict::too_near);  // 0.5
+  measure_next(walk, r.ring, r.input, parameters);
+  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::accepted);  // 0.75
+  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::accepted);  // 1.25
+  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::too_near);  // 0.5
 }
 
 TEST_CASE("the last anchor is kept, or dropped when it is nearer than half a width to the first") {
@@ -84,10 +84,10 @@ TEST_CASE("the last anchor is kept, or dropped when it is nearer than half a wid
   Parameters parameters = with(1.1, 0.2);  // 0.479, 0.929: every second vertex; 12 is one segment from 0
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  CHECK(close_row(walk, r.ring, r.mesh, parameters).orders.back() == 12);
-  CHECK(close_row(walk, r.ring, r.mesh, parameters).orders.size() == 7);
+  CHECK(close_row(walk, r.ring, r.input, parameters).orders.back() == 12);
+  CHECK(close_row(walk, r.ring, r.input, parameters).orders.size() == 7);
   parameters.last_anchor = LastAnchor::drop;
-  const ClosedRow dropped = close_row(walk, r.ring, r.mesh, parameters);
+  const ClosedRow dropped = close_row(walk, r.ring, r.input, parameters);
   CHECK(dropped.dropped_last);
   CHECK(dropped.orders.back() == 10);
   CHECK(dropped.gap == Approx(2 * std::sin(3 * std::numbers::pi / 13)));
@@ -105,9 +105,9 @@ TEST_CASE(
   CHECK(printed.nearest_distance == Approx(0.5176).margin(1e-3));
   Parameters stop = parameters;
   stop.on_stall = OnStall::stop;
-  CHECK_FALSE(build_row(r.ring, r.mesh, stop, 12));
+  CHECK_FALSE(build_row(r.ring, r.input, stop, 12));
 
-  const auto robust = build_row(r.ring, r.mesh, parameters, 12);
+  const auto robust = build_row(r.ring, r.input, parameters, 12);
   REQUIRE(robust);
   CHECK(robust->size() == 12);  // 0.518 is nearer to 0.7 than 1.0 is
 }
@@ -117,8 +117,8 @@ TEST_CASE(
   const Parameters parameters = with(0.9, 0.05);
   const RingMesh r = even_ring(12);
   Walk walk;
-  for (int i = 0; i < 3; ++i) measure_next(walk, r.ring, r.mesh, parameters);
-  const BandMissed missed = take_nearest(walk, r.ring, r.mesh, parameters);
+  for (int i = 0; i < 3; ++i) measure_next(walk, r.ring, r.input, parameters);
+  const BandMissed missed = take_nearest(walk, r.ring, r.input, parameters);
   CHECK(missed.taken_order == 2);
   CHECK(missed.distance == Approx(1.0));
   CHECK(missed.skipped_distance == Approx(0.5176).margin(1e-3));
@@ -127,16 +127,16 @@ TEST_CASE(
 
   const RingMesh coarse = even_ring(3);  // chord 1.732
   Walk alone;
-  measure_next(alone, coarse.ring, coarse.mesh, parameters);
-  measure_next(alone, coarse.ring, coarse.mesh, parameters);
-  const BandMissed only = take_nearest(alone, coarse.ring, coarse.mesh, parameters);
+  measure_next(alone, coarse.ring, coarse.input, parameters);
+  measure_next(alone, coarse.ring, coarse.input, parameters);
+  const BandMissed only = take_nearest(alone, coarse.ring, coarse.input, parameters);
   CHECK(only.taken_order == 1);
   CHECK(only.skipped_distance < 0.0);
 
   const RingMesh uneven = ring_at({0.0, 0.05, 0.75, 0.9});
   Walk far;
-  for (int i = 0; i < 3; ++i) measure_next(far, uneven.ring, uneven.mesh, with(1.1, 0.05));
-  CHECK(take_nearest(far, uneven.ring, uneven.mesh, with(1.1, 0.05)).taken_order == 1);
+  for (int i = 0; i < 3; ++i) measure_next(far, uneven.ring, uneven.input, with(1.1, 0.05));
+  CHECK(take_nearest(far, uneven.ring, uneven.input, with(1.1, 0.05)).taken_order == 1);
 }
 
 TEST_CASE("how many stitches a row must have") {
@@ -157,17 +157,17 @@ TEST_CASE("the gap, shared out three ways") {
   Parameters parameters = with(0.3, 0.1);  // steps of 5 segments (0.245), 26 stitches, a gap of 3 (0.147)
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  const ClosedRow row = close_row(walk, r.ring, r.mesh, parameters);
+  const ClosedRow row = close_row(walk, r.ring, r.input, parameters);
   REQUIRE(row.stitches.size() == 26);
   REQUIRE(row.gap == Approx(0.1472).margin(1e-3));
 
   parameters.close = Closing::none;
-  const SharedGap none = share_gap(row, r.ring, r.mesh, parameters);
+  const SharedGap none = share_gap(row, r.ring, parameters);
   CHECK_FALSE(none.shared);
   CHECK(none.stitches == row.stitches);
 
   parameters.close = Closing::thesis;
-  const SharedGap thesis = share_gap(row, r.ring, r.mesh, parameters);
+  const SharedGap thesis = share_gap(row, r.ring, parameters);
   CHECK(thesis.shared);
   CHECK(thesis.per_stitch == Approx((row.gap - 0.3) / 26));
   CHECK(thesis.stitches.front() == row.stitches.front());
@@ -175,7 +175,7 @@ TEST_CASE("the gap, shared out three ways") {
   CHECK(thesis.gap > row.gap);
 
   parameters.close = Closing::arc;
-  const SharedGap arc = share_gap(row, r.ring, r.mesh, parameters);
+  const SharedGap arc = share_gap(row, r.ring, parameters);
   const double expected = r.ring.length / 26;
   for (std::size_t i = 0; i < 26; ++i) {
     CHECK(glm::distance(arc.stitches[i].position, arc.stitches[(i + 1) % 26].position) ==
@@ -189,9 +189,9 @@ TEST_CASE("the thesis's shift leaves a gap inside the band alone") {
   parameters.close = Closing::thesis;
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  const ClosedRow row = close_row(walk, r.ring, r.mesh, parameters);
+  const ClosedRow row = close_row(walk, r.ring, r.input, parameters);
   CHECK(row.gap == Approx(1.0));
-  CHECK_FALSE(share_gap(row, r.ring, r.mesh, parameters).shared);
+  CHECK_FALSE(share_gap(row, r.ring, parameters).shared);
 }
 
 TEST_CASE("the machine's rows are those of the plain function") {
@@ -205,6 +205,6 @@ TEST_CASE("the machine's rows are those of the plain function") {
   REQUIRE(state.rows.size() > 5);
   for (std::size_t i = 1; i < state.rows.size(); ++i) {
     const auto below = static_cast<std::int32_t>(state.rows[i - 1]->stitches.size());
-    CHECK(build_row(*state.rows[i]->ring, input->mesh, parameters, below) == state.rows[i]->stitches);
+    CHECK(build_row(*state.rows[i]->ring, *input, parameters, below) == state.rows[i]->stitches);
   }
 }

@@ -2,6 +2,7 @@
 #include "knit/timing.h"
 
 #include "knit/cast_on.h"
+#include "knit/critical.h"
 #include "knit/levels.h"
 #include "knit/narrate.h"
 #include "tests/support/catch.h"
@@ -22,6 +23,10 @@ std::vector<double> times_of(const Input& input, const Parameters& parameters = 
   std::vector<double> times;
   for (const auto& position : input.mesh.positions) times.push_back(time_of(ends, position));
   return times;
+}
+
+Levels levels_of(const Input& input, const std::vector<double>& times, double tolerance) {
+  return group_levels(input, times, find_criticals(input, times), tolerance);
 }
 
 Timeline run(std::shared_ptr<const Input> input, const Parameters& parameters) {
@@ -69,7 +74,7 @@ TEST_CASE("picked vertices: the time runs along their line, and what lies beyond
   CHECK(ends.start == 41);
   CHECK(time_of(ends, input->mesh.positions[41]) == 0.0);
   Timeline timeline(input, parameters);
-  timeline.extend(input->mesh.positions.size() + 2);
+  timeline.extend(input->mesh.positions.size() + 3);
   const Timing& timing = *timeline.furthest().timing;
   CHECK(timing.outside > 0);
   for (const double time : timing.times) CHECK((time >= 0.0 && time <= 1.0));
@@ -92,12 +97,12 @@ TEST_CASE("a mesh without extent along the axis stops with a word") {
 TEST_CASE("levels: rings are levels, whatever the order of the vertices, a wide tolerance joins them") {
   Mesh mesh = sphere(16, 8);
   const auto input = make_input(mesh);
-  const Levels levels = group_levels(*input, times_of(*input), 1e-5);
+  const Levels levels = levels_of(*input, times_of(*input), 1e-5);
   CHECK(levels.count() == 9);
   CHECK(levels.level(0).size() == 1);
   for (std::int32_t level = 1; level < 8; ++level) CHECK(levels.level(level).size() == 16);
   CHECK_FALSE(levels.split);
-  CHECK(group_levels(*input, times_of(*input), 0.1).count() < 9);
+  CHECK(levels_of(*input, times_of(*input), 0.1).count() < 9);
 
   std::reverse(mesh.positions.begin(), mesh.positions.end());
   const auto last = static_cast<VertexId>(mesh.positions.size() - 1);
@@ -105,7 +110,7 @@ TEST_CASE("levels: rings are levels, whatever the order of the vertices, a wide 
     for (VertexId& v : triangle) v = last - v;
   }
   const auto reversed = make_input(mesh);
-  const Levels same = group_levels(*reversed, times_of(*reversed), 1e-5);
+  const Levels same = levels_of(*reversed, times_of(*reversed), 1e-5);
   CHECK(same.count() == 9);
   for (std::int32_t level = 1; level < 8; ++level) {
     CHECK(std::is_sorted(same.level(level).begin(), same.level(level).end()));
@@ -116,7 +121,7 @@ TEST_CASE("unreferenced vertices belong to no level") {
   Mesh mesh = sphere(16, 8);
   mesh.positions.emplace_back(0.0, 0.123, 0.0);
   const auto input = make_input(mesh);
-  CHECK(group_levels(*input, times_of(*input), 1e-5).count() == 9);
+  CHECK(levels_of(*input, times_of(*input), 1e-5).count() == 9);
 }
 
 TEST_CASE("loops of a level set are counted, a torus splits, a sphere along any axis does not") {
@@ -127,11 +132,11 @@ TEST_CASE("loops of a level set are counted, a torus splits, a sphere along any 
     Parameters parameters;
     parameters.axis = {AxisKind::custom, axis};
     const std::vector<double> along = times_of(*ball, parameters);
-    CHECK_FALSE(group_levels(*ball, along, 1e-5).split);
+    CHECK_FALSE(levels_of(*ball, along, 1e-5).split);
   }
 
   const auto ring = make_input(torus(48, 24, 1.0, 0.4));
-  const Levels lying = group_levels(*ring, times_of(*ring), 1e-5);
+  const Levels lying = levels_of(*ring, times_of(*ring), 1e-5);
   REQUIRE(lying.split);
   CHECK(lying.split->level == 0);
   CHECK(lying.split->loops == 2);
@@ -140,7 +145,7 @@ TEST_CASE("loops of a level set are counted, a torus splits, a sphere along any 
   Parameters standing;
   standing.axis = {AxisKind::x, {0, 1, 0}};
   const std::vector<double> times_x = times_of(*ring, standing);
-  const Levels upright = group_levels(*ring, times_x, 1e-5);
+  const Levels upright = levels_of(*ring, times_x, 1e-5);
   REQUIRE(upright.split);
   CHECK(upright.split->time == Approx(0.8 / 2.8).margin(0.01));
   CHECK(upright.split->loops == 2);
@@ -166,7 +171,7 @@ TEST_CASE("cast on: polar levels too short for stitches are passed over at both 
   const auto input = make_input(sphere(256, 128));
   Parameters parameters;  // w = 0.1: rings shorter than 0.15 are no rows
   Timeline timeline(input, parameters);
-  timeline.extend(input->mesh.positions.size() + 3);
+  timeline.extend(input->mesh.positions.size() + 4);
   const auto* found = std::get_if<CycleFound>(&timeline.step(timeline.known() - 1).what);
   REQUIRE(found != nullptr);
   CHECK(found->level == 1);  // 2 pi sin(pi / 128) = 0.154
@@ -174,8 +179,11 @@ TEST_CASE("cast on: polar levels too short for stitches are passed over at both 
 
   parameters.stitch_width = 0.3;
   const std::vector<double> times = times_of(*input);
-  Timing timing{std::get<Ends>(find_ends(*input, parameters)), times, 0, group_levels(*input, times, 1e-5)};
-  const auto cycle = find_first_cycle(*input, timing, 0.3);
+  Timing timing;
+  timing.ends = std::get<Ends>(find_ends(*input, parameters));
+  timing.times = times;
+  timing.levels = levels_of(*input, times, 1e-5);
+  const auto cycle = find_first_cycle(*input, timing, parameters);
   REQUIRE(std::holds_alternative<FirstCycle>(cycle));
   CHECK(std::get<FirstCycle>(cycle).level == 3);
   CHECK(std::get<FirstCycle>(cycle).passed_over == 2);

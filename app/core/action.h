@@ -52,6 +52,10 @@ struct EditFromHere {
 struct RemoveEdit {
   std::size_t index = 0;
 };
+struct ApplyPreset {
+  std::string key;
+};                     // as Tune
+struct CancelWork {};  // long work: back to the parameters before the change that asked for it
 struct SetPicking {
   Picking picking = Picking::nothing;
 };
@@ -78,6 +82,9 @@ struct FrameAll {};
 struct SetAspect {
   double aspect = 1.6;
 };
+struct ShowSide {
+  SidePanel side = SidePanel::step;
+};
 
 // Files. A failure is a notice in the session.
 enum class ExportKind : std::uint8_t { mesh, map, report, steps, picture };
@@ -98,10 +105,10 @@ struct DismissNotice {
 };
 struct Quit {};
 
-using Action =
-    std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
-                 PassTime, Tune, EditFromHere, RemoveEdit, SetPicking, PickVertex, SetLayer, Orbit, Pan, Zoom,
-                 FrameAll, SetAspect, Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
+using Action = std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying,
+                            SetSpeed, PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork,
+                            SetPicking, PickVertex, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide,
+                            Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
 using Actions = std::vector<Action>;
 
 void apply(Session& session, const Action& action);

@@ -9,6 +9,9 @@
 #include "app/core/export.h"
 #include "app/core/load.h"
 #include "app/core/navigate.h"
+#include "app/core/presets.h"
+#include "app/core/work_beside.h"
+#include "knit/gauge.h"
 
 namespace app {
 
@@ -49,6 +52,8 @@ struct Apply {
     session.load_ms = milliseconds_since(start);
     session.run_ms = 0.0;
     session.picking = Picking::nothing;
+    session.long_step.reset();
+    session.before_change.reset();
     session.open_dialog_open = false;
     session.notices.clear();
     for (const knit::Finding& finding : session.findings)
@@ -80,24 +85,33 @@ struct Apply {
   void operator()(const StepBy& a) {
     if (!open()) return;
     session.playback.playing = false;
+    if (session.beside && a.direction > 0 && timeline().next_is_long()) {
+      if (const auto place = place_ahead(timeline(), a.unit)) return timeline().await(*place);
+    }
     timeline().seek(counted([&] { return position_after(timeline(), a.unit, a.direction); }));
   }
   void operator()(const SeekTo& a) {
     if (!open()) return;
     const std::size_t known = timeline().known();
-    if (a.position > known) counted([&] { return timeline().extend(a.position - known); });
+    if (a.position > known) counted([&] { return extend_now(a.position - known); });
     timeline().seek(a.position);
   }
   void operator()(const SeekPlace& a) {
-    if (open()) timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
+    if (!open()) return;
+    if (session.beside) return timeline().await(a.place);
+    timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
+  }
+  bool extend_now(std::size_t steps) {
+    return session.beside ? timeline().extend_briefly(steps) : timeline().extend(steps);
   }
   void operator()(const ToFirst& /*a*/) {
     if (open()) timeline().seek(0);
   }
   void operator()(const ToLast& /*a*/) {
     if (!open()) return;
-    counted([&] { return timeline().extend(std::numeric_limits<std::size_t>::max()); });
-    timeline().seek(timeline().known());
+    counted([&] { return extend_now(std::numeric_limits<std::size_t>::max()); });
+    if (timeline().complete()) return timeline().seek(timeline().known());
+    timeline().await({knit::Stage::done, 0, 0});
   }
   void operator()(const SetPlaying& a) {
     if (!open()) return;
@@ -115,7 +129,8 @@ struct Apply {
 
   void operator()(const PassTime& a) {
     if (!open()) return;
-    counted([&] { return timeline().extend(steps_per_tick); });
+    work_beside(session, a.seconds);
+    counted([&] { return extend_now(steps_per_tick); });
     // A tuned run that has not come back to its place yet plays on from there, not from where it has got to.
     if (session.playback.playing && !timeline().sought()) play(a.seconds);
   }
@@ -138,6 +153,7 @@ struct Apply {
   void operator()(const Tune& a) {
     if (!open()) return;
     if (refuse(a.parameters)) return;
+    if (!session.long_step) session.before_change = timeline().parameters();
     if (a.parameters.weld != timeline().parameters().weld) {
       reload(a.parameters);
     } else {
@@ -166,9 +182,35 @@ struct Apply {
              "Welding changes the mesh itself; set it for the whole run, not from here.");
       return;
     }
+    const knit::Place next = timeline().state().next;
+    if (a.parameters.rows != timeline().parameters().rows && next > knit::Place{knit::Stage::cast_on, 1, 0}) {
+      notify(session, Notice::Kind::error,
+             "Rows have begun from " +
+                 knit::value_text(*knit::find_parameter("rows"), timeline().parameters()) +
+                 " already; set where they come from for the whole run, not from here.");
+      return;
+    }
     timeline().edit_from_here(a.parameters);
   }
-  bool refuse(const knit::Parameters& parameters) {
+  void operator()(const ApplyPreset& a) {
+    const Preset* preset = find_preset(a.key);
+    if (preset == nullptr) {
+      notify(session, Notice::Kind::error,
+             "There is no preset \"" + a.key + "\"; choose " + preset_keys() + ".");
+    } else if (open()) {
+      (*this)(Tune{with_preset(*preset, timeline().parameters())});
+    }
+  }
+  void operator()(const CancelWork& /*a*/) {
+    if (!open() || !session.long_step) return;
+    knit::Parameters linear = timeline().parameters();
+    linear.timing = knit::TimingKind::linear;
+    const knit::Parameters back = session.before_change.value_or(linear);
+    session.long_step.reset();
+    timeline().tune(back);
+  }
+  bool refuse(const knit::Parameters& wished) {
+    const knit::Parameters parameters = knit::agreed(wished, timeline().input());
     const auto fault = knit::fault_of(parameters, timeline().input().mesh);
     if (fault) notify(session, Notice::Kind::error, *fault);
     return fault.has_value();
@@ -197,6 +239,8 @@ struct Apply {
   void operator()(const SetAspect& a) {
     if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.aspect = a.aspect;
   }
+
+  void operator()(const ShowSide& a) { session.side = a.side; }
 
   void operator()(const Export& a) {
     if (!open()) return;

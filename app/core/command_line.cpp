@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/core/presets.h"
+#include "knit/gauge.h"
 #include "knit/pattern.h"
 #include "knit/stage.h"
 #include "knit/stitch_index.h"
@@ -12,7 +14,7 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string mesh, example, at;
+  std::string mesh, example, preset, at;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::string save_mesh, save_map, save_report, save_steps, screenshot, size;
   std::string index_sizes, index_placement = "thesis";
@@ -23,6 +25,7 @@ std::string list_parameters_text() {
   std::string text;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     std::string fallback = knit::value_text(info, knit::Parameters{});
+    if (info.key == "gauge") fallback = "follows the stitch size";
     if (info.key == "stitch-width") fallback = "3 % of the bounding box's diagonal";
     if (info.key == "epsilon") fallback = "half the stitch width";
     text += "--" + std::string(info.key) + "\t" + knit::range_text(info);
@@ -42,6 +45,7 @@ void declare(CLI::App& app, Words& words) {
   app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
   app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
+  app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -92,6 +96,20 @@ void add_saves(const Words& words, CommandLine& line) {
   add(words.screenshot, ExportKind::picture);
 }
 
+// Stitch sizes may be given in one view only, unless --sizes says which one counts.
+std::optional<std::string> clash_of_sizes(const CommandLine& line) {
+  std::string mesh_key;
+  bool gauge = false;
+  for (const auto& [info, text] : line.settings) {
+    if (info->key == "sizes") return std::nullopt;
+    if (info->key == "stitch-width" || info->key == "stitch-height") mesh_key = info->key;
+    gauge = gauge || info->key == "gauge";
+  }
+  if (!gauge || mesh_key.empty()) return std::nullopt;
+  return "--gauge and --" + mesh_key +
+         " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -105,6 +123,11 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
     const knit::ParameterInfo& info = knit::parameter_table()[i];
     if (const auto error = knit::set_value(info, scratch, words.settings[i])) return bad_usage(*error);
     line.settings.emplace_back(&info, words.settings[i]);
+  }
+  if (const auto clash = clash_of_sizes(line)) return bad_usage(*clash);
+  line.preset = words.preset;
+  if (!words.preset.empty() && find_preset(words.preset) == nullptr) {
+    return bad_usage("--preset cannot be \"" + words.preset + "\"; give " + preset_keys() + ".");
   }
   if (!words.at.empty()) {
     line.at = parse_at(words.at);
@@ -193,15 +216,21 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   apply(session, line.open);
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
-  if (line.settings.empty()) return std::nullopt;
+  if (line.settings.empty() && line.preset.empty()) return std::nullopt;
   knit::Parameters parameters = session.timeline->parameters();
+  if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
   const double band_share = parameters.epsilon / parameters.stitch_width;
   bool epsilon_given = false;
   for (const auto& [info, text] : line.settings) {
     knit::set_value(*info, parameters, text);
+    knit::give_size_by(info->key, parameters);
     epsilon_given = epsilon_given || info->key == "epsilon";
   }
   // A width alone takes epsilon along in proportion.
+  for (const auto& [info, text] : line.settings) {
+    if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
+  }
+  parameters = knit::agreed(parameters, session.timeline->input());
   if (!epsilon_given) parameters.epsilon = band_share * parameters.stitch_width;
   const std::size_t notices = session.notices.size();
   apply(session, Tune{parameters});
@@ -246,6 +275,12 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
                        "\" is not a row size; give whole numbers from 1 to 100000, like 6,12,17.");
     }
     sizes.push_back(*size);
+  }
+  if (placement == "nearest") {
+    return bad_usage(
+        "index: --placement nearest needs to know where stitches stand, and a list of sizes does not say; "
+        "give "
+        "thesis or even.");
   }
   if (placement != "thesis" && placement != "even") {
     return bad_usage("index: --placement cannot be \"" + placement + "\"; give thesis or even.");

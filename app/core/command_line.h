@@ -22,6 +22,7 @@ using At = std::variant<AtEnd, std::size_t, AtStage, knit::Place>;
 
 struct CommandLine {
   Action open = OpenExample{"thesis-sphere"};
+  std::string preset;  // its key; empty: none. Comes before the settings
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
   std::optional<At> at;  // none: the end when headless, the start in the window
   bool headless = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/core/describe_contours.h"
 #include "app/core/describe_step.h"
 #include "app/core/palette.h"
 
@@ -133,6 +134,14 @@ Scene Describer::describe(const Session& session) {
   scene.timed_vertices = static_cast<std::uint32_t>(mesh_->positions.size());
   if (const auto* work = std::get_if<knit::TimingWork>(&state.work)) {
     scene.timed_vertices = static_cast<std::uint32_t>(work->times.size());
+  }
+  // Under the knit mesh they would only shine through.
+  if (state.timing && session.shows(Layer::isolines) && state.strips.empty()) {
+    if (isolines_timing_ != state.timing.pointer()) {
+      isolines_timing_ = state.timing.pointer();
+      isolines_ = isolines_of(session.timeline->input(), *state.timing);
+    }
+    scene.line_sets.push_back(isolines_);
   }
   add_rows(session, scene);
   add_strips(session, scene);

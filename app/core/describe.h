@@ -37,6 +37,8 @@ class Describer {
   std::shared_ptr<const knit::Input> input_;
   std::shared_ptr<const knit::Timing> timing_;
   std::shared_ptr<const MeshShape> mesh_;
+  std::shared_ptr<const knit::Timing> isolines_timing_;
+  std::shared_ptr<const std::vector<Line>> isolines_;
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
 };

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/core/describe_contours.h"
 #include "app/core/palette.h"
 #include "knit/faces.h"
 #include "knit/narrate.h"
@@ -257,6 +258,9 @@ void describe_step(const Session& session, Scene& scene) {
       scene.points.push_back({glm::vec3(stitch.position), palette::of(knit::Label::cast), 10.0F});
     }
   }
+  describe_criticals(session, scene);
+  if (const auto* contours = std::get_if<knit::ContourWork>(&state.work))
+    describe_contours(session, *contours, scene);
   if (const auto* rows = std::get_if<knit::RowWork>(&state.work)) describe_rows_stage(session, *rows, scene);
   if (const auto* index = std::get_if<knit::IndexWork>(&state.work))
     describe_stitches_stage(session, *index, scene);

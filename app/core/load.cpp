@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/action.h"
+#include "knit/gauge.h"
 #include "knit/obj.h"
 
 namespace app {
@@ -25,7 +26,9 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
   if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
-  loaded.parameters = parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
+  const knit::Parameters wished =
+      parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
+  loaded.parameters = knit::agreed(wished, *loaded.input);
   return loaded;
 }
 

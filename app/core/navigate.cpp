@@ -61,4 +61,13 @@ std::size_t position_at(knit::Timeline& timeline, const knit::Place& place) {
   return timeline.position_of(place);
 }
 
+std::optional<knit::Place> place_ahead(const knit::Timeline& timeline, Unit unit) {
+  if (timeline.position() < timeline.known() && unit == Unit::item) return std::nullopt;
+  const knit::Place next = timeline.state().next;
+  if (unit == Unit::item) return next;
+  knit::Place last = after(next, unit);
+  --last.item;  // the last place before it
+  return last;
+}
+
 }  // namespace app

@@ -14,4 +14,7 @@ std::size_t position_after(knit::Timeline& timeline, Unit unit, int direction);
 // The position just after the last step at or before `place`, working the run out until then.
 std::size_t position_at(knit::Timeline& timeline, const knit::Place& place);
 
+// Where a step of this unit forwards leads, when that can be said before it is worked out.
+std::optional<knit::Place> place_ahead(const knit::Timeline& timeline, Unit unit);
+
 }  // namespace app

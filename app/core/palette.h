@@ -13,6 +13,7 @@ inline constexpr Colour ground{96, 102, 112};
 inline constexpr Colour time_low{102, 86, 160};
 inline constexpr Colour time_middle{52, 138, 141};
 inline constexpr Colour time_high{221, 206, 92};
+inline constexpr Colour isoline{20, 24, 32, 120};
 inline constexpr Colour text{226, 228, 232};
 inline constexpr Colour faint_text{150, 156, 166};
 

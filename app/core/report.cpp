@@ -1,6 +1,8 @@
 #include "app/core/report.h"
 
+#include "app/core/quality_json.h"
 #include "app/core/step_json.h"
+#include "app/core/work_beside.h"
 #include "knit/measures.h"
 #include "knit/narrate.h"
 
@@ -110,6 +112,11 @@ Json report_json(const Session& session) {
   report["shaping"] = {{"increases", shaping.increases},
                        {"decreases", shaping.decreases},
                        {"max_in_a_row", shaping.max_in_a_row}};
+  const knit::Parameters& parameters = timeline.parameters();
+  const auto closeness = closeness_now(session);
+  report["quality"] = quality_json(knit::measure_quality(timeline.input(), state, parameters.stitch_width,
+                                                         knit::stitch_height_of(parameters)),
+                                   closeness.get());
   report["problems"] = problems_json(session);
   report["pattern"] = Json::array();
   for (const auto& line : state.lines) report["pattern"].push_back(line->text);

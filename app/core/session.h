@@ -10,17 +10,21 @@
 #include <vector>
 
 #include "app/core/camera.h"
+#include "app/core/worker.h"
 #include "knit/check.h"
+#include "knit/closeness.h"
 #include "knit/timeline.h"
 
 namespace app {
 
 enum class Layer : std::uint8_t {
-  surface,  // the mesh that came in
-  times,    // its colours
-  wire,     // its edges
-  cycle,    // the current cycle's candidates with their verdicts
-  band,     // the anchor and [w - epsilon, w + epsilon]
+  surface,    // the mesh that came in
+  times,      // its colours
+  isolines,   // level sets of the time
+  criticals,  // where level sets begin, part, join and end
+  wire,       // its edges
+  cycle,      // the current cycle's candidates with their verdicts
+  band,       // the anchor and [w - epsilon, w + epsilon]
   stitches,
   row_edges,
   column_edges,
@@ -53,7 +57,21 @@ struct Source {
   std::filesystem::path file;  // as given
 };
 
+// What the right column shows.
+enum class SidePanel : std::uint8_t { step, report };
+
 enum class Picking : std::uint8_t { nothing, start, end };
+
+// What a worker does for the session, so that a window stays responsive.
+struct LongStep {
+  knit::Timeline::Job job;
+  Work<knit::Timeline::Outcome> work;
+  double seconds = 0.0;  // since it began
+};
+struct Measuring {
+  std::uint64_t run = 0;  // hash of the state measured
+  Work<std::optional<knit::Closeness>> work;
+};
 
 struct Session {
   std::filesystem::path assets;  // the folder of examples and fonts
@@ -64,12 +82,21 @@ struct Session {
   knit::Parameters defaults;                   // of the open mesh or example: what reset goes back to
   double load_ms = 0.0;                        // of the last opening
   double run_ms = 0.0;                         // spent on working the run out, so far
+  // In a window long work is done beside it; without one it is waited for.
+  bool beside = false;
+  std::optional<LongStep> long_step;
+  std::optional<knit::Parameters> before_change;  // what cancelling goes back to
+  std::optional<Measuring> measuring_run;
+  std::uint64_t closeness_run = 0;                   // hash of the state that `closeness` belongs to
+  std::shared_ptr<const knit::Closeness> closeness;  // of the finished run; null: not measured
+  bool measuring = false;                            // a worker is at it
 
   Camera camera;
   double aspect = 1.6;  // of the view
-  std::array<bool, layer_count> layers{true, true, false, true, true, true, true, true, true};
+  std::array<bool, layer_count> layers{true, true, true, true, false, true, true, true, true, true, true};
   Playback playback;
   Picking picking = Picking::nothing;
+  SidePanel side = SidePanel::step;
   std::vector<Notice> notices;  // newest last
   bool help_open = false;
   bool open_dialog_open = false;

@@ -11,12 +11,19 @@ struct ParameterValue {
   const knit::Parameters& p;
   const knit::ParameterInfo& info;
   using Json = nlohmann::ordered_json;
-  Json operator()(const knit::Number& number) const { return p.*number.field; }
-  Json operator()(const knit::Count& count) const { return p.*count.field; }
+  Json operator()(const knit::Number& number) const {
+    const bool automatic = number.zero == knit::Zero::means_auto && p.*number.field == 0.0;
+    return automatic ? Json("auto") : Json(p.*number.field);
+  }
+  Json operator()(const knit::Count& count) const {
+    return count.zero_means_auto && p.*count.field == 0 ? Json("auto") : Json(p.*count.field);
+  }
   Json operator()(const knit::PickedVertex& picked) const {
     return p.*picked.field == knit::no_vertex ? Json("auto") : Json(p.*picked.field);
   }
   Json operator()(const knit::AxisChoice& /*axis*/) const { return knit::value_text(info, p); }
+  Json operator()(const knit::DirectionChoice& /*direction*/) const { return knit::value_text(info, p); }
+  Json operator()(const knit::GaugeChoice& /*gauge*/) const { return knit::value_text(info, p); }
   Json operator()(const knit::Choice& /*choice*/) const { return knit::value_text(info, p); }
 };
 

@@ -79,6 +79,8 @@ const std::array table{
                 [](const Session&) -> Wish { return FrameAll{}; }},
     layer_info<Layer::surface>(Key::Digit1),
     layer_info<Layer::times>(Key::Digit2),
+    layer_info<Layer::isolines>(Key::I),
+    layer_info<Layer::criticals>(Key::C),
     layer_info<Layer::wire>(Key::Digit3),
     layer_info<Layer::cycle>(Key::Digit4),
     layer_info<Layer::band>(Key::Digit5),
@@ -86,6 +88,10 @@ const std::array table{
     layer_info<Layer::row_edges>(Key::Digit7),
     layer_info<Layer::column_edges>(Key::Digit8),
     layer_info<Layer::faces>(Key::Digit9),
+    CommandInfo{Command::side, view, "Step or report card", on(Key::R), false,
+                [](const Session& session) -> Wish {
+                  return ShowSide{session.side == SidePanel::report ? SidePanel::step : SidePanel::report};
+                }},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
     CommandInfo{Command::help,

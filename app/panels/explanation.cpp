@@ -1,6 +1,7 @@
 // The right column: what the last step did, and what there is to see.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "app/core/step_table.h"
@@ -84,6 +85,48 @@ void draw_label(PanelFrame& frame, knit::Label label, std::size_t count, ImVec2 
   pop_font();
 }
 
+struct Tab {
+  SidePanel side;
+  const char* words;
+  const char* mark;
+};
+
+// A word over a line that is thick below the chosen one.
+void draw_tab(PanelFrame& frame, const Tab& tab, float height, float thin) {
+  const bool chosen = tab.side == frame.session.side;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  push_font(frame.fonts.strong);
+  const float width = ImGui::CalcTextSize(tab.words).x + frame.units(20.0f);
+  if (ImGui::InvisibleButton(tab.mark, ImVec2(width, height)) && !chosen) frame.wish(ShowSide{tab.side});
+  frame.mark(tab.mark);
+  const bool lit = chosen || ImGui::IsItemHovered();
+  text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
+          lit ? palette::text : palette::faint_text, tab.words);
+  pop_font();
+  tooltip(frame, tooltip_of(info_of(Command::side)));
+  if (!chosen) return;
+  const float foot = std::floor(at.y + height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - 2.0f * thin), ImVec2(at.x + width, foot),
+                                            style::packed(style::accent));
+}
+
+void draw_tabs(PanelFrame& frame) {
+  constexpr std::array tabs{Tab{SidePanel::step, "Step", "side/step"},
+                            Tab{SidePanel::report, "Report card", "side/report"}};
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight() + frame.units(9.0f);
+  const float thin = std::max(1.0f, std::floor(frame.units(1.0f)));
+  const float foot = std::floor(at.y + height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - thin),
+                                            ImVec2(at.x + ImGui::GetContentRegionAvail().x, foot),
+                                            style::packed(style::outline));
+  for (const Tab& tab : tabs) {
+    draw_tab(frame, tab, height, thin);
+    ImGui::SameLine(0.0f, 0.0f);
+  }
+  ImGui::NewLine();
+}
+
 void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
   const std::string rows_name = "Rows (" + with_commas(rows) + ")###rows";
@@ -147,8 +190,9 @@ void draw_legend(PanelFrame& frame) {
   ImGui::SetCursorScreenPos(cells.end());
 }
 
-void draw_explanation(PanelFrame& frame) {
-  begin_panel("Explanation", frame.layout.explanation);
+namespace {
+
+void draw_step_side(PanelFrame& frame) {
   const float height = std::max(frame.units(196.0f), 0.34f * ImGui::GetContentRegionAvail().y);
   ImGui::BeginChild("step", ImVec2(0.0f, height), false);
   draw_last_step(frame);
@@ -157,6 +201,18 @@ void draw_explanation(PanelFrame& frame) {
   draw_layers(frame);
   draw_legend(frame);
   draw_lists(frame);
+}
+
+}  // namespace
+
+void draw_explanation(PanelFrame& frame) {
+  begin_panel("Explanation", frame.layout.explanation);
+  draw_tabs(frame);
+  if (frame.session.side == SidePanel::report) {
+    draw_report_card(frame);
+  } else {
+    draw_step_side(frame);
+  }
   ImGui::End();
 }
 

@@ -187,7 +187,9 @@ Fonts ImGuiGlue::load_fonts(const std::string& folder, float scale, float text_s
   fonts.strong = add_font(folder, semibold, size);
   fonts.heading = add_font(folder, semibold, size * 1.3f);
   fonts.mono = add_font(folder, {"JetBrainsMono-Regular.ttf"}, size * 0.93f);
-  for (ImFont** font : {&fonts.strong, &fonts.heading, &fonts.mono}) {
+  fonts.small =
+      add_font(folder, {"Inter-Regular.otf", "Inter-Regular.ttf", "InterVariable.ttf"}, size * 0.84f);
+  for (ImFont** font : {&fonts.strong, &fonts.heading, &fonts.mono, &fonts.small}) {
     *font = *font != nullptr ? *font : fonts.text;
   }
   return fonts;

@@ -32,6 +32,7 @@ struct Fonts {
   ImFont* strong = nullptr;
   ImFont* heading = nullptr;  // strong and larger
   ImFont* mono = nullptr;
+  ImFont* small = nullptr;  // for the axes of plots
   bool from_files = false;  // false: the built-in bitmap font, which has only Latin-1
 };
 

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "app/panels/widgets.h"
+#include "knit/frame.h"
+#include "knit/narrate.h"
 
 namespace app {
 
@@ -34,13 +36,18 @@ struct Control {
   // Lengths are dragged in proportion to the mesh, others over decades.
   void operator()(const knit::Number& number) const {
     const double length = frame.timeline()->input().bounds.diagonal();
-    const bool is_length = number.high >= 1e12;
-    double value = parameters.*number.field;
+    const bool is_length = number.high >= knit::no_limit;
+    const bool automatic = number.zero == knit::Zero::means_auto && parameters.*number.field == 0.0;
+    double value = automatic ? knit::stitch_height_of(parameters) : parameters.*number.field;
     const double high = is_length ? length : number.high;
-    const double low = number.low > 0.0 ? number.low : high * 1e-7;
-    const std::string shape = format(is_length ? "%.4g" : "%.2g", knit::value_text(info, parameters));
+    const bool zero_allowed = number.zero == knit::Zero::allowed;
+    const double low = number.low > 0.0 ? number.low : zero_allowed ? 0.0 : high * 1e-7;
+    const std::string digits = is_length || number.high >= 1000.0 ? "%.4g" : "%.2g";
+    const std::string shape = automatic ? "auto (" + knit::short_number(value) + ")"
+                                        : format(digits.c_str(), knit::short_number(value));
     const float speed = static_cast<float>(is_length ? 0.0004 * length : 0.002 * high);
-    const ImGuiSliderFlags flags = is_length ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic;
+    const ImGuiSliderFlags flags =
+        is_length || zero_allowed ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic;
     ImGui::SetNextItemWidth(width);
     if (ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &low, &high, shape.c_str(),
                           flags)) {
@@ -50,14 +57,20 @@ struct Control {
 
   void operator()(const knit::Count& count) const {
     int value = parameters.*count.field;
-    const std::string shape = format("%d", std::to_string(value));
+    const bool automatic = count.zero_means_auto && value == 0;
+    const std::string shape = automatic ? "auto" : format("%d", std::to_string(value));
     ImGui::SetNextItemWidth(width);
     if (ImGui::DragInt("##value", &value, 0.1f, count.low, count.high, shape.c_str()))
       set(std::to_string(value));
   }
 
   void operator()(const knit::Choice& choice) const {
-    const int clicked = segmented("choice", choice.names, choice.get(parameters), width);
+    const int chosen = choice.get(parameters);
+    float words = 0.0f;
+    for (const std::string_view name : choice.names)
+      words += ImGui::CalcTextSize(name.data(), name.data() + name.size()).x + frame.units(4.0f);
+    const int clicked =
+        words <= width ? segmented("choice", choice.names, chosen, width) : dropdown(choice.names, chosen);
     if (clicked >= 0) choice.set(parameters, clicked);
   }
 
@@ -72,7 +85,48 @@ struct Control {
       if (axis.kind == knit::AxisKind::custom) axis.custom = before.direction();
     }
     if (axis.kind != knit::AxisKind::custom) return;
-    std::array<double, 3> parts{axis.custom.x, axis.custom.y, axis.custom.z};
+    direction_field(axis.custom);
+  }
+
+  void operator()(const knit::DirectionChoice& choice) const {
+    constexpr std::array<std::string_view, 2> names{"auto", "other"};
+    const auto& direction = parameters.*choice.field;
+    const int clicked = segmented("direction", names, direction ? 1 : 0, width);
+    if (clicked == 0) set("auto");
+    if (clicked == 1 && !direction) {
+      // Begins where rounds begin now, so that the picture does not jump.
+      const knit::RowFrame now = knit::row_frame(parameters.axis.direction(), std::nullopt);
+      parameters.*choice.field = now.right;
+    }
+    if (direction) direction_field(*direction);
+  }
+
+  void operator()(const knit::GaugeChoice& choice) const {
+    const knit::Gauge& gauge = parameters.*choice.field;
+    std::array<double, 2> parts{gauge.stitches, gauge.rounds};
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::DragScalarN("##gauge", ImGuiDataType_Double, parts.data(), 2, 0.05f, nullptr, nullptr, "%.4g"))
+      set(knit::number_text(parts[0]) + "," + knit::number_text(parts[1]));
+  }
+
+  void operator()(const knit::PickedVertex& /*picked*/) const;
+
+  // For names too long to stand side by side; gives the newly chosen one, or -1.
+  [[nodiscard]] int dropdown(std::span<const std::string_view> names, int chosen) const {
+    int clicked = -1;
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##choice", std::string(names[static_cast<std::size_t>(chosen)]).c_str()))
+      return clicked;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool now = static_cast<int>(i) == chosen;
+      if (ImGui::Selectable(std::string(names[i]).c_str(), now) && !now) clicked = static_cast<int>(i);
+    }
+    ImGui::EndCombo();
+    return clicked;
+  }
+
+  void direction_field(const glm::dvec3& direction) const {
+    std::array<double, 3> parts{direction.x, direction.y, direction.z};
     ImGui::SetNextItemWidth(width);
     if (ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts.data(), 3, 0.01f, nullptr, nullptr,
                            "%.2f")) {
@@ -80,8 +134,6 @@ struct Control {
           knit::number_text(parts[2]));
     }
   }
-
-  void operator()(const knit::PickedVertex& /*picked*/) const;
 };
 
 // A number that is typed, "auto", or a click in the view.

@@ -1,5 +1,6 @@
 #include <string>
 
+#include "app/core/presets.h"
 #include "app/panels/commands.h"
 #include "app/panels/save_dialog.h"
 #include "app/panels/widgets.h"
@@ -56,6 +57,18 @@ void draw_file_menu(PanelFrame& frame) {
   ImGui::EndMenu();
 }
 
+void draw_preset_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "Presets", "menu/presets")) return;
+  for (const Preset& preset : presets()) {
+    const std::string title(preset.title);
+    if (ImGui::MenuItem(title.c_str(), nullptr, false, frame.timeline() != nullptr))
+      frame.wish(ApplyPreset{std::string(preset.key)});
+    frame.mark("menu/" + title);
+    tooltip(frame, preset.about);
+  }
+  ImGui::EndMenu();
+}
+
 void draw_go_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "Go", "menu/go")) return;
   for (const Command command : {Command::first, Command::last}) command_item(frame, command);
@@ -89,6 +102,7 @@ void draw_view_menu(PanelFrame& frame) {
   }
   ImGui::Separator();
   command_item(frame, Command::frame_all);
+  command_item(frame, Command::side);
   ImGui::EndMenu();
 }
 
@@ -126,6 +140,7 @@ void draw_menu(PanelFrame& frame) {
   ImGui::PopStyleVar();
   if (!open) return;
   draw_file_menu(frame);
+  draw_preset_menu(frame);
   draw_go_menu(frame);
   draw_view_menu(frame);
   draw_help_menu(frame);

@@ -34,7 +34,8 @@ void draw_view_overlays(PanelFrame& frame);  // notices, the picking banner, the
 void draw_parameters(PanelFrame& frame);
 void draw_edits(PanelFrame& frame);  // inside the parameters
 void draw_explanation(PanelFrame& frame);
-void draw_last_step(PanelFrame& frame);  // the explanation's parts
+void draw_report_card(PanelFrame& frame);  // its other side
+void draw_last_step(PanelFrame& frame);    // the explanation's parts
 void draw_layers(PanelFrame& frame);
 void draw_legend(PanelFrame& frame);
 void draw_rows(PanelFrame& frame);
@@ -45,6 +46,11 @@ void draw_track(PanelFrame& frame);
 void draw_help(PanelFrame& frame);
 void draw_open_dialog(PanelFrame& frame);
 void draw_save_dialog(PanelFrame& frame);
+
+// Of the row in the making; none: 0.
+std::int32_t row_at_hand(const PanelFrame& frame);
+// To the end of a row in the stage at hand.
+void wish_row(PanelFrame& frame, std::int32_t number);
 
 // How many lines the list of problems has.
 std::size_t count_problems(const PanelFrame& frame);

@@ -4,6 +4,7 @@
 
 #include "app/panels/knob.h"
 #include "app/panels/widgets.h"
+#include "knit/gauge.h"
 
 namespace app {
 
@@ -67,16 +68,20 @@ void draw_edit(PanelFrame& frame, const knit::Timeline& timeline, std::size_t i)
 }
 
 void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
-  knit::Stage group = knit::Stage::done;
+  std::string_view group;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
-    if (info.first_reader != group) {
-      group = info.first_reader;
-      heading(frame, capitalised(knit::name_of(group)).c_str());
+    // What nothing reads now would only be in the way.
+    if (!knit::is_read(info, timeline.parameters())) continue;
+    if (info.group != group) {
+      group = info.group;
+      heading(frame, std::string(group).c_str());
     }
     // Each knob starts from what is in force, so that one frame wishes at most what one hand did.
     knit::Parameters parameters = timeline.parameters();
     draw_knob(frame, info, parameters);
-    if (parameters != timeline.parameters()) wish_change(frame, info, parameters);
+    if (parameters == timeline.parameters()) continue;
+    knit::give_size_by(info.key, parameters);
+    wish_change(frame, info, parameters);
   }
 }
 

@@ -92,6 +92,8 @@ LabelTally::Counts LabelTally::count(const knit::State& state) {
   std::size_t& cast = sum[index_of(knit::Label::cast)];
   if (!state.rows.empty()) cast += state.rows.front()->stitches.size();
   if (const auto* work = std::get_if<knit::CastOnWork>(&state.work)) cast += work->stitches.size();
+  if (const auto* work = std::get_if<knit::ContourWork>(&state.work); work != nullptr && state.rows.empty())
+    cast += work->stitches.size();
   if (state.stage() > knit::Stage::stitches && state.rows.size() > 1)
     cast += state.rows.back()->stitches.size();
   return sum;

@@ -15,12 +15,6 @@ ImVec2 list_size(const PanelFrame& frame) {
   return {0.0f, std::max(frame.units(shortest_list), ImGui::GetContentRegionAvail().y)};
 }
 
-// Of the row in the making; none: 0.
-std::int32_t row_at_hand(const PanelFrame& frame) {
-  const knit::Step* step = last_step(frame.session);
-  return step != nullptr ? step->place.row : 0;
-}
-
 void right_aligned(const std::string& words, Colour colour) {
   const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
@@ -52,17 +46,18 @@ void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
   ImGui::TableNextColumn();
   const std::string label = std::to_string(number);
   if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), ImGuiSelectableFlags_SpanAllColumns)) {
-    const knit::Stage stage = state.stage() == knit::Stage::done ? knit::Stage::pattern : state.stage();
-    const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
-    frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
+    wish_row(frame, number);
   }
   frame.mark("row/" + label);
   tooltip(frame, "Click: to the end of this row in this stage.");
   if (i >= state.rows.size()) {  // in the making
     ImGui::TableNextColumn();
-    const auto* work = std::get_if<knit::RowWork>(&state.work);
-    right_aligned(work != nullptr ? std::to_string(work->walk.kept.size()) + "..." : "...",
-                  palette::faint_text);
+    const auto* walk = std::get_if<knit::RowWork>(&state.work);
+    const auto* contour = std::get_if<knit::ContourWork>(&state.work);
+    const std::size_t made = walk != nullptr      ? walk->walk.kept.size()
+                             : contour != nullptr ? contour->stitches.size()
+                                                  : 0;
+    right_aligned((made > 0 ? std::to_string(made) : "") + "...", palette::faint_text);
     return;
   }
   const auto stitches = static_cast<std::ptrdiff_t>(state.rows[i]->stitches.size());
@@ -116,6 +111,18 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
 }
 
 }  // namespace
+
+std::int32_t row_at_hand(const PanelFrame& frame) {
+  const knit::Step* step = last_step(frame.session);
+  return step != nullptr ? step->place.row : 0;
+}
+
+void wish_row(PanelFrame& frame, std::int32_t number) {
+  const knit::Stage at = frame.timeline()->state().stage();
+  const knit::Stage stage = at == knit::Stage::done ? knit::Stage::pattern : at;
+  const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
+  frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
+}
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;

@@ -19,6 +19,8 @@ std::string TextBuffer::text() const { return {bytes.data()}; }
 void PanelFrame::mark(std::string_view control) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
+  // What is scrolled out of its panel is not there to be pointed at.
+  if (!ImGui::IsItemVisible()) return;
   ui.controls.insert_or_assign(std::string(control), Box{low.x, low.y, high.x - low.x, high.y - low.y});
 }
 

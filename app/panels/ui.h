@@ -26,6 +26,7 @@
 
 #include "app/core/action.h"
 #include "app/core/scene.h"
+#include "app/panels/card_cache.h"
 #include "app/panels/imgui_glue.h"
 #include "app/panels/layout.h"
 #include "app/panels/run_cache.h"
@@ -87,6 +88,7 @@ struct UiState {
   int row_scrolled_to = 0;
   RunCache run;
   LabelTally labels;
+  CardCache card;
   // Where controls stood in the last frame, by name ("play", "scrubber", "layer/surface"): for tests and for
   // whoever points at them.
   std::map<std::string, Box, std::less<>> controls;

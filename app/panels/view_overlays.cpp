@@ -1,10 +1,11 @@
-// What floats over the view: notices, the banner while a vertex is picked, and a welcome while nothing is
-// open.
+// What floats over the view: notices, the banner while a vertex is picked, a word while long work goes on, and
+// a welcome while nothing is open.
 #include <algorithm>
 #include <string>
 
 #include "app/panels/commands.h"
 #include "app/panels/widgets.h"
+#include "knit/narrate.h"
 
 namespace app {
 
@@ -99,6 +100,27 @@ void draw_picking(PanelFrame& frame) {
   ImGui::End();
 }
 
+// Only what a person would notice waiting for.
+void draw_waiting(PanelFrame& frame) {
+  constexpr double worth_a_word_s = 0.25;
+  const auto& step = frame.session.long_step;
+  if (!step || step->seconds < worth_a_word_s) return;
+  const Box& view = frame.layout.view;
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  push_raised_look(frame);
+  ImGui::Begin("Waiting", nullptr, floating);
+  pop_raised_look();
+  const knit::Timeline& timeline = *frame.timeline();
+  text(capitalised(knit::work_ahead(timeline.furthest())) + "...");
+  const std::string triangles = with_commas(timeline.input().mesh.triangles.size());
+  faint_text(triangles + " triangles, " + std::to_string(static_cast<int>(step->seconds)) + " s so far");
+  if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
+  frame.mark("waiting/cancel");
+  tooltip(frame, "Back to how it was before this change.");
+  ImGui::End();
+}
+
 void draw_welcome(PanelFrame& frame) {
   if (frame.timeline() != nullptr) return;
   const Box& view = frame.layout.view;
@@ -127,6 +149,7 @@ void draw_welcome(PanelFrame& frame) {
 void draw_view_overlays(PanelFrame& frame) {
   draw_welcome(frame);
   draw_picking(frame);
+  draw_waiting(frame);
   draw_notices(frame);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace app {
 
@@ -96,6 +97,13 @@ void wrapped_text(std::string_view words, Colour colour) {
   text(words);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+void text_at(ImVec2 at, float align, Colour colour, const std::string& words) {
+  // Glyphs are sharp only at whole places.
+  const float left = at.x - (align > 0.0f ? align * ImGui::CalcTextSize(words.c_str()).x : 0.0f);
+  ImGui::GetWindowDrawList()->AddText(ImVec2(std::floor(left + 0.5f), std::floor(at.y + 0.5f)),
+                                      style::packed(colour), words.c_str());
 }
 
 std::string cut_to_width(std::string_view words, float width) {

@@ -44,6 +44,9 @@ void text(std::string_view words);
 void faint_text(std::string_view words);
 void wrapped_text(std::string_view words, Colour colour = palette::text);
 
+// One line drawn at a place, without an item; `align` is its part left of it: 0, 0.5 or 1.
+void text_at(ImVec2 at, float align, Colour colour, const std::string& words);
+
 // One line, cut to a width with an ellipsis.
 std::string cut_to_width(std::string_view words, float width);
 

@@ -42,7 +42,13 @@ FrameShape shape_of(const Window& window, double seconds, int samples) {
 }
 
 bool working(const Session& session) {
-  return session.timeline && (session.playback.playing || !session.timeline->complete());
+  return session.timeline && (session.playback.playing || !session.timeline->complete() || session.measuring);
+}
+
+// Only a worker is at it: looking now and then is enough.
+bool only_waiting(const Session& session) {
+  return session.timeline && !session.playback.playing &&
+         (session.long_step.has_value() || (session.timeline->complete() && session.measuring));
 }
 
 void save_pictures_wanted(Session& session, const Target& target) {
@@ -60,11 +66,16 @@ void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
       pace.frames_due == 0 && window.input().empty() && !drawer.glue().busy() && !working(session);
   if (idle) {
     window.wait(0.5);
+  } else if (pace.frames_due == 0 && window.input().empty() && only_waiting(session)) {
+    window.wait(0.05);
   } else {
     window.poll();
   }
   const double seconds = pace.tick();
-  if (window.take_refresh() || !window.input().empty()) pace.frames_due = frames_after_event;
+  // When the work ends, its last state is still to be drawn.
+  if (window.take_refresh() || !window.input().empty() || working(session)) {
+    pace.frames_due = frames_after_event;
+  }
   for (const std::string& path : window.take_dropped()) apply(session, OpenFile{path});
   apply(session, PassTime{idle ? 0.0 : seconds});
   const Window::Size pixels = window.framebuffer_size();
@@ -123,6 +134,7 @@ int run_window(Session& session, const CommandLine& line) {
       if (const auto nearest = go_to(session, *line.at))
         session.notices.push_back({Notice::Kind::warning, *nearest});
     }
+    session.beside = true;
     drawer.draw(session, shape_of(window, 0.0, 1), {});
     apply(session, FrameAll{});  // now that the view's shape is known
     Pace pace;

@@ -1,6 +1,7 @@
 // What the pipeline costs, as ratios measured in one run: JSON on standard output.
 //
 //   build/dev/benchmark [MESH.obj]      (without a mesh: the thesis sphere)
+//   build/dev/benchmark --sizes         (timings and contour rows on spheres up to a million triangles: minutes)
 //
 // Times of single runs on a shared machine mean little; each figure is a median, and stages are set against
 // parsing the same file with tinyobjloader in the same run, parse and run in turn.
@@ -18,6 +19,7 @@
 
 #include "app/core/load.h"
 #include "knit/timeline.h"
+#include "tests/benchmark/sizes.h"
 
 namespace {
 
@@ -41,7 +43,9 @@ std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
-double parse_once(const std::string& text) {
+}  // namespace
+
+double benchmark::parse_once(const std::string& text) {
   std::istringstream in(text);
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
@@ -52,6 +56,10 @@ double parse_once(const std::string& text) {
   tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in);
   return milliseconds_since(start);
 }
+
+namespace {
+
+using benchmark::parse_once;
 
 struct StageTimes {
   std::array<double, knit::machine_stages.size()> milliseconds{};
@@ -165,6 +173,10 @@ Json copies(const app::Loaded& loaded) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--sizes") {
+    std::printf("%s\n", benchmark::measure_sizes().dump(2).c_str());
+    return 0;
+  }
   const std::filesystem::path assets = std::filesystem::absolute(argv[0]).parent_path() / "assets";
   const bool own = argc > 1;
   const std::filesystem::path path =

@@ -1,0 +1,14 @@
+// Long work done beside the window: steps that take long, and how close the finished piece is to the mesh.
+#pragma once
+
+#include "app/core/session.h"
+
+namespace app {
+
+// Takes what is ready, starts what is due; `seconds` since the last call. Does nothing unless session.beside.
+void work_beside(Session& session, double seconds);
+
+// Measures at once, unless it is known: for reports without a window.
+std::shared_ptr<const knit::Closeness> closeness_now(const Session& session);
+
+}  // namespace app

@@ -1,0 +1,320 @@
+// The report card: its figures, when they are there, where they stand, and what a click on it gives.
+#include <array>
+#include <set>
+
+#include "app/panels/card_cache.h"
+#include "app/panels/card_figures.h"
+#include "tests/support/desk.h"
+
+namespace {
+
+using namespace desk;
+
+constexpr std::array plots{"plot/course", "plot/wale", "plot/corner", "plot/rows"};
+constexpr std::array figures{"course/mean",
+                             "course/cv",
+                             "course/p95",
+                             "course/max",
+                             "wale/mean",
+                             "wale/cv",
+                             "wale/p95",
+                             "wale/max",
+                             "sideways",
+                             "mirror/mean",
+                             "mirror/max",
+                             "knit-to-mesh/mean",
+                             "knit-to-mesh/max",
+                             "mesh-to-knit/mean",
+                             "mesh-to-knit/max",
+                             "area",
+                             "quads",
+                             "regular",
+                             "increases",
+                             "decreases",
+                             "most"};
+
+std::shared_ptr<const knit::Closeness> some_closeness() {
+  return std::make_shared<const knit::Closeness>(
+      knit::Closeness{{100, 0.01, 0.02}, {100, 0.02, 0.03}, 4.0, 9.5, 10.0});
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+bool inside(const Box& a, const Box& b) {
+  return a.x >= b.x && a.y >= b.y && a.right() <= b.right() && a.bottom() <= b.bottom();
+}
+
+// What the card has marked.
+std::vector<std::pair<std::string, Box>> parts_of(const Desk& desk) {
+  std::vector<std::pair<std::string, Box>> parts;
+  for (const auto& [name, box] : desk.ui.controls) {
+    for (const char* beginning : {"figure/", "line/", "missing/", "plot/", "side/"}) {
+      if (name.rfind(beginning, 0) == 0) parts.emplace_back(name, box);
+    }
+  }
+  return parts;
+}
+
+void check_places(const Desk& desk) {
+  const auto parts = parts_of(desk);
+  CHECK(parts.size() > 20);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    INFO(parts[i].first);
+    CHECK(inside(parts[i].second, desk.layout.explanation));
+    for (std::size_t j = 0; j < i; ++j) {
+      INFO(parts[j].first);
+      CHECK_FALSE(overlap(parts[i].second, parts[j].second));
+    }
+  }
+  for (const char* plot : plots) {
+    INFO(plot);
+    REQUIRE(desk.ui.controls.count(plot) == 1);
+    CHECK(desk.ui.controls.at(plot).height > 60.0f * desk.layout.scale);
+  }
+}
+
+const CardFigure* find_figure(const std::vector<CardGroup>& groups, const std::string& name) {
+  for (const CardGroup& group : groups) {
+    for (const CardLine& line : group.lines) {
+      for (const auto& figure : line.figures) {
+        if (figure && figure->name == "figure/" + name) return &*figure;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string missing_of(const std::vector<CardGroup>& groups, const std::string& name) {
+  for (const CardGroup& group : groups) {
+    for (const CardLine& line : group.lines) {
+      if (line.name == name) return line.missing;
+    }
+  }
+  return "no such line";
+}
+
+knit::Quality fine_quality() {
+  knit::Quality quality;
+  quality.course.count = quality.wale.count = 100;
+  quality.course.mean = quality.wale.mean = 1.0;
+  quality.course.cv = 0.05;
+  quality.wale.cv = 0.15;
+  quality.offset = 0.8;
+  quality.shaping = {30, 30, 5};
+  quality.steady_shaping = 5;
+  quality.mirror = knit::MirrorError{0.1, 0.2};
+  return quality;
+}
+
+}  // namespace
+
+TEST_CASE("a click on a tab shows its side, once, and R shows the other") {
+  Desk desk;
+  desk.open();
+  CHECK(desk.session.side == SidePanel::step);
+  CHECK(desk.click("side/step").empty());
+  const Actions wishes = desk.click("side/report");
+  CHECK(only<ShowSide>(wishes).side == SidePanel::report);
+  desk.act(wishes);
+  CHECK(desk.session.side == SidePanel::report);
+  desk.settle();
+  CHECK(desk.click("side/report").empty());
+  CHECK(desk.ui.controls.count("layer/faces") == 0);
+  CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::step);
+  desk.act(desk.click("side/step"));
+  desk.settle();
+  CHECK(desk.ui.controls.count("layer/faces") == 1);
+  CHECK(desk.ui.controls.count("plot/rows") == 0);
+}
+
+TEST_CASE("a click on a row of the plot goes to that row, hovering only tells") {
+  Desk desk;
+  desk.open();
+  desk.session.side = SidePanel::report;
+  desk.session.timeline->seek(desk.session.timeline->known());
+  desk.settle();
+  const auto last = static_cast<std::int32_t>(desk.session.timeline->state().rows.size());
+  CHECK(desk.frames({desk.over("plot/rows", 0.6f), MouseLeave{}}).empty());
+  const knit::Place end = only<SeekPlace>(desk.click("plot/rows", 0.995f)).place;
+  CHECK(end.row == last);
+  CHECK(end.stage == knit::Stage::pattern);
+  const Actions wishes = desk.click("plot/rows", 0.55f);
+  const knit::Place middle = only<SeekPlace>(wishes).place;
+  CHECK(middle.row > 1);
+  CHECK(middle.row < last);
+  desk.act(wishes);
+  CHECK(desk.session.timeline->place().row == middle.row);
+  CHECK(desk.click("plot/course").empty());
+}
+
+TEST_CASE("the card keeps to its column and nothing on it overlaps, at every stage and with nothing open") {
+  struct Size {
+    float width, height, scale;
+  };
+  for (const Size& size :
+       {Size{1280, 720, 1}, Size{1440, 900, 1}, Size{3840, 2160, 2}, Size{2560, 1440, 2}}) {
+    CAPTURE(size.width, size.height, size.scale);
+    Desk desk(size.width, size.height, size.scale, KNIT_ASSETS_DIR "/fonts");
+    desk.session.side = SidePanel::report;
+    desk.settle();
+    check_places(desk);
+    desk.open();
+    for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
+      for (const std::size_t position : {stage.begin, (stage.begin + stage.end) / 2, stage.end}) {
+        CAPTURE(position);
+        desk.session.timeline->seek(position);
+        desk.session.measuring = position % 2 == 0;
+        desk.session.closeness = position % 3 == 0 ? some_closeness() : nullptr;
+        CHECK(desk.frame().empty());
+        check_places(desk);
+      }
+    }
+    desk.session.closeness = some_closeness();
+    CHECK(desk.frame().empty());
+    check_places(desk);
+    for (const char* figure : figures) {
+      INFO(figure);
+      CHECK(desk.ui.controls.count(std::string("figure/") + figure) == 1);
+    }
+  }
+}
+
+TEST_CASE("every figure has words of its own, and the card of a small window scrolls") {
+  const auto closeness = some_closeness();
+  const knit::Quality quality = fine_quality();
+  std::set<std::string> helps;
+  for (const CardGroup& group : card_groups(&quality, closeness.get(), false)) {
+    for (const CardLine& line : group.lines) {
+      INFO(line.name);
+      CHECK(line.missing.empty());
+      CHECK(line.help.back() == '.');
+      for (const auto& figure : line.figures) {
+        if (!figure) continue;
+        INFO(figure->name);
+        CHECK(figure->help.back() == '.');
+        CHECK(helps.insert(figure->help).second);
+      }
+    }
+  }
+  CHECK(helps.size() == figures.size());
+  Desk desk(640, 400, 1);
+  desk.session.side = SidePanel::report;
+  desk.open();
+  CHECK(desk.frame().empty());
+}
+
+TEST_CASE("a figure is marked only beyond what a knitter would want") {
+  knit::Quality quality = fine_quality();
+  knit::Closeness closeness = *some_closeness();
+  closeness.knit_to_mesh.max = 0.01 * closeness.diagonal;
+  const auto outside = [&](const std::string& name) {
+    const auto groups = card_groups(&quality, &closeness, false);
+    const CardFigure* figure = find_figure(groups, name);
+    REQUIRE(figure != nullptr);
+    CHECK(figure->outside == (figure->help.find("A knitter would want") != std::string::npos));
+    return figure->outside;
+  };
+  const std::array judged{"course/cv", "wale/cv", "sideways", "most", "knit-to-mesh/max"};
+  for (const char* name : judged) {
+    INFO(name);
+    CHECK_FALSE(outside(name));
+  }
+  quality.course.cv = 0.051;
+  quality.wale.cv = 0.151;
+  quality.offset = 0.81;
+  quality.shaping.max_in_a_row = 6;
+  closeness.knit_to_mesh.max = 0.0101 * closeness.diagonal;
+  for (const char* name : judged) {
+    INFO(name);
+    CHECK(outside(name));
+  }
+  CHECK_FALSE(outside("course/mean"));
+  CHECK_FALSE(outside("mesh-to-knit/max"));
+}
+
+TEST_CASE("what is not there yet says when it will be") {
+  const auto nothing = card_groups(nullptr, nullptr, false);
+  CHECK(find_figure(nothing, "course/mean") == nullptr);
+  CHECK(missing_of(nothing, "course") == "after the cast on");
+  CHECK(missing_of(nothing, "wale") == "after the faces");
+  CHECK(missing_of(nothing, "most") == "after the stitches");
+  CHECK(missing_of(nothing, "area") == "after the run");
+  CHECK(missing_of(card_groups(nullptr, nullptr, true), "knit-to-mesh") == "measuring...");
+  knit::Quality quality = fine_quality();
+  quality.wale.count = 0;
+  const auto stitches = card_groups(&quality, nullptr, false);
+  CHECK(missing_of(stitches, "course").empty());
+  CHECK(missing_of(stitches, "shaping").empty());
+  CHECK(missing_of(stitches, "quads") == "after the faces");
+}
+
+TEST_CASE("quality is measured when something was finished, and never twice for the same") {
+  knit::Timeline timeline = small_run(wide_band());
+  timeline.extend_to_end();
+  CardCache cache;
+  cache.refresh(timeline);
+  CHECK(cache.quality() == nullptr);
+  CHECK(cache.times_measured() == 0);
+  std::size_t finished = 0;
+  for (std::size_t position = 0; position <= timeline.known(); ++position) {
+    timeline.seek(position);
+    for (int i = 0; i < 3; ++i) cache.refresh(timeline);
+    const knit::State& state = timeline.state();
+    const bool rows = !state.rows.empty();
+    REQUIRE((cache.quality() != nullptr) == rows);
+    if (rows) REQUIRE(cache.quality()->rows.size() == state.rows.size());
+    if (rows) finished = state.rows.size() + state.transitions.size() + state.strips.size();
+  }
+  CHECK(cache.times_measured() == finished);
+  // There and back again at once: replayed steps make the same rows anew.
+  timeline.seek(0);
+  timeline.seek(timeline.known());
+  cache.refresh(timeline);
+  CHECK(cache.times_measured() == finished);
+}
+
+TEST_CASE("while a run moves, measuring keeps to its budget, and is due when the run rests") {
+  knit::Timeline timeline = small_run(wide_band());
+  timeline.extend_to_end();
+  CardCache cache(0.0);  // so that the first measuring is never paid off
+  const std::size_t end = timeline.known();
+  const std::size_t third_row = timeline.position_of({knit::Stage::rows, 3, INT32_MAX});
+  for (int i = 0; i < 10; ++i) {
+    timeline.seek(i % 2 == 0 ? end : third_row);
+    cache.refresh(timeline);
+    REQUIRE(cache.quality() != nullptr);
+  }
+  CHECK(cache.times_measured() == 1);
+  CHECK(cache.quality()->rows.size() != timeline.state().rows.size());
+  cache.refresh(timeline);
+  CHECK(cache.times_measured() == 2);
+  CHECK(cache.quality()->rows.size() == timeline.state().rows.size());
+  // Another mesh's figures are never shown for this one, not even for a frame.
+  knit::Timeline other(knit::make_input(knit::sphere(20, 11, false)), wide_band());
+  other.extend_to_end();
+  other.seek(other.known());
+  cache.refresh(other);
+  CHECK(cache.times_measured() == 3);
+  CHECK(cache.quality()->rows.size() == other.state().rows.size());
+}
+
+TEST_CASE("quality follows the parameters") {
+  knit::Timeline timeline = small_run(wide_band());
+  timeline.extend_to_end();
+  timeline.seek(timeline.known());
+  CardCache cache;
+  cache.refresh(timeline);
+  REQUIRE(cache.quality() != nullptr);
+  CHECK(cache.quality()->stitch_width == wide_band().stitch_width);
+  CHECK(cache.quality()->stitch_height == stitch_height_of(wide_band()));
+  knit::Parameters wider = wide_band();
+  wider.stitch_width = 0.5;
+  timeline.tune(wider);
+  timeline.extend_to_end();
+  timeline.seek(timeline.known());
+  cache.refresh(timeline);
+  cache.refresh(timeline);
+  CHECK(cache.quality()->stitch_width == 0.5);
+}
