@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/core/card_text.h"
 #include "app/core/command_line.h"
 #include "app/core/files.h"
 #include "knit/obj.h"
@@ -379,8 +380,10 @@ TEST_CASE("files are written whole, and nothing else is left in the folder") {
   CHECK_FALSE(export_to_file(session, ExportKind::mesh, folder.path() / "mesh.obj"));
   CHECK_FALSE(export_to_file(session, ExportKind::map, folder.path() / "map.txt"));
   CHECK_FALSE(export_to_file(session, ExportKind::report, folder.path() / "report.json"));
+  CHECK_FALSE(export_to_file(session, ExportKind::card, folder.path() / "card.txt"));
   CHECK_FALSE(export_to_file(session, ExportKind::steps, folder.path() / "steps.jsonl"));
-  CHECK(folder.files() == 4);
+  CHECK(folder.files() == 5);
+  CHECK(read_text(folder.path() / "card.txt") == card_text(session));
   CHECK(read_text(folder.path() / "mesh.obj") == mesh_text(session));
   CHECK(read_text(folder.path() / "map.txt") == map_text(session));
   CHECK(read_text(folder.path() / "report.json") == report_text(session));

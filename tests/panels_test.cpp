@@ -167,7 +167,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
 TEST_CASE("choices, the axis and welding are one click") {
   Desk desk(1280, 1280);
   desk.open();
-  CHECK(only<Tune>(desk.click("knob/close", 0.1f)).parameters.close == knit::Closing::none);
+  CHECK(only<Tune>(desk.click("knob/last-anchor", 0.9f)).parameters.last_anchor == knit::LastAnchor::drop);
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.axis.kind == knit::AxisKind::x);
   desk.ui.from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.weld == knit::Weld::on);

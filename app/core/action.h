@@ -87,7 +87,7 @@ struct ShowSide {
 };
 
 // Files. A failure is a notice in the session.
-enum class ExportKind : std::uint8_t { mesh, map, report, steps, picture };
+enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, picture };
 struct Export {
   ExportKind kind = ExportKind::mesh;
   std::filesystem::path path;

@@ -14,9 +14,9 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string mesh, example, preset, at;
+  std::string mesh, example, preset, at, side;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
-  std::string save_mesh, save_map, save_report, save_steps, screenshot, size;
+  std::string save_mesh, save_map, save_report, save_card, save_steps, screenshot, size;
   std::string index_sizes, index_placement = "thesis";
   bool headless = false, list_examples = false, list_parameters = false;
 };
@@ -55,9 +55,11 @@ void declare(CLI::App& app, Words& words) {
   }
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
+  app.add_option("--side", words.side, "what the right column shows: step or report");
   app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
   app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
   app.add_option("--save-report", words.save_report, "write the report as JSON");
+  app.add_option("--save-card", words.save_card, "write the report card as text");
   app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
   app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
@@ -92,6 +94,7 @@ void add_saves(const Words& words, CommandLine& line) {
   add(words.save_mesh, ExportKind::mesh);
   add(words.save_map, ExportKind::map);
   add(words.save_report, ExportKind::report);
+  add(words.save_card, ExportKind::card);
   add(words.save_steps, ExportKind::steps);
   add(words.screenshot, ExportKind::picture);
 }
@@ -138,6 +141,10 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
           "stitches, faces, pattern.");
     }
   }
+  if (!words.side.empty() && words.side != "step" && words.side != "report") {
+    return bad_usage("--side cannot be \"" + words.side + "\"; give step or report.");
+  }
+  line.side = words.side == "report" ? SidePanel::report : SidePanel::step;
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
   }
@@ -214,6 +221,7 @@ std::optional<At> parse_at(const std::string& text) {
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
   apply(session, line.open);
+  apply(session, ShowSide{line.side});
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;

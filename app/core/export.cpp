@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "app/core/card_text.h"
 #include "app/core/files.h"
 #include "app/core/report.h"
 #include "app/core/step_json.h"
@@ -90,6 +91,8 @@ std::optional<std::string> export_to_file(const Session& session, ExportKind kin
       return write_file(path, map_text(session));
     case ExportKind::report:
       return write_file(path, report_text(session));
+    case ExportKind::card:
+      return write_file(path, card_text(session));
     case ExportKind::steps:
       return write_file(path, steps_text(session));
     case ExportKind::picture:

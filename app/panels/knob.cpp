@@ -68,7 +68,7 @@ struct Control {
     const int chosen = choice.get(parameters);
     float words = 0.0f;
     for (const std::string_view name : choice.names)
-      words += ImGui::CalcTextSize(name.data(), name.data() + name.size()).x + frame.units(4.0f);
+      words += ImGui::CalcTextSize(name.data(), name.data() + name.size()).x + frame.units(8.0f);
     const int clicked =
         words <= width ? segmented("choice", choice.names, chosen, width) : dropdown(choice.names, chosen);
     if (clicked >= 0) choice.set(parameters, clicked);

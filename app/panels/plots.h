@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "app/core/fixed_text.h"
 #include "app/panels/panels.h"
 
 namespace app {
@@ -48,8 +49,5 @@ std::optional<std::size_t> draw_row_plot(PanelFrame& frame, const RowPlot& plot,
 // Distance of marks on an axis from 0 to `high`: 1, 2 or 5 times a power of ten, so that at most `most` fit in.
 // At least 1.
 double tick_step(double high, int most);
-
-// "0.98"; a minus as the house writes it.
-std::string fixed_text(double value, int decimals);
 
 }  // namespace app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/panels/card_figures.h"
+#include "app/core/card_figures.h"
 #include "app/panels/plots.h"
 #include "app/panels/widgets.h"
 

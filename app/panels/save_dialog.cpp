@@ -14,6 +14,7 @@ constexpr std::array kinds{
     SaveKind{ExportKind::mesh, "knit mesh", "-knit.obj"},
     SaveKind{ExportKind::map, "stitch map", "-map.txt"},
     SaveKind{ExportKind::report, "report", "-report.json"},
+    SaveKind{ExportKind::card, "report card", "-card.txt"},
     SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
     SaveKind{ExportKind::picture, "picture", ".png"},
 };

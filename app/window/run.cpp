@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/core/export.h"
+#include "app/core/work_beside.h"
 #include "app/window/frame.h"
 #include "knit/narrate.h"
 
@@ -15,6 +16,7 @@ void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line
 std::optional<std::string> save_picture(Session& session, const CommandLine& line,
                                         const std::filesystem::path& path) {
   session.timeline->extend_to_end();  // so that the timeline in the picture is whole
+  if (session.side == SidePanel::report) session.closeness = closeness_now(session);
   auto picture = picture_of(session, line.width, line.height);
   if (auto* error = std::get_if<std::string>(&picture)) return std::move(*error);
   return save_png(path.string(), std::get<Image>(picture));

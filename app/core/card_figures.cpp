@@ -1,9 +1,9 @@
-#include "app/panels/card_figures.h"
+#include "app/core/card_figures.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/plots.h"
+#include "app/core/fixed_text.h"
 
 namespace app {
 
