@@ -101,8 +101,8 @@ std::vector<glm::dvec3> points_on(const Input& input, const std::vector<double>&
   points.reserve(loop.size());
   for (const auto& [a, b] : loop) {
     const double share = (value - field[a]) / (field[b] - field[a]);
-    const glm::dvec3& from = input.mesh.positions[a];
-    const glm::dvec3 point = from + share * (input.mesh.positions[b] - from);
+    // Exact at both ends, so that a cut through a vertex finds it once.
+    const glm::dvec3 point = (1.0 - share) * input.mesh.positions[a] + share * input.mesh.positions[b];
     if (points.empty() || point != points.back()) points.push_back(point);
   }
   while (points.size() > 1 && points.front() == points.back()) points.pop_back();

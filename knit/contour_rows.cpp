@@ -146,8 +146,9 @@ ChosenCount choose_count(const CutPlan& plan, std::int32_t cut, std::int32_t bel
                      .count;
   if (chosen.count == rounded) return chosen;
   chosen.reason = CountReason::room_ahead;
-  if (below > 0 && chosen.count == 2 * below) chosen.reason = CountReason::at_most_double;
-  if (below > 0 && chosen.count == (below + 1) / 2) chosen.reason = CountReason::at_least_half;
+  if (chosen.count < rounded && chosen.count == 2 * below) chosen.reason = CountReason::at_most_double;
+  if (chosen.count > rounded && below > 0 && chosen.count == (below + 1) / 2)
+    chosen.reason = CountReason::at_least_half;
   return chosen;
 }
 

@@ -2,7 +2,8 @@
 //
 // Vertices at the same place are one (Input::twin): results have one value a mesh vertex, twins alike;
 // vertices that no triangle uses get 0. Cotangent Laplacian and lumped masses on the intrinsic Delaunay
-// triangulation, so that no weight is negative and no false peak or pit appears; direct sparse Cholesky.
+// triangulation, so that no weight is negative and the harmonic field has no peak or pit along the edges of that
+// net (along the mesh's own edges small ones may show); direct sparse Cholesky.
 // K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in Heat", 2013; U. Pinkall, K. Polthier, "Computing
 // discrete minimal surfaces and their conjugates", 1993.
 //

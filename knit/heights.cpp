@@ -9,6 +9,7 @@ namespace knit {
 namespace {
 
 constexpr std::size_t bands = 1024;
+constexpr int most_passes = 8;
 
 // A triangle by rising field.
 struct Slope {
@@ -98,15 +99,23 @@ double interpolate(const std::vector<double>& xs, const std::vector<double>& ys,
   return ys[i - 1] + (ys[i] - ys[i - 1]) * ((x - xs[i - 1]) / (xs[i] - xs[i - 1]));
 }
 
+double widest_band(const HeightScale& scale) {
+  double widest = 0.0;
+  for (std::size_t i = 1; i < scale.heights.size(); ++i)
+    widest = std::max(widest, scale.heights[i] - scale.heights[i - 1]);
+  return widest;
+}
+
 }  // namespace
 
 HeightScale measure_heights(const Input& input, const std::vector<double>& field) {
   std::vector<double> even(bands + 1);
   for (std::size_t i = 0; i <= bands; ++i) even[i] = static_cast<double>(i) / bands;
   HeightScale scale = scale_over(input, field, even);
-  // A level set that grows like a pole's is steep in one variable and flat in the other: twice more, with
-  // bands of equal height.
-  for (int pass = 0; pass < 2; ++pass) {
+  // A level set that grows like a pole's is steep in one variable and flat in the other: again, with bands of
+  // equal height, until they are about that.
+  for (int pass = 0; pass < most_passes && (pass < 2 || widest_band(scale) > 2.0 * scale.total() / bands);
+       ++pass) {
     std::vector<double> values{0.0};
     for (std::size_t i = 1; i < bands; ++i) {
       const double value = value_at(scale, scale.total() * static_cast<double>(i) / bands);

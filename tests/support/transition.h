@@ -1,0 +1,85 @@
+// What must hold for every transition from row to row, whatever placed it.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "knit/faces.h"
+#include "knit/pattern.h"
+
+namespace test_support {
+
+using Cells = std::vector<std::int32_t>;
+
+// Each stitch has one or two links, in order, first to first and last to last.
+inline bool links_sound(const knit::Transition& t) {
+  const std::int32_t small = std::min(t.below, t.above);
+  if (static_cast<std::int32_t>(t.link.size()) != std::max(t.below, t.above)) return false;
+  Cells links(static_cast<std::size_t>(small), 0);
+  for (std::size_t cell = 0; cell < t.link.size(); ++cell) {
+    const std::int32_t step = cell == 0 ? t.link[cell] : t.link[cell] - t.link[cell - 1];
+    if (step < 0 || step > 1 || (cell == 0 && step != 0) || t.link[cell] >= small) return false;
+    ++links[static_cast<std::size_t>(t.link[cell])];
+  }
+  return t.link.back() == small - 1 && *std::max_element(links.begin(), links.end()) <= 2;
+}
+
+// Shaping stands on one cell of each doubled stitch and works with the other one.
+inline bool labels_agree(const knit::Transition& t) {
+  std::int32_t shaping = 0;
+  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
+    const auto partner = static_cast<std::size_t>(t.partner[cell]);
+    if (!knit::is_shaping(t.labels[cell])) {
+      if (partner != cell || (t.labels[cell] != knit::Label::knit && t.labels[cell] != knit::Label::main))
+        return false;
+      continue;
+    }
+    ++shaping;
+    if (partner + 1 != cell && cell + 1 != partner) return false;
+    if (t.link[partner] != t.link[cell] || knit::is_shaping(t.labels[partner])) return false;
+    if (t.change() > 0 ? !knit::is_increase(t.labels[cell]) : !knit::is_decrease(t.labels[cell]))
+      return false;
+  }
+  return shaping == std::abs(t.change());
+}
+
+inline bool placed_agree(const knit::Transition& t) {
+  std::vector<knit::Label> labels(t.labels.size(), knit::Label::knit);
+  bool mains_over = false;
+  for (const knit::PlacedLabel& placed : t.placed) {
+    mains_over = mains_over || placed.label != knit::Label::main;
+    if (mains_over && placed.label == knit::Label::main) return false;
+    labels[static_cast<std::size_t>(placed.cell)] = placed.label;
+  }
+  return labels == t.labels;
+}
+
+inline bool mains_sound(const knit::Transition& t, const Cells& below) {
+  bool good = !t.mains.empty() && t.mains.front() >= 0 && t.mains.back() < t.above;
+  for (std::size_t i = 1; i < t.mains.size(); ++i) good = good && t.mains[i - 1] < t.mains[i];
+  return good && (below.empty() ? t.mains.size() <= 6 : t.mains.size() <= below.size());
+}
+
+// What faces and the written line make of it.
+inline bool counts_agree(const knit::Transition& t) {
+  const knit::Strip strip = knit::build_strip(t, 0);
+  std::int32_t quads = 0;
+  std::int32_t triangles = 0;
+  for (const knit::Face& face : strip.faces) {
+    ++(face.corner_count == 4 ? quads : triangles);
+    if (knit::is_shaping(face.label) != (face.corner_count == 3)) return false;
+  }
+  const knit::PatternLine line = knit::round_line(t);
+  return quads == std::min(t.below, t.above) && triangles == std::abs(t.change()) &&
+         line.consumed == t.below && line.produced == t.above;
+}
+
+inline Cells shaping_cells(const knit::Transition& t) {
+  Cells cells;
+  for (std::size_t cell = 0; cell < t.labels.size(); ++cell)
+    if (knit::is_shaping(t.labels[cell])) cells.push_back(static_cast<std::int32_t>(cell));
+  return cells;
+}
+
+}  // namespace test_support
