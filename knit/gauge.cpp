@@ -12,7 +12,9 @@ namespace {
 constexpr double swatch_cm = 10.0;
 
 glm::dvec3 knitting_direction(const Parameters& p, const Mesh& mesh) {
-  if (p.start == no_vertex || p.end == no_vertex) return p.axis.direction();
+  // Not picked, or out of range: fault_of says that later.
+  const std::size_t count = mesh.positions.size();
+  if (p.start >= count || p.end >= count) return p.axis.direction();
   const glm::dvec3 line = mesh.positions[p.end] - mesh.positions[p.start];
   return glm::length(line) > 0.0 ? glm::normalize(line) : p.axis.direction();
 }
@@ -47,7 +49,10 @@ Parameters agreed(const Parameters& parameters, const Input& input) {
   const double scale = centimetres_per_unit(parameters, input);
   if (parameters.sizes == SizesFrom::gauge) {
     follow(result.stitch_width, swatch_cm / (parameters.gauge.stitches * scale));
-    follow(result.stitch_height, swatch_cm / (parameters.gauge.rounds * scale));
+    // A height left to itself stays so while it says the same.
+    double height = stitch_height_of(result);
+    follow(height, swatch_cm / (parameters.gauge.rounds * scale));
+    if (height != stitch_height_of(result)) result.stitch_height = height;
   } else {
     follow(result.gauge.stitches, swatch_cm / (parameters.stitch_width * scale));
     follow(result.gauge.rounds, swatch_cm / (stitch_height_of(parameters) * scale));

@@ -12,8 +12,10 @@ Happening advance_first_row(const Input& input, const Parameters& parameters, St
     const bool contours = parameters.rows == RowSource::contours;
     state.work = contours ? Work(ContourWork{}) : Work(CastOnWork{});
   }
-  if (std::holds_alternative<ContourWork>(state.work)) return advance_contours(input, parameters, state);
-  return advance_cast_on(input, parameters, state);
+  if (!std::holds_alternative<ContourWork>(state.work)) return advance_cast_on(input, parameters, state);
+  Happening happening = advance_contours(input, parameters, state);
+  if (state.next.item == 0 && std::holds_alternative<Stopped>(happening)) state.work = CastOnWork{};
+  return happening;
 }
 
 Happening advance_stage(const Input& input, const Parameters& parameters, State& state) {
@@ -52,7 +54,9 @@ bool step_is_long(const Input& input, const Parameters& parameters, const State&
   constexpr std::size_t many_triangles = 20000;
   if (input.mesh.triangles.size() < many_triangles) return false;
   if (const auto* contours = std::get_if<ContourWork>(&state.work))
-    return contours->phase == ContourPhase::plan;
+    return contours->phase == ContourPhase::cut &&
+           contours->plan->stitch_height != stitch_height_of(parameters);
+  if (state.next == Place{Stage::cast_on, 1, 0}) return parameters.rows == RowSource::contours;
   const auto* timing = std::get_if<TimingWork>(&state.work);
   if (timing == nullptr) return false;
   const TimingKind kind = timing->ends ? timing->kind : parameters.timing;

@@ -151,18 +151,23 @@ const Parameters& Timeline::parameters_of_step(std::size_t index) const {
   return parameters_at(steps_[index].place);
 }
 
-void Timeline::change_everywhere(const Parameters& before, const Parameters& parameters) {
-  base_ = agreed(with_change(base_, before, parameters), *input_);
-  for (Edit& edit : edits_)
-    edit.parameters = agreed(with_change(edit.parameters, before, parameters), *input_);
+// Only what was wished is carried over; what follows from it follows anew in each. Returns the first reader.
+Stage Timeline::change_everywhere(const Parameters& before, const Parameters& wished) {
+  Stage first = Stage::done;
+  const auto change = [&](Parameters& parameters) {
+    const Parameters changed = agreed(with_change(parameters, before, wished), *input_);
+    first = std::min(first, first_reader_of_change(parameters, changed));
+    parameters = changed;
+  };
+  change(base_);
+  for (Edit& edit : edits_) change(edit.parameters);
+  return first;
 }
 
 void Timeline::tune(const Parameters& wished) {
-  const Parameters parameters = agreed(wished, *input_);
   const Parameters before = this->parameters();
-  if (before == parameters) return;
-  const Stage reader = first_reader_of_change(before, parameters);
-  change_everywhere(before, parameters);
+  if (before == agreed(wished, *input_)) return;
+  const Stage reader = change_everywhere(before, wished);
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   rerun_from_reader(reader);

@@ -103,7 +103,7 @@ class Timeline {
   [[nodiscard]] const Parameters& parameters_at(const Place& place) const;
   bool extend_while(std::size_t steps, bool take_long);
   void take_frontier_step(const Step& step, Stage stage, bool was_long);
-  void change_everywhere(const Parameters& before, const Parameters& parameters);
+  Stage change_everywhere(const Parameters& before, const Parameters& parameters);
   void rerun_from(std::size_t position);
   void rerun_from_reader(Stage reader);
   void return_to(const Place& place);

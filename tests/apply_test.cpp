@@ -320,6 +320,22 @@ TEST_CASE("an edit from here keeps the past, and can be removed") {
   CHECK((seen(session) == before));
 }
 
+TEST_CASE("where rows come from cannot change from here once they have begun") {
+  Session session = finished_small_session();
+  for (const knit::Place& place : {knit::Place{knit::Stage::cast_on, 1, 0}, {knit::Stage::rows, 5, 3}}) {
+    apply(session, SeekPlace{place});
+    check_refused(session, EditFromHere{with(session.timeline->parameters(), "rows", "contours")},
+                  "whole run");
+    CHECK(contains(session.notices.back().text, "from rings already"));
+  }
+  apply_all(session, {SeekPlace{{knit::Stage::cast_on, 0, 0}},
+                      EditFromHere{with(session.timeline->parameters(), "rows", "contours")}, ToLast{}});
+  CHECK(session.notices.size() == 2);
+  CHECK(session.timeline->state().finished());
+  CHECK(session.timeline->base_parameters().rows == knit::RowSource::rings);
+  CHECK(session.timeline->state().rows[3]->ring->ordered_by == knit::OrderedBy::cut);
+}
+
 TEST_CASE("welding runs on the merged mesh, at the same place, and back again") {
   Session session = small_session(true);
   const std::size_t unwelded = session.timeline->input().mesh.positions.size();

@@ -392,3 +392,92 @@ TEST_CASE("go_to says when the run has no such place, and shows the nearest befo
   CHECK(contains(*not_reached, "faces"));
   CHECK(stop_shown(torus) != nullptr);
 }
+
+namespace {
+
+knit::Parameters opened_with(const Words& words) {
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  const auto error = open_as_asked(session, understood(words));
+  CAPTURE(words);
+  CHECK(error.value_or("") == "");
+  REQUIRE(session.timeline);
+  return session.timeline->parameters();
+}
+
+}  // namespace
+
+TEST_CASE("a preset comes first, settings over it, wherever they stand") {
+  CHECK(understood({"--preset", "best-rows"}).preset == "best-rows");
+  CHECK(understood({}).preset.empty());
+  const knit::Parameters best = opened_with({"--example", "egg", "--preset", "best-rows"});
+  CHECK(best.rows == knit::RowSource::contours);
+  CHECK(best.timing == knit::TimingKind::arc_length);
+  CHECK(best.placement == knit::PlacementPolicy::nearest);
+  CHECK(best.stitch_width == 0.1);
+  CHECK(best.epsilon == 0.025);
+  for (const Words& words : {Words{"--preset", "best-rows", "--placement", "even"},
+                             Words{"--placement", "even", "--preset", "best-rows"}}) {
+    const knit::Parameters p = opened_with(words);
+    CHECK(p.rows == knit::RowSource::contours);
+    CHECK(p.placement == knit::PlacementPolicy::even);
+  }
+  const Answer bad = answered({"--preset", "fluffy"});
+  CHECK(bad.exit_code == 2);
+  CHECK(bad.out.empty());
+  CHECK(bad.error == "--preset cannot be \"fluffy\"; give thesis, best-rows or knitters-gauge.");
+  CHECK(answered({"--preset", ""}).exit_code == 2);
+}
+
+TEST_CASE("a gauge given is the given view of the stitch size, epsilon comes along") {
+  const knit::Parameters p = opened_with({"--gauge", "20,28", "--height-cm", "16"});  // 8 cm a unit
+  CHECK(p.sizes == knit::SizesFrom::gauge);
+  CHECK(p.stitch_width == Approx(10.0 / 20.0 / 8.0));
+  CHECK(p.stitch_height == Approx(10.0 / 28.0 / 8.0));
+  CHECK(p.epsilon == Approx(0.5 * p.stitch_width));
+  const knit::Parameters tall = opened_with({"--height-cm", "16"});  // a height alone changes no stitch
+  CHECK(tall.sizes == knit::SizesFrom::mesh);
+  CHECK(tall.stitch_width == 0.1);
+  CHECK(tall.gauge.stitches == Approx(10.0 / (0.1 * 8.0)));
+  const knit::Parameters back = opened_with({"--preset", "knitters-gauge", "--stitch-width", "0.2"});
+  CHECK(back.sizes == knit::SizesFrom::mesh);
+  CHECK(back.stitch_width == 0.2);
+}
+
+TEST_CASE("a gauge and a size in mesh units are refused together, unless one is said to count") {
+  for (const std::string key : {"--stitch-width", "--stitch-height"}) {
+    const Answer answer = answered({"--gauge", "20,28", key, "0.2"});
+    CHECK(answer.exit_code == 2);
+    CHECK(is_one_sentence(answer.error));
+    CHECK(contains(answer.error, "--gauge and " + key));
+  }
+  const Words both{"--gauge", "20,28", "--height-cm", "16", "--stitch-width", "0.2", "--sizes"};
+  const auto counted = [&](const char* sizes) {
+    Words words = both;
+    words.emplace_back(sizes);
+    return opened_with(words);
+  };
+  CHECK(counted("mesh").stitch_width == 0.2);
+  CHECK(counted("mesh").gauge.stitches == Approx(10.0 / (0.2 * 8.0)));
+  CHECK(counted("gauge").stitch_width == Approx(10.0 / 20.0 / 8.0));
+  CHECK(counted("gauge").gauge == knit::Gauge{20.0, 28.0});
+}
+
+TEST_CASE("a stitch height left to itself, and where rounds begin") {
+  CHECK(opened_with({"--stitch-height", "0.05"}).stitch_height == 0.05);
+  CHECK(opened_with({"--preset", "knitters-gauge", "--stitch-height", "auto"}).stitch_height == 0.0);
+  CHECK(opened_with({"--start-direction", "-1,0,0"}).start_direction == glm::dvec3(-1.0, 0.0, 0.0));
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  const auto error = open_as_asked(session, understood({"--start-direction", "0,1,0"}));
+  REQUIRE(error);
+  CHECK(contains(*error, "give one across it"));
+}
+
+TEST_CASE("two picked vertices that the mesh does not have are refused, however far out they are") {
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  const auto error = open_as_asked(session, understood({"--start", "4000000000", "--end", "5"}));
+  REQUIRE(error);
+  CHECK(contains(*error, "--start 4000000000 is not a vertex"));
+}

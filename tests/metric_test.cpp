@@ -92,14 +92,18 @@ TEST_CASE("a geodesic walk does not depend on the way it is stepped") {
   const auto input = test_support::small_sphere();
   Parameters parameters = test_support::small_parameters();
   parameters.metric = Metric::geodesic;
-  Timeline timeline(input, parameters, 4096);
+  Timeline timeline(input, parameters);
   timeline.extend_to_end();
   std::vector<std::uint64_t> hashes;
   timeline.seek(0);
   hashes.push_back(hash_of(timeline.state()));
   while (timeline.forward()) hashes.push_back(hash_of(timeline.state()));
   std::size_t wrong = 0;
-  while (timeline.back()) wrong += hash_of(timeline.state()) != hashes[timeline.position()] ? 1U : 0U;
+  for (std::size_t position = timeline.known(); position > 0;
+       position -= std::min<std::size_t>(position, 7)) {
+    timeline.seek(position);
+    wrong += hash_of(timeline.state()) != hashes[position] ? 1U : 0U;
+  }
   CHECK(wrong == 0);
 }
 

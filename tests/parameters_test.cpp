@@ -1,6 +1,8 @@
 // The one table of parameters: text in, text out, ranges, first readers.
 #include "knit/parameters.h"
 
+#include <algorithm>
+
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 
@@ -110,4 +112,150 @@ TEST_CASE("defaults follow the mesh's size") {
   const Parameters p = default_parameters(bounds_of(sphere(16, 8).positions));
   CHECK(p.stitch_width == Approx(0.03 * 2 * std::sqrt(3.0)));
   CHECK(p.epsilon == Approx(0.5 * p.stitch_width));
+}
+
+TEST_CASE("numbers or auto, counts or auto, directions and gauges read back as they were written") {
+  struct Case {
+    const char* key;
+    const char* text;
+    const char* written;
+  };
+  for (const Case& c : {Case{"stitch-height", "auto", "auto"},
+                        Case{"stitch-height", "0.072", "0.072"},
+                        Case{"stitch-height", "1e-9", "1e-09"},
+                        Case{"stacking-penalty", "0", "0"},
+                        Case{"stacking-penalty", "2.50", "2.5"},
+                        Case{"stacking-penalty", "1000", "1000"},
+                        Case{"cast-on", "auto", "auto"},
+                        Case{"cast-on", "3", "3"},
+                        Case{"cast-on", "1000", "1000"},
+                        Case{"start-direction", "auto", "auto"},
+                        Case{"start-direction", "-1,0,0.5", "-1,0,0.5"},
+                        Case{"start-direction", "0,0,1e-7", "0,0,1e-07"},
+                        Case{"gauge", "22,32", "22,32"},
+                        Case{"gauge", "21.5,0.1", "21.5,0.1"},
+                        Case{"height-cm", "10000", "10000"},
+                        Case{"timing", "arc-length", "arc-length"},
+                        Case{"timing", "harmonic", "harmonic"},
+                        Case{"rows", "contours", "contours"},
+                        Case{"sizes", "gauge", "gauge"},
+                        Case{"metric", "geodesic", "geodesic"},
+                        Case{"follow-mains", "on", "on"}}) {
+    CAPTURE(c.key, c.text);
+    const ParameterInfo& info = *find_parameter(c.key);
+    Parameters p;
+    p.stitch_height = 0.3;  // so that auto changes something
+    p.cast_on = 7;
+    p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+    CHECK_FALSE(set_value(info, p, c.text));
+    CHECK(value_text(info, p) == c.written);
+    Parameters read;
+    CHECK_FALSE(set_value(info, read, value_text(info, p)));
+    CHECK(value_text(info, read) == c.written);
+  }
+  Parameters p;
+  p.cast_on = 7;
+  p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+  for (const char* key : {"stitch-height", "cast-on", "start-direction"}) CHECK_FALSE(set(p, key, "auto"));
+  CHECK(p == Parameters{});  // auto is the default of each
+  CHECK_FALSE(set(p, "gauge", "18.25,24"));
+  CHECK(p.gauge == Gauge{18.25, 24.0});
+  CHECK_FALSE(set(p, "start-direction", "-1,0,0.5"));
+  CHECK(p.start_direction == glm::dvec3(-1.0, 0.0, 0.5));
+}
+
+TEST_CASE("each kind of value is refused with what it takes") {
+  struct Kind {
+    const char* key;
+    const char* gives;
+    std::vector<const char*> refused;
+  };
+  const std::vector<Kind> kinds{
+      {"stitch-height", "a number above 0, or auto", {"0", "-1", "Auto", "inf", "", "1,2"}},
+      {"stacking-penalty", "a number from 0 up to 1000", {"-0.001", "1000.1", "auto", "nan"}},
+      {"height-cm", "a number above 0 up to 10000", {"0", "10001", "auto", "12cm"}},
+      {"cast-on", "a whole number from 3 to 1000, or auto", {"0", "2", "1001", "-6", "6.0", "Auto", ""}},
+      {"start-direction",
+       "a direction X,Y,Z that is not 0,0,0, or auto",
+       {"0,0,0", "x", "1,2", "1,2,3,4", "1,,2", "nan,0,0", "", "1e308,1e308,1e308"}},
+      {"gauge",
+       "two numbers above 0, as 22,32",
+       {"22", "22,", ",32", "0,32", "22,0", "-22,32", "22,32,1", "22 32", "inf,32", "auto", ""}},
+      {"timing", "linear, arc-length, geodesic or harmonic", {"Linear", "arc_length", "0", ""}},
+      {"rows", "rings or contours", {"ring", "contour"}},
+      {"sizes", "mesh or gauge", {"auto"}},
+      {"metric", "euclidean, arc or geodesic", {"straight"}},
+      {"follow-mains", "off or on", {"yes"}}};
+  for (const Kind& kind : kinds) {
+    for (const char* text : kind.refused) {
+      CAPTURE(kind.key, text);
+      Parameters p;
+      p.stitch_height = 0.3;
+      p.cast_on = 7;
+      p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+      const Parameters before = p;
+      const auto error = set(p, kind.key, text);
+      REQUIRE(error);
+      CHECK(*error == std::string("--") + kind.key + " cannot be \"" + text + "\"; give " + kind.gives + ".");
+      CHECK(p == before);
+    }
+  }
+}
+
+TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of nearest without it") {
+  const std::vector<std::string_view> of_rings{"level-tolerance", "metric",   "epsilon", "on-stall",
+                                               "last-anchor",     "resample", "close"};
+  const std::vector<std::string_view> of_nearest{"stacking-penalty", "follow-mains"};
+  const auto among = [](const std::vector<std::string_view>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  for (const RowSource rows : {RowSource::rings, RowSource::contours}) {
+    for (const PlacementPolicy placement :
+         {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
+      Parameters p;
+      p.rows = rows;
+      p.placement = placement;
+      for (const ParameterInfo& info : parameter_table()) {
+        CAPTURE(info.key, rows, placement);
+        const bool idle = (among(of_rings, info.key) && rows == RowSource::contours) ||
+                          (among(of_nearest, info.key) && placement != PlacementPolicy::nearest);
+        CHECK(is_read(info, p) == !idle);
+      }
+    }
+  }
+}
+
+TEST_CASE("rounds cannot begin along the direction of knitting") {
+  const Mesh mesh = sphere(16, 8);
+  const auto top = static_cast<VertexId>(mesh.positions.size() - 1);
+  const auto fault = [&](const Axis& axis, const glm::dvec3& start, bool picked) {
+    Parameters p;
+    p.axis = axis;
+    p.start_direction = start;
+    if (picked) {  // the poles: from top to bottom, whatever the axis
+      p.start = top;
+      p.end = 0;
+    }
+    return fault_of(p, mesh).value_or("");
+  };
+  const Axis y{AxisKind::y, {}};
+  const Axis x{AxisKind::x, {}};
+  CHECK(fault(y, {0, -3, 0}, false) ==
+        "--start-direction 0,-3,0 points along the direction of knitting; give one across it.");
+  CHECK(fault({AxisKind::custom, {1, 2, 3}}, {-0.5, -1, -1.5}, false).find("-0.5,-1,-1.5") !=
+        std::string::npos);
+  CHECK_FALSE(fault(x, {0, 1e-9, 0}, true).empty());  // its length says nothing
+  CHECK(fault(x, {0, 1e-9, 0}, false).empty());
+  CHECK(fault(x, {1, 0, 0}, true).empty());
+  CHECK(fault(y, {0.001, 1, 0}, false).empty());  // nearly along is across enough
+  CHECK(fault(y, {0, 0, 1}, false).empty());
+}
+
+TEST_CASE("an epsilon as wide as the stitch is a fault only where rings are walked") {
+  const Mesh mesh = sphere(16, 8);
+  Parameters p;
+  p.epsilon = 3.0 * p.stitch_width;
+  CHECK(fault_of(p, mesh));
+  p.rows = RowSource::contours;
+  CHECK_FALSE(fault_of(p, mesh));
 }

@@ -1,55 +1,9 @@
 // The rewind contract, proved by scrubbing: the state at a position never depends on the way there.
-#include <random>
-
 #include "knit/gauge.h"
-#include "tests/support/catch.h"
-#include "tests/support/run.h"
+#include "tests/support/scrub.h"
 
 using namespace knit;
-using test_support::small_parameters;
-using test_support::small_sphere;
-
-namespace {
-
-std::vector<std::uint64_t> hashes_forward(Timeline& timeline) {
-  timeline.seek(0);
-  std::vector<std::uint64_t> hashes{hash_of(timeline.state())};
-  while (timeline.forward()) hashes.push_back(hash_of(timeline.state()));
-  return hashes;
-}
-
-void check_backward(Timeline& timeline, const std::vector<std::uint64_t>& hashes) {
-  timeline.seek(timeline.known());
-  REQUIRE(timeline.position() + 1 == hashes.size());
-  std::size_t wrong = hash_of(timeline.state()) == hashes.back() ? 0 : 1;
-  while (timeline.back()) wrong += hash_of(timeline.state()) == hashes[timeline.position()] ? 0U : 1U;
-  CHECK(timeline.position() == 0);
-  CHECK(wrong == 0);
-}
-
-void check_at_random(Timeline& timeline, const std::vector<std::uint64_t>& hashes, int visits) {
-  std::mt19937 random(20260101);
-  std::size_t wrong = 0;
-  for (int i = 0; i < visits; ++i) {
-    const std::size_t position = random() % hashes.size();
-    timeline.seek(position);
-    wrong += timeline.position() == position && hash_of(timeline.state()) == hashes[position] ? 0U : 1U;
-  }
-  CHECK(wrong == 0);
-}
-
-// A tuned run must be a fresh one: same steps, same states everywhere.
-void check_equals_fresh(Timeline& tuned, const Parameters& parameters) {
-  Timeline fresh(tuned.input_pointer(), parameters);
-  fresh.extend_to_end();
-  tuned.extend_to_end();
-  REQUIRE(tuned.known() == fresh.known());
-  CHECK(tuned.steps() == fresh.steps());
-  CHECK((tuned.stop() == nullptr) == (fresh.stop() == nullptr));
-  CHECK(hashes_forward(tuned) == hashes_forward(fresh));
-}
-
-}  // namespace
+using namespace test_support;
 
 TEST_CASE("every position of the thesis sphere has one hash: forward, back, at random, on a tiny budget") {
   Timeline timeline(test_support::thesis_sphere(), test_support::thesis_parameters());

@@ -85,7 +85,8 @@ struct Apply {
   void operator()(const StepBy& a) {
     if (!open()) return;
     session.playback.playing = false;
-    if (session.beside && a.direction > 0 && timeline().next_is_long()) {
+    if (session.beside && a.direction > 0) {
+      counted([&] { return extend_now(steps_per_tick); });
       if (const auto place = place_ahead(timeline(), a.unit)) return timeline().await(*place);
     }
     timeline().seek(counted([&] { return position_after(timeline(), a.unit, a.direction); }));
@@ -190,6 +191,7 @@ struct Apply {
                  " already; set where they come from for the whole run, not from here.");
       return;
     }
+    if (!session.long_step) session.before_change = timeline().parameters();
     timeline().edit_from_here(a.parameters);
   }
   void operator()(const ApplyPreset& a) {

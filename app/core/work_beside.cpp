@@ -30,7 +30,10 @@ void tend_measuring(Session& session) {
   const knit::Timeline& timeline = *session.timeline;
   const bool finished = timeline.complete() && timeline.furthest().finished();
   const std::uint64_t run = finished ? knit::hash_of(timeline.furthest()) : 0;
-  if (session.closeness && session.closeness_run != run) session.closeness.reset();
+  if (session.closeness_run != run) {
+    session.closeness.reset();
+    session.closeness_run = 0;
+  }
   if (session.measuring_run && session.measuring_run->run != run) session.measuring_run.reset();
   if (session.measuring_run && session.measuring_run->work.ready()) {
     if (const auto measured = session.measuring_run->work.take())
@@ -57,8 +60,8 @@ void work_beside(Session& session, double seconds) {
 }
 
 std::shared_ptr<const knit::Closeness> closeness_now(const Session& session) {
-  if (session.closeness) return session.closeness;
   const knit::Timeline& timeline = *session.timeline;
+  if (session.closeness && session.closeness_run == knit::hash_of(timeline.state())) return session.closeness;
   const auto measured = knit::measure_closeness(timeline.input(), timeline.state());
   return measured ? std::make_shared<const knit::Closeness>(*measured) : nullptr;
 }

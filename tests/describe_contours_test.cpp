@@ -1,0 +1,292 @@
+// What there is to see while rows come from contours, of isolines and of critical points.
+#include "app/core/describe_contours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/core/describe.h"
+#include "app/core/palette.h"
+#include "knit/narrate.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using knit::Stage;
+
+namespace {
+
+Session session_of(const knit::Mesh& mesh, const knit::Parameters& parameters) {
+  Session session;
+  session.original = std::make_shared<const knit::Mesh>(mesh);
+  session.timeline.emplace(knit::make_input(mesh), parameters);
+  apply(session, ToLast{});
+  return session;
+}
+
+Session contour_session(knit::TimingKind timing = knit::TimingKind::arc_length) {
+  knit::Parameters parameters = test_support::small_parameters();
+  parameters.timing = timing;
+  parameters.rows = knit::RowSource::contours;
+  return session_of(knit::sphere(40, 16), parameters);
+}
+
+// Its level sets split: lying (along y) from the first one on, standing (along x) above the lower saddle.
+Session torus_session(knit::AxisKind axis) {
+  knit::Parameters parameters = test_support::small_parameters();
+  parameters.axis.kind = axis;
+  parameters.rows = knit::RowSource::contours;
+  return session_of(knit::torus(48, 24, 0.7, 0.3), parameters);
+}
+
+// Only what the step shows: finished rows are others' matter.
+Scene scene_of(const Session& session) { return Describer().describe(session); }
+
+// Moves to the first step of the kind at or after the place; returns it.
+template <class Kind>
+Kind seek_to(Session& session, const knit::Place& from) {
+  for (std::size_t i = 0; i < session.timeline->known(); ++i) {
+    const knit::Step& step = session.timeline->step(i);
+    if (step.place < from || !std::holds_alternative<Kind>(step.what)) continue;
+    apply(session, SeekTo{i + 1});
+    return std::get<Kind>(step.what);
+  }
+  FAIL("the run has no such step");
+  return {};
+}
+
+const knit::ContourWork& work_of(const Session& session) {
+  return std::get<knit::ContourWork>(session.timeline->state().work);
+}
+const knit::Ring& ring_of(const Session& session) {
+  const knit::ContourWork& work = work_of(session);
+  return *work.plan->cuts[static_cast<std::size_t>(work.cut)].loops.front();
+}
+
+std::size_t points_of(const Scene& scene, Colour colour) {
+  return static_cast<std::size_t>(std::count_if(scene.points.begin(), scene.points.end(),
+                                                [&](const Point& p) { return p.colour == colour; }));
+}
+std::size_t lines_of(const Scene& scene, Colour colour) {
+  return static_cast<std::size_t>(std::count_if(scene.lines.begin(), scene.lines.end(),
+                                                [&](const Line& l) { return l.colour == colour; }));
+}
+bool has_point(const Scene& scene, const glm::dvec3& at, Colour colour) {
+  return std::any_of(scene.points.begin(), scene.points.end(),
+                     [&](const Point& p) { return p.position == glm::vec3(at) && p.colour == colour; });
+}
+std::size_t isoline_segments(const Scene& scene) {
+  std::size_t count = 0;
+  for (const auto& set : scene.line_sets)
+    count += !set->empty() && set->front().colour == palette::isoline ? set->size() : 0U;
+  return count;
+}
+std::vector<std::string> captions_of(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const Caption& caption : scene.captions) texts.push_back(caption.text);
+  return texts;
+}
+using Texts = std::vector<std::string>;
+
+// How far along the profile of the small sphere, 16 equal chords from pole to pole, a height lies.
+double share_of_profile(double y) {
+  const auto height = [](int chord) { return -std::cos(std::numbers::pi * chord / 16.0); };
+  int chord = 0;
+  while (chord < 15 && height(chord + 1) <= y) ++chord;
+  return (chord + (y - height(chord)) / (height(chord + 1) - height(chord))) / 16.0;
+}
+
+}  // namespace
+
+TEST_CASE("a loop is drawn through all its points and closed") {
+  knit::Ring ring;
+  ring.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}};
+  std::vector<Line> lines;
+  add_loop(ring, palette::anchor, 2.0F, lines);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].from == glm::vec3(0, 0, 0));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(lines[i].to == lines[(i + 1) % 3].from);
+  CHECK(lines[2].colour == palette::anchor);
+}
+
+TEST_CASE("the plan of the rows shows every cut, once") {
+  Session session = contour_session();
+  seek_to<knit::RowsPlanned>(session, {});
+  std::size_t points = 0;
+  for (const knit::Cut& cut : work_of(session).plan->cuts) {
+    for (const auto& loop : cut.loops) points += loop->points.size();
+  }
+  CHECK(lines_of(scene_of(session), palette::ring) == points);
+  apply(session, StepBy{});
+  CHECK(lines_of(scene_of(session), palette::ring) == 0);
+}
+
+TEST_CASE("a row from a contour: crossings, the loop with its start, its length, its count, its stitches") {
+  Session session = contour_session();
+  const knit::Place row{Stage::rows, 5, 0};
+  seek_to<knit::CutFound>(session, row);
+  Scene scene = scene_of(session);
+  CHECK(points_of(scene, palette::ring) == ring_of(session).points.size());
+  for (const glm::dvec3& point : ring_of(session).points) CHECK(has_point(scene, point, palette::ring));
+  CHECK(lines_of(scene, palette::anchor) == 0);
+  CHECK(scene.captions.empty());
+
+  const auto closed = seek_to<knit::LoopClosed>(session, row);
+  scene = scene_of(session);
+  CHECK(points_of(scene, palette::ring) == 0);
+  CHECK(lines_of(scene, palette::anchor) == static_cast<std::size_t>(closed.points));
+  CHECK(has_point(scene, ring_of(session).points.front(), palette::anchor));
+  CHECK(points_of(scene, palette::anchor) == 1);
+  CHECK(scene.captions.empty());
+
+  const auto measured = seek_to<knit::LengthMeasured>(session, row);
+  scene = scene_of(session);
+  CHECK(captions_of(scene) == Texts{"L = " + knit::short_number(measured.length)});
+  CHECK(scene.captions[0].position == glm::vec3(ring_of(session).points.front()));
+
+  const auto chosen = seek_to<knit::CountChosen>(session, row);
+  scene = scene_of(session);
+  CHECK(captions_of(scene) == Texts{std::to_string(chosen.count) + " stitches"});
+  CHECK(points_of(scene, palette::stitch) == 0);
+  CHECK(lines_of(scene, palette::anchor) == static_cast<std::size_t>(closed.points));
+
+  for (int stitch = 1; stitch < chosen.count; ++stitch) {
+    apply(session, StepBy{});
+    scene = scene_of(session);
+    REQUIRE(work_of(session).stitches.size() == static_cast<std::size_t>(stitch));
+    CHECK(points_of(scene, palette::stitch) == static_cast<std::size_t>(stitch));
+    CHECK(points_of(scene, palette::accepted) == 1);
+    CHECK(has_point(scene, work_of(session).stitches.back().position, palette::accepted));
+    CHECK(scene.captions.empty());
+  }
+}
+
+TEST_CASE("the stitches of the first row from a contour have the colour of the cast on") {
+  Session session = contour_session();
+  const auto chosen = seek_to<knit::CountChosen>(session, {Stage::cast_on, 1, 0});
+  REQUIRE(chosen.count >= 3);
+  apply(session, StepBy{});
+  apply(session, StepBy{});
+  const Scene scene = scene_of(session);
+  CHECK(points_of(scene, palette::of(knit::Label::cast)) == 2);
+  CHECK(points_of(scene, palette::stitch) == 0);
+}
+
+TEST_CASE("without the cycle's layer only the stitches are left, without theirs only the cycle") {
+  Session session = contour_session();
+  seek_to<knit::CountChosen>(session, {Stage::rows, 5, 0});
+  apply(session, StepBy{});
+  apply(session, SetLayer{Layer::criticals, false});
+  apply(session, SetLayer{Layer::cycle, false});
+  Scene scene = scene_of(session);
+  CHECK(scene.lines.empty());
+  CHECK(scene.points.size() == 1);
+  apply(session, SetLayer{Layer::stitches, false});
+  scene = scene_of(session);
+  CHECK((scene.lines.empty() && scene.points.empty() && scene.captions.empty()));
+  apply(session, SetLayer{Layer::cycle, true});
+  scene = scene_of(session);
+  CHECK(points_of(scene, palette::stitch) == 0);
+  CHECK(lines_of(scene, palette::anchor) > 0);
+}
+
+TEST_CASE("isolines lie at equal steps of the time, by height or along the surface") {
+  const auto timing = GENERATE(knit::TimingKind::linear, knit::TimingKind::arc_length);
+  Session session = contour_session(timing);
+  const auto lines = isolines_of(session.timeline->input(), *session.timeline->state().timing);
+  std::array<std::size_t, 20> met{};
+  std::size_t off = 0;
+  for (const Line& line : *lines) {
+    CHECK(line.colour == palette::isoline);
+    const double y = line.from.y;
+    const double time = timing == knit::TimingKind::linear ? (y + 1.0) / 2.0 : share_of_profile(y);
+    const double which = std::round(20.0 * time);
+    met.at(static_cast<std::size_t>(which)) += 1;
+    off += std::abs(20.0 * time - which) < 0.01 && line.from.y == Approx(line.to.y).margin(1e-6) ? 0U : 1U;
+  }
+  CHECK(off == 0);
+  CHECK(met[0] == 0);
+  for (std::size_t i = 1; i < 20; ++i) CHECK(met.at(i) > 0);
+}
+
+TEST_CASE("isolines are there with their layer once the times are, and are made once") {
+  Session session = contour_session();
+  Describer describer;
+  apply(session, SeekTo{100});
+  CHECK(isoline_segments(describer.describe(session)) == 0);
+  const auto isolines_at = [&](const knit::Place& place) {
+    apply(session, SeekPlace{place});
+    const Scene scene = describer.describe(session);
+    REQUIRE(isoline_segments(scene) > 0);
+    return scene.line_sets.front();
+  };
+  const auto first = isolines_at({Stage::rows, 3, 1});
+  CHECK(isolines_at({Stage::rows, 3, 2}) == first);
+  apply(session, SeekPlace{{Stage::done, 0, 0}});  // the knit mesh covers the surface
+  CHECK(isoline_segments(describer.describe(session)) == 0);
+  CHECK(isolines_at({Stage::cast_on, 1, 0}) == first);
+  apply(session, SetLayer{Layer::isolines, false});
+  CHECK(isoline_segments(describer.describe(session)) == 0);
+  apply(session, SetLayer{Layer::isolines, true});
+  CHECK(isolines_at({Stage::rows, 4, 0}) == first);
+
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.timing = knit::TimingKind::linear;
+  apply(session, Tune{parameters});
+  apply(session, ToLast{});
+  CHECK(isolines_at({Stage::rows, 3, 1}) != first);
+}
+
+TEST_CASE("critical points are marked from where they are found, and named there") {
+  Session session = contour_session();
+  apply(session, SeekTo{100});
+  const auto count_marks = [](const Scene& scene) {
+    return points_of(scene, palette::time_low) + points_of(scene, palette::time_high) +
+           points_of(scene, palette::problem);
+  };
+  CHECK(count_marks(scene_of(session)) == 0);
+  seek_to<knit::CriticalsFound>(session, {});
+  const auto& mesh = session.timeline->input().mesh;
+  Scene scene = scene_of(session);
+  CHECK(has_point(scene, mesh.positions.front(), palette::time_low));
+  CHECK(has_point(scene, mesh.positions.back(), palette::time_high));
+  CHECK(count_marks(scene) == 2);
+  CHECK(captions_of(scene) == Texts{"minimum", "maximum"});
+  apply(session, StepBy{});
+  scene = scene_of(session);
+  CHECK(count_marks(scene) == 2);
+  CHECK(scene.captions.empty());
+  apply(session, SetLayer{Layer::criticals, false});
+  CHECK(count_marks(scene_of(session)) == 0);
+}
+
+TEST_CASE("where a run stops at a split the loops and the saddle to blame are shown, by name") {
+  const auto axis = GENERATE(knit::AxisKind::x, knit::AxisKind::y);
+  CAPTURE(axis);
+  Session session = torus_session(axis);
+  REQUIRE(stop_shown(session) != nullptr);
+  const auto& stopped = std::get<knit::Stopped>(stop_shown(session)->what);
+  REQUIRE(stopped.reason == knit::StopReason::splits);
+  const auto& criticals = session.timeline->state().timing->criticals;
+  const auto& place = session.timeline->input().mesh.positions[stopped.vertex];
+  Scene scene = scene_of(session);
+  CHECK(captions_of(scene) == Texts{"saddle"});
+  CHECK(scene.captions[0].position == glm::vec3(place));
+  CHECK(scene.captions[0].colour == palette::problem);
+  CHECK(scene.points.size() == criticals.points.size());
+  const auto blamed = std::find_if(scene.points.begin(), scene.points.end(),
+                                   [](const Point& p) { return p.diameter_px > 10.0F; });
+  REQUIRE(blamed != scene.points.end());
+  CHECK(blamed->position == glm::vec3(place));
+  const knit::Cut& cut = work_of(session).plan->cuts.back();
+  REQUIRE(cut.loops.size() == 2);
+  CHECK(lines_of(scene, palette::problem) == cut.loops[0]->points.size() + cut.loops[1]->points.size());
+
+  apply(session, StepBy{Unit::item, -1});
+  CHECK(scene_of(session).captions.empty());
+  CHECK(lines_of(scene_of(session), palette::problem) == 0);
+  apply(session, ToLast{});
+  apply(session, SetLayer{Layer::criticals, false});
+  CHECK(scene_of(session).captions.empty());
+}

@@ -1,0 +1,168 @@
+// Steps that take long: where they are, that they can be taken elsewhere, and that they are taken once.
+#include <set>
+
+#include "knit/narrate.h"
+#include "tests/support/beside.h"
+
+using namespace knit;
+using test_support::large_parameters;
+
+namespace {
+
+Timeline large_run(TimingKind timing) {
+  return {make_input(*test_support::large_ball()), large_parameters(timing)};
+}
+
+// Works the run out as a window does; the kinds of the steps that were taken at once.
+std::set<std::string> run_briefly(Timeline& timeline) {
+  std::set<std::string> brief;
+  while (!timeline.complete()) {
+    const std::size_t known = timeline.known();
+    timeline.extend_briefly(10000);
+    for (std::size_t i = known; i < timeline.known(); ++i)
+      brief.insert(std::string(kind_name(timeline.step(i))));
+    if (timeline.next_is_long()) timeline.accept(timeline.next_job(), Timeline::work(timeline.next_job()));
+  }
+  return brief;
+}
+
+std::set<std::string> solves() {
+  const auto name = [](const Happening& what) { return std::string(kind_name({{}, what})); };
+  return {name(FieldSolved{}), name(HeightsMeasured{}), name(CriticalsFound{}), name(LevelsGrouped{})};
+}
+
+// What a state holds that was long in the making.
+std::vector<std::shared_ptr<const void>> long_products(const State& state) {
+  std::vector<std::shared_ptr<const void>> all{state.timing.pointer()};
+  if (const auto* timing = std::get_if<TimingWork>(&state.work)) {
+    all.insert(all.end(), {timing->net.pointer(), timing->heat.pointer(), timing->slopes.pointer(),
+                           timing->field.pointer(), timing->scale.pointer(), timing->criticals.pointer()});
+  }
+  if (const auto* contours = std::get_if<ContourWork>(&state.work))
+    all.emplace_back(contours->plan.pointer());
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what takes long on a large mesh is not taken by the way") {
+  const TimingKind timing =
+      GENERATE(TimingKind::linear, TimingKind::arc_length, TimingKind::geodesic, TimingKind::harmonic);
+  CAPTURE(timing);
+  Timeline timeline = large_run(timing);
+  const std::set<std::string> brief = run_briefly(timeline);
+  for (const std::string& solve : solves()) CHECK(brief.count(solve) == 0);
+  CHECK(timeline.furthest().finished());
+  Timeline plain = large_run(timing);
+  plain.extend_to_end();
+  CHECK(timeline.steps() == plain.steps());
+  CHECK(timeline.furthest() == plain.furthest());
+}
+
+TEST_CASE("planning rows on a large mesh is not taken by the way either") {
+  const std::string planned(kind_name({{}, RowsPlanned{}}));
+  Timeline timeline = large_run(TimingKind::linear);
+  CHECK(run_briefly(timeline).count(planned) == 0);
+  timeline.seek(timeline.position_of({Stage::rows, 6, 0}));
+  Parameters higher = timeline.parameters();
+  higher.stitch_height = 0.3;
+  timeline.edit_from_here(higher);
+  CHECK(run_briefly(timeline).count(planned) == 0);
+}
+
+TEST_CASE("on a small mesh no step is long") {
+  Timeline timeline(test_support::small_sphere(), large_parameters(TimingKind::geodesic));
+  while (timeline.extend_briefly(1)) CHECK_FALSE(timeline.next_is_long());
+  CHECK(timeline.furthest().finished());
+}
+
+TEST_CASE("brief steps end before a long one, however often they are asked for") {
+  Timeline timeline = large_run(TimingKind::geodesic);
+  CHECK(timeline.extend_briefly(1000000));  // there is more to come
+  CHECK(timeline.known() == 1);
+  CHECK(timeline.extend_briefly(1000000));
+  CHECK(timeline.known() == 1);
+  CHECK(timeline.next_is_long());
+  timeline.extend(1);  // this one waits for it
+  CHECK(timeline.known() == 2);
+}
+
+TEST_CASE("an outcome counts once, where its job was given out, and as long as nothing was changed") {
+  Timeline timeline = large_run(TimingKind::geodesic);
+  timeline.extend_briefly(10);
+  const Timeline::Job job = timeline.next_job();
+  const Timeline::Outcome outcome = Timeline::work(job);
+  CHECK(job.state == timeline.furthest());  // the job is worked on copies
+
+  Timeline other = large_run(TimingKind::geodesic);  // the same mesh, but another object
+  other.extend_briefly(10);
+  other.accept(job, outcome);
+  CHECK(other.known() == 1);
+
+  Timeline tuned = timeline;
+  Parameters wider = tuned.parameters();
+  wider.stitch_width = 0.25;
+  tuned.tune(wider);
+  tuned.accept(job, outcome);
+  CHECK(tuned.known() == 1);
+  tuned.tune(job.parameters);  // back again: it is the step that is due
+  tuned.accept(job, outcome);
+  CHECK(tuned.known() == 2);
+
+  Timeline back = timeline;
+  back.seek(0);
+  wider.timing = TimingKind::harmonic;
+  back.tune(wider);
+  back.accept(job, outcome);
+  CHECK(back.known() == 0);
+
+  timeline.accept(job, outcome);
+  REQUIRE(timeline.known() == 2);
+  CHECK(timeline.furthest() == outcome.state);
+  CHECK(timeline.step(1) == outcome.step);
+  timeline.accept(job, outcome);
+  CHECK(timeline.known() == 2);
+}
+
+TEST_CASE("a place that is awaited is shown as soon as an outcome reaches it") {
+  Timeline timeline = large_run(TimingKind::geodesic);
+  timeline.extend_briefly(10);
+  const Place net{Stage::timing, 0, 1};
+  timeline.await(net);
+  CHECK(timeline.position() == 1);  // until then the end of what is known
+  CHECK(timeline.sought() == net);
+  timeline.accept(timeline.next_job(), Timeline::work(timeline.next_job()));
+  CHECK(timeline.place() == net);
+  CHECK_FALSE(timeline.sought());
+  timeline.await({Stage::done, 0, 0});
+  run_briefly(timeline);
+  CHECK(timeline.position() == timeline.known());
+  timeline.await(net);  // known already
+  CHECK(timeline.place() == net);
+  CHECK_FALSE(timeline.sought());
+}
+
+TEST_CASE("a long step is not taken again on the way back and forth") {
+  Timeline timeline = large_run(TimingKind::geodesic);
+  timeline.extend_to_end();
+  const std::size_t times = large_run(TimingKind::geodesic).input().mesh.positions.size();
+  // Ends, four solves; the times; critical points and levels.
+  for (const std::size_t at :
+       {std::size_t{2}, std::size_t{3}, std::size_t{4}, std::size_t{5}, times + 6, times + 7}) {
+    CAPTURE(at);
+    timeline.seek(at);
+    const auto kept = long_products(timeline.state());  // held, so that no other gets their places
+    timeline.seek(0);
+    timeline.seek(timeline.known());
+    timeline.seek(at - 1);
+    timeline.forward();
+    CHECK(timeline.position() == at);
+    CHECK(long_products(timeline.state()) == kept);
+    timeline.seek(at - 1);
+    timeline.seek(at + 1);
+    timeline.back();
+    CHECK(long_products(timeline.state()) == kept);
+  }
+  timeline.seek(times + 7);
+  CHECK(timeline.state().timing.pointer() == timeline.furthest().timing.pointer());
+}

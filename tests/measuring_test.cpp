@@ -1,0 +1,109 @@
+// How close the finished piece is, measured beside the window: once it is finished, and of that run only.
+#include "app/core/work_beside.h"
+#include "tests/support/beside.h"
+
+using namespace app;
+using namespace test_support;
+
+namespace {
+
+Session measured_session() {
+  Session session = small_session();
+  session.beside = true;
+  tick_until(session, is_measured);
+  return session;
+}
+
+knit::Closeness measured_anew(const Session& session) {
+  return knit::measure_closeness(session.timeline->input(), session.timeline->furthest()).value();
+}
+
+void check_measures(const Session& session) {
+  REQUIRE(session.closeness);
+  const knit::Closeness plain = measured_anew(session);
+  CHECK(session.closeness->knit_area == plain.knit_area);
+  CHECK(session.closeness->mesh_to_knit.mean == plain.mesh_to_knit.mean);
+  CHECK(session.closeness->knit_to_mesh.max == plain.knit_to_mesh.max);
+}
+
+void tune_cast_on(Session& session, int count) {
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.cast_on = count;
+  apply(session, Tune{parameters});
+}
+
+}  // namespace
+
+TEST_CASE("closeness is measured once the run is finished, wherever one looks") {
+  Session session = small_session();
+  session.beside = true;
+  apply(session, PassTime{0.001});
+  CHECK_FALSE(session.measuring);  // the run has only now been worked out
+  apply(session, PassTime{0.001});
+  CHECK((session.measuring || session.closeness));
+  tick_until(session, is_measured);
+  CHECK_FALSE(session.measuring);
+  CHECK_FALSE(session.measuring_run);
+  CHECK(session.timeline->position() == 0);
+  check_measures(session);
+  const auto once = session.closeness;
+  for (int i = 0; i < 5; ++i) apply(session, PassTime{0.001});
+  CHECK(session.closeness == once);  // the same object: not measured again
+}
+
+TEST_CASE("closeness is forgotten when the run changes, and measured anew") {
+  Session session = measured_session();
+  const double before = session.closeness->knit_area;
+  tune_cast_on(session, 9);
+  apply(session, PassTime{0.001});
+  CHECK(session.closeness == nullptr);
+  tick_until(session, is_measured);
+  CHECK(session.closeness->knit_area != before);
+  check_measures(session);
+}
+
+TEST_CASE("a run that stops is not measured") {
+  Session session = small_session();
+  session.beside = true;
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.axis = {knit::AxisKind::z, {}};
+  apply(session, Tune{parameters});
+  for (int i = 0; i < 5; ++i) apply(session, PassTime{0.001});
+  REQUIRE(session.timeline->stop() != nullptr);
+  CHECK_FALSE(session.measuring);
+  CHECK_FALSE(session.measuring_run);
+  CHECK(session.closeness == nullptr);
+}
+
+TEST_CASE("a change that is taken back before the new run was measured is measured again") {
+  Session session = measured_session();
+  const int cast_on = session.timeline->parameters().cast_on;
+  tune_cast_on(session, 9);
+  apply(session, PassTime{0.001});
+  tune_cast_on(session, cast_on);
+  for (int i = 0; i < 4; ++i) apply(session, PassTime{0.001});
+  CHECK((session.measuring || session.closeness));
+  tick_until(session, [](Session& s) { return !s.measuring; });
+  check_measures(session);
+}
+
+TEST_CASE("a change that leaves the run as it is leaves it measured") {
+  Session session = measured_session();
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.height_cm = 30.0;  // the mesh gives the sizes
+  apply(session, Tune{parameters});
+  for (int i = 0; i < 4; ++i) apply(session, PassTime{0.001});
+  CHECK((session.measuring || session.closeness));
+}
+
+TEST_CASE("a report measures what it reports on") {
+  Session session = measured_session();
+  apply(session, SeekPlace{{knit::Stage::faces, 5, 3}});
+  const auto there = knit::measure_closeness(session.timeline->input(), session.timeline->state());
+  REQUIRE(there);
+  CHECK(closeness_now(session)->knit_area == there->knit_area);
+  apply(session, ToLast{});
+  tune_cast_on(session, 9);  // no tick since
+  apply(session, ToLast{});
+  CHECK(closeness_now(session)->knit_area == measured_anew(session).knit_area);
+}

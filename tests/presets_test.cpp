@@ -1,0 +1,155 @@
+// Presets: settings that the table takes, that run, and that say what they are for.
+#include "app/core/presets.h"
+
+#include <set>
+
+#include "knit/measures.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using test_support::contains;
+using test_support::example_session;
+using test_support::is_one_sentence;
+
+namespace {
+
+const Preset& preset(std::string_view key) {
+  const Preset* found = find_preset(key);
+  REQUIRE(found != nullptr);
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("there are three presets, each found by its key, with a title and a sentence") {
+  std::set<std::string_view> keys;
+  for (const Preset& p : presets()) {
+    CAPTURE(p.key);
+    keys.insert(p.key);
+    CHECK(find_preset(p.key) == &p);
+    CHECK_FALSE(p.title.empty());
+    CHECK(is_one_sentence(std::string(p.about)));
+    CHECK_FALSE(p.settings.empty());
+  }
+  CHECK(keys == std::set<std::string_view>{"thesis", "best-rows", "knitters-gauge"});
+  CHECK(presets().size() == 3);
+  CHECK(preset_keys() == "thesis, best-rows or knitters-gauge");
+  CHECK(find_preset("") == nullptr);
+  CHECK(find_preset("Thesis") == nullptr);
+}
+
+TEST_CASE("every setting of a preset is taken by the table, and is in force afterwards") {
+  // Away from every default, so that a setting which is not applied shows.
+  knit::Parameters odd;
+  odd.timing = knit::TimingKind::harmonic;
+  odd.sizes = knit::SizesFrom::gauge;
+  odd.stitch_height = 0.7;
+  odd.gauge = {9.0, 9.0};
+  odd.height_cm = 99.0;
+  odd.start_direction = glm::dvec3(1.0, 0.0, 0.0);
+  odd.cast_on = 9;
+  odd.metric = knit::Metric::arc;
+  odd.last_anchor = knit::LastAnchor::drop;
+  odd.close = knit::Closing::none;
+  odd.placement = knit::PlacementPolicy::even;
+  odd.stacking_penalty = 3.0;
+  odd.follow_mains = knit::FollowMains::on;
+  for (const Preset& p : presets()) {
+    std::set<std::string_view> keys;
+    for (const PresetSetting& setting : p.settings) {
+      CAPTURE(p.key, setting.key, setting.value);
+      CHECK(keys.insert(setting.key).second);
+      const knit::ParameterInfo* info = knit::find_parameter(setting.key);
+      REQUIRE(info != nullptr);
+      knit::Parameters scratch = odd;
+      CHECK_FALSE(knit::set_value(*info, scratch, setting.value));
+      CHECK(knit::value_text(*info, with_preset(p, odd)) == setting.value);
+    }
+    // What it does not name stays.
+    const knit::Parameters set = with_preset(p, odd);
+    for (const knit::ParameterInfo& info : knit::parameter_table()) {
+      if (keys.count(info.key) == 0) CHECK(knit::value_text(info, set) == knit::value_text(info, odd));
+    }
+    CHECK(with_preset(p, set) == set);
+  }
+}
+
+TEST_CASE("each preset runs to the end on the sphere, the egg and the vase") {
+  const std::string name = GENERATE(as<std::string>(), "sphere", "egg", "vase");
+  Session session = example_session(name);
+  for (const Preset& p : presets()) {
+    CAPTURE(name, p.key);
+    apply(session, ApplyPreset{std::string(p.key)});
+    apply(session, ToLast{});
+    CHECK(session.notices.empty());
+    CHECK(session.timeline->stop() == nullptr);
+    CHECK(session.timeline->state().finished());
+    CHECK(knit::euler_characteristic(session.timeline->state()) == 0);
+  }
+}
+
+TEST_CASE("the thesis's preset gives the thesis's sphere its golden counts, from wherever one comes") {
+  Session session = example_session("thesis-sphere");
+  apply(session, ApplyPreset{"best-rows"});
+  knit::Parameters other = session.timeline->parameters();
+  other.start_direction = glm::dvec3(1.0, 0.0, 0.0);
+  other.cast_on = 9;
+  other.last_anchor = knit::LastAnchor::drop;
+  apply(session, Tune{other});
+  apply(session, ToLast{});
+  CHECK(knit::count_stitches(session.timeline->state()) != 3372);
+  apply(session, ApplyPreset{"thesis"});
+  apply(session, ToLast{});
+  CHECK(session.notices.empty());
+  CHECK(knit::count_stitches(session.timeline->state()) == 3372);
+  CHECK(knit::count_faces(session.timeline->state()).quads == 3307);
+  CHECK(knit::count_faces(session.timeline->state()).triangles == 118);
+}
+
+TEST_CASE("the knitter's gauge makes an object of 12 cm from 22 stitches and 32 rounds in 10 cm") {
+  Session session = example_session("sphere");
+  apply(session, ApplyPreset{"knitters-gauge"});
+  const knit::Parameters& p = session.timeline->parameters();
+  CHECK(p.stitch_width == Approx(10.0 / 22.0 / 6.0));
+  CHECK(p.stitch_height == Approx(10.0 / 32.0 / 6.0));
+  CHECK(p.epsilon == 0.025);
+}
+
+TEST_CASE("a preset is a change for the whole run: the place is kept, and twice is once") {
+  Session session = example_session("egg");
+  apply(session, ToLast{});
+  const knit::Place place{knit::Stage::rows, 5, 2};
+  apply(session, SeekPlace{place});
+  apply(session, ApplyPreset{"best-rows"});
+  apply(session, PassTime{0.0});
+  CHECK(session.timeline->place() == place);
+  CHECK(session.timeline->edits().empty());
+  CHECK(session.timeline->base_parameters() ==
+        with_preset(preset("best-rows"), session.timeline->base_parameters()));
+
+  const knit::Parameters once = session.timeline->parameters();
+  const std::uint64_t end = knit::hash_of(session.timeline->furthest());
+  const std::size_t known = session.timeline->known();
+  apply(session, ApplyPreset{"best-rows"});
+  CHECK(session.timeline->parameters() == once);
+  CHECK(session.timeline->known() == known);  // nothing to run anew
+  CHECK(knit::hash_of(session.timeline->furthest()) == end);
+  CHECK(session.timeline->place() == place);
+}
+
+TEST_CASE("an unknown preset is a notice and nothing else, with or without a mesh") {
+  Session empty;
+  apply(empty, ApplyPreset{"thesis"});
+  CHECK(empty.notices.empty());
+  for (Session session : {Session{}, test_support::finished_small_session()}) {
+    const std::size_t known = session.timeline ? session.timeline->known() : 0;
+    apply(session, ApplyPreset{"fluffy"});
+    REQUIRE(session.notices.size() == 1);
+    CHECK(session.notices[0].kind == Notice::Kind::error);
+    CHECK(is_one_sentence(session.notices[0].text));
+    CHECK(contains(session.notices[0].text, "fluffy"));
+    CHECK(contains(session.notices[0].text, preset_keys()));
+    CHECK((session.timeline ? session.timeline->known() : 0) == known);
+  }
+}

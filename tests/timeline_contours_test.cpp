@@ -1,0 +1,189 @@
+// The rewind contract for rows from contours and for times solved for on the surface.
+#include "knit/gauge.h"
+#include "knit/heights.h"
+#include "tests/support/scrub.h"
+
+using namespace knit;
+using namespace test_support;
+
+namespace {
+
+Parameters contours(TimingKind timing) {
+  Parameters p = small_parameters();
+  p.timing = timing;
+  p.rows = RowSource::contours;
+  p.placement = PlacementPolicy::nearest;
+  return p;
+}
+
+Parameters changed(Parameters p, const char* key, const char* value) {
+  REQUIRE_FALSE(set_value(*find_parameter(key), p, value));
+  return p;
+}
+
+// The position after the first step at or after `from` that is of the kind.
+template <class Kind>
+std::size_t position_after_step(const Timeline& timeline, const Place& from) {
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    const Step& step = timeline.step(i);
+    if (step.place >= from && std::holds_alternative<Kind>(step.what)) return i + 1;
+  }
+  return timeline.known() + 1;
+}
+
+template <class Kind>
+std::vector<Kind> steps_of(const Timeline& timeline) {
+  std::vector<Kind> found;
+  for (const Step& step : timeline.steps()) {
+    if (const auto* what = std::get_if<Kind>(&step.what)) found.push_back(*what);
+  }
+  return found;
+}
+
+// A run edited just after row 6 was counted.
+struct Edited {
+  Timeline plain;
+  Timeline timeline;
+  std::size_t at;
+};
+Edited edited(const Parameters& base, const char* key, const char* value) {
+  Edited run{Timeline(small_sphere(), base), Timeline(small_sphere(), base), 0};
+  run.plain.extend_to_end();
+  run.timeline.extend_to_end();
+  REQUIRE(run.plain.furthest().finished());
+  run.at = position_after_step<CountChosen>(run.plain, {Stage::rows, 6, 0});
+  run.timeline.seek(run.at);
+  run.timeline.edit_from_here(changed(base, key, value));
+  run.timeline.extend_to_end();
+  return run;
+}
+
+// Past and the row in the making stay to the bit; positions still have one hash.
+void check_past(Edited& run) {
+  CHECK(run.timeline.position() == run.at);
+  CHECK(std::equal(run.plain.steps().begin(), run.plain.steps().begin() + static_cast<std::ptrdiff_t>(run.at),
+                   run.timeline.steps().begin()));
+  REQUIRE(run.timeline.furthest().finished());
+  for (std::size_t row = 0; row < 6; ++row)
+    CHECK(run.plain.furthest().rows[row] == run.timeline.furthest().rows[row]);
+  const std::vector<std::uint64_t> hashes = hashes_forward(run.timeline);
+  check_backward(run.timeline, hashes);
+  check_at_random(run.timeline, hashes, 100);
+}
+
+}  // namespace
+
+TEST_CASE("every position of a run from contours has one hash: forward, back, at random, on a tiny budget") {
+  const TimingKind timing =
+      GENERATE(TimingKind::linear, TimingKind::arc_length, TimingKind::geodesic, TimingKind::harmonic);
+  CAPTURE(timing);
+  Timeline timeline(small_sphere(), contours(timing));
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  REQUIRE(timeline.furthest().finished());
+  for (std::size_t i = 1; i < hashes.size(); ++i) CHECK(hashes[i] != hashes[i - 1]);
+  check_backward(timeline, hashes);
+  check_at_random(timeline, hashes, 1000);
+
+  Timeline tight(small_sphere(), contours(timing), 4096);
+  tight.extend_to_end();
+  CHECK(tight.keyframe_bytes() <= 4096);
+  check_at_random(tight, hashes, 40);
+  CHECK(hashes_forward(tight) == hashes);
+}
+
+TEST_CASE("a run from contours that stops has one hash a position, too") {
+  Parameters p = contours(TimingKind::arc_length);
+  p.stitch_width = 100.0;  // no cut is long enough
+  const auto stops =
+      GENERATE_COPY(std::pair(small_sphere(), p),
+                    std::pair(make_input(torus(24, 12, 0.7, 0.3)), contours(TimingKind::linear)));
+  Timeline timeline(stops.first, stops.second);
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  REQUIRE(timeline.stop() != nullptr);
+  check_backward(timeline, hashes);
+  check_at_random(timeline, hashes, 100);
+}
+
+TEST_CASE("tuning a run from contours gives the run as if it had been so from the start") {
+  struct Change {
+    const char* key;
+    const char* value;
+  };
+  const Change change =
+      GENERATE(Change{"stitch-height", "0.15"}, Change{"stitch-width", "0.25"}, Change{"cast-on", "7"},
+               Change{"timing", "linear"}, Change{"timing", "geodesic"}, Change{"timing", "harmonic"},
+               Change{"rows", "rings"}, Change{"placement", "even"}, Change{"placement", "thesis"},
+               Change{"start-direction", "1,0,0"}, Change{"stacking-penalty", "4"}, Change{"epsilon", "0.1"},
+               Change{"axis", "x"}, Change{"end", "70"});
+  CAPTURE(change.key, change.value);
+  const Parameters before = contours(TimingKind::arc_length);
+  for (const double part : {0.0, 0.45, 0.6, 0.8, 1.0}) {
+    Timeline timeline(small_sphere(), before, 20000);
+    timeline.extend_to_end();
+    timeline.seek(static_cast<std::size_t>(part * static_cast<double>(timeline.known())));
+    timeline.tune(changed(before, change.key, change.value));
+    check_equals_fresh(timeline, changed(before, change.key, change.value));
+    timeline.tune(before);
+    check_equals_fresh(timeline, before);
+  }
+}
+
+TEST_CASE("rings tuned to contours, and times of one kind to another") {
+  for (const TimingKind timing : {TimingKind::arc_length, TimingKind::geodesic, TimingKind::harmonic}) {
+    Timeline timeline(small_sphere(), small_parameters());
+    timeline.extend_to_end();
+    timeline.seek(timeline.position_of({Stage::rows, 6, 9}));
+    timeline.tune(contours(timing));
+    check_equals_fresh(timeline, contours(timing));
+  }
+}
+
+TEST_CASE("a stitch height edited between two rows plans the rest anew and keeps what is knitted") {
+  const Parameters base = contours(TimingKind::arc_length);
+  Edited run = edited(base, "stitch-height", "0.1");
+  check_past(run);
+  const auto plans = steps_of<RowsPlanned>(run.timeline);
+  REQUIRE(plans.size() == 2);
+  const State& end = run.timeline.furthest();
+  const double total = end.timing->scale.total();
+  CHECK(plans[1].stitch_height == 0.1);
+  CHECK(plans[1].height == Approx((1.0 - end.rows[5]->time) * total));
+  CHECK(plans[1].row_height == Approx(plans[1].height / std::round(plans[1].height / 0.1)));
+  CHECK(end.rows.size() > run.plain.furthest().rows.size());
+  for (std::size_t row = 6; row < end.rows.size(); ++row) {
+    CAPTURE(row);
+    CHECK((end.rows[row]->time - end.rows[row - 1]->time) * total == Approx(plans[1].row_height));
+  }
+}
+
+TEST_CASE(
+    "a stitch width edited between two rows changes the counts to come, and left to itself the height "
+    "follows") {
+  Parameters base = contours(TimingKind::arc_length);
+  for (const double height : {0.216, 0.0}) {
+    base.stitch_height = height;
+    Edited run = edited(base, "stitch-width", "0.2");
+    check_past(run);
+    const auto plans = steps_of<RowsPlanned>(run.timeline);
+    REQUIRE(plans.size() == (height > 0.0 ? 1 : 2));
+    CHECK(plans.back().stitch_height == Approx(height > 0.0 ? 0.216 : 0.144));
+    const auto counts = steps_of<CountChosen>(run.timeline);
+    CHECK(counts[5].count == steps_of<CountChosen>(run.plain)[5].count);
+    for (std::size_t row = 6; row < counts.size(); ++row) {
+      CAPTURE(row);
+      CHECK(counts[row].ideal == Approx(run.timeline.furthest().rows[row]->ring->length / 0.2));
+    }
+    CHECK(run.timeline.furthest().rows[7]->stitches.size() > run.plain.furthest().rows[7]->stitches.size());
+  }
+}
+
+TEST_CASE("an edited run from contours is the unedited one again when the edit is removed") {
+  const auto [key, value] = GENERATE(std::pair{"stitch-height", "0.1"}, std::pair{"stitch-width", "0.2"},
+                                     std::pair{"placement", "even"});
+  Edited run = edited(contours(TimingKind::arc_length), key, value);
+  CHECK(run.timeline.steps() != run.plain.steps());
+  run.timeline.remove_edit(0);
+  run.timeline.extend_to_end();
+  CHECK(run.timeline.steps() == run.plain.steps());
+  CHECK(run.timeline.furthest() == run.plain.furthest());
+}

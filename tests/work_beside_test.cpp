@@ -1,0 +1,190 @@
+// Long work beside the window: it comes to the same, nobody waits for it, and nothing stale counts.
+#include "app/core/work_beside.h"
+
+#include <algorithm>
+
+#include "tests/support/beside.h"
+
+using namespace app;
+using knit::Stage;
+using knit::TimingKind;
+using namespace test_support;
+
+namespace {
+
+// What may take longer than a frame on a large mesh, told from what was done.
+bool was_long(const knit::Step& step) {
+  return std::holds_alternative<knit::FieldSolved>(step.what) ||
+         std::holds_alternative<knit::HeightsMeasured>(step.what) ||
+         std::holds_alternative<knit::CriticalsFound>(step.what) ||
+         std::holds_alternative<knit::LevelsGrouped>(step.what);
+}
+
+std::size_t count_long(const knit::Timeline& timeline, std::size_t from) {
+  const auto begin = timeline.steps().begin() + static_cast<std::ptrdiff_t>(from);
+  return static_cast<std::size_t>(std::count_if(begin, timeline.steps().end(), was_long));
+}
+
+Session finished_beside(TimingKind timing = TimingKind::linear) {
+  Session session = beside_session(large_parameters(timing));
+  tick_until(session, run_is_complete);
+  return session;
+}
+
+void tune_timing(Session& session, TimingKind timing) {
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.timing = timing;
+  apply(session, Tune{parameters});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "beside a window a long run is worked out by ticks only, one long step at a time, to the same end") {
+  const TimingKind timing = GENERATE(TimingKind::linear, TimingKind::arc_length, TimingKind::geodesic);
+  CAPTURE(timing);
+  Session session = beside_session(large_parameters(timing));
+  std::size_t in_call = 0;
+  std::size_t taken = 0;
+  tick_until(session, [&](Session& s) {
+    const std::size_t known = s.timeline->known();
+    const bool had_work = is_working(s);
+    apply(s, PassTime{0.001});
+    // At most the step that the worker had, and never one that nobody worked on beside.
+    const std::size_t now = count_long(*s.timeline, known);
+    in_call += now > (had_work ? 1U : 0U) ? 1U : 0U;
+    taken += now;
+    return s.timeline->complete();
+  });
+  CHECK(in_call == 0);
+  CHECK(taken == (timing == TimingKind::geodesic ? 6 : timing == TimingKind::arc_length ? 3 : 2));
+  CHECK(session.timeline->stop() == nullptr);
+  CHECK(session.timeline->furthest().finished());
+  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(timing)));
+  CHECK(session.run_ms > 0.0);
+  CHECK_FALSE(is_working(session));
+}
+
+TEST_CASE("without a window nothing is left to a worker") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  session.beside = false;
+  apply(session, ToLast{});
+  CHECK(session.timeline->state().finished());
+  work_beside(session, 1.0);
+  CHECK_FALSE(is_working(session));
+  CHECK_FALSE(session.measuring_run);
+  Session empty;
+  empty.beside = true;
+  work_beside(empty, 1.0);
+  CHECK_FALSE(is_working(empty));
+}
+
+TEST_CASE("no action but the clock crosses a long step") {
+  const Action action =
+      GENERATE(Action(StepBy{Unit::item, 1}), Action(StepBy{Unit::row, 1}), Action(StepBy{Unit::stage, 1}),
+               Action(SeekTo{1000000}), Action(SeekPlace{{Stage::rows, 5, 0}}), Action(ToLast{}),
+               Action(SetPlaying{}));
+  CAPTURE(action.index());
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  for (int i = 0; i < 3; ++i) apply(session, action);
+  CHECK(count_long(*session.timeline, 0) == 0);
+  CHECK(session.timeline->known() <= 1);  // the ends, before the first solve
+}
+
+TEST_CASE("what leads past a long step leads there once it is done") {
+  struct Wish {
+    Action action;
+    knit::Place place;
+  };
+  const auto vertices = static_cast<std::int32_t>(large_ball()->positions.size());
+  const knit::Place timed{Stage::timing, 0, vertices + 6};  // ends, four solves, times, criticals, levels
+  const Wish wish = GENERATE_COPY(Wish{StepBy{Unit::item, 1}, {Stage::timing, 0, 1}},
+                                  Wish{StepBy{Unit::row, 1}, timed}, Wish{StepBy{Unit::stage, 1}, timed},
+                                  Wish{SeekPlace{{Stage::rows, 5, 2}}, {Stage::rows, 5, 2}});
+  CAPTURE(wish.action.index());
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  tick_until(session, is_working);
+  REQUIRE(session.timeline->known() == 1);
+  apply(session, StepBy{Unit::item, 1});
+  REQUIRE(session.timeline->position() == 1);
+  apply(session, wish.action);
+  CHECK(session.timeline->position() == 1);
+  CHECK(session.timeline->sought());
+  tick_until(session, run_is_complete);
+  CHECK(session.timeline->place() == wish.place);
+  CHECK_FALSE(session.timeline->sought());
+}
+
+TEST_CASE("to the last leads to the end once the work is done") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  apply(session, ToLast{});
+  tick_until(session, run_is_complete);
+  CHECK(session.timeline->position() == session.timeline->known());
+  CHECK(session.timeline->state().finished());
+}
+
+TEST_CASE("cancelling goes back to the parameters before the change that asked for the work") {
+  Session session = finished_beside(TimingKind::arc_length);
+  const knit::Parameters before = session.timeline->parameters();
+  const std::uint64_t end = knit::hash_of(session.timeline->furthest());
+  apply(session, SeekPlace{{Stage::rows, 5, 2}});
+  tune_timing(session, TimingKind::geodesic);
+  tick_until(session, is_working);
+  tune_timing(session, TimingKind::harmonic);  // changed again before the first was there
+  apply(session, CancelWork{});
+  CHECK_FALSE(is_working(session));
+  CHECK(session.timeline->parameters() == before);
+  tick_until(session, run_is_complete);
+  CHECK(session.timeline->place() == knit::Place{Stage::rows, 5, 2});
+  CHECK(knit::hash_of(session.timeline->furthest()) == end);
+  apply(session, CancelWork{});  // nothing to cancel
+  CHECK(session.timeline->parameters() == before);
+  CHECK(session.timeline->complete());
+}
+
+TEST_CASE("work that is cancelled before anything was changed leaves the solves away") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  tick_until(session, is_working);
+  apply(session, CancelWork{});
+  CHECK(session.timeline->parameters().timing == TimingKind::linear);
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(TimingKind::linear)));
+}
+
+TEST_CASE("work that an edit asked for is cancelled back to before the edit") {
+  Session session = finished_beside();
+  tune_timing(session, TimingKind::arc_length);
+  tick_until(session, run_is_complete);
+  apply(session, SeekPlace{{Stage::timing, 0, 1}});
+  const knit::Parameters before = session.timeline->parameters();
+  knit::Parameters edited = before;
+  edited.end = 17;
+  apply(session, SeekTo{0});
+  apply(session, EditFromHere{edited});
+  tick_until(session, is_working);
+  apply(session, CancelWork{});
+  CHECK(session.timeline->parameters() == before);
+}
+
+TEST_CASE("a result that comes after a change does not count") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  tick_until(session, [](Session& s) { return is_working(s) && s.timeline->known() == 2; });
+  while (!session.long_step->work.ready()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  tune_timing(session, TimingKind::harmonic);
+  apply(session, PassTime{0.001});
+  CHECK(session.timeline->known() <= 1);
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(TimingKind::harmonic)));
+}
+
+TEST_CASE("another mesh opened meanwhile is not touched by the work on the first") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  tick_until(session, [](Session& s) { return is_working(s) && s.timeline->known() == 2; });
+  apply(session, OpenExample{"egg"});
+  CHECK_FALSE(is_working(session));
+  tick_until(session, is_measured);
+  Session plain = example_session("egg");
+  apply(plain, ToLast{});
+  CHECK(knit::hash_of(session.timeline->furthest()) == knit::hash_of(plain.timeline->state()));
+  CHECK(session.closeness->knit_area == closeness_now(plain)->knit_area);
+}
