@@ -275,8 +275,8 @@ std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
 
 bool is_read(const ParameterInfo& info, const Parameters& parameters) {
   const std::string_view key = info.key;
-  const bool of_rings = key == "level-tolerance" || key == "metric" || key == "epsilon" || key == "on-stall" ||
-                        key == "last-anchor" || key == "resample" || key == "close";
+  const bool of_rings = key == "level-tolerance" || key == "metric" || key == "epsilon" ||
+                        key == "on-stall" || key == "last-anchor" || key == "resample" || key == "close";
   if (of_rings) return parameters.rows == RowSource::rings;
   const bool of_nearest = key == "stacking-penalty" || key == "follow-mains";
   return !of_nearest || parameters.placement == PlacementPolicy::nearest;
