@@ -121,6 +121,18 @@ printf '%s\n' '1: [5, 5, 5, 5, 5, 5]' '2: [6, 1, 6, 2, 6, 1, 6, 2, 6, 1, 6, 2]' 
   '4: [6, 1, 0, 0, 0, 0, 2, 6, 1, 0, 0, 0, 0, 6, 1, 0, 0, 0, 0, 0, 0, 2]' >wanted
 ok "index prints the arrays of Appendix A" cmp out wanted
 
+# --- Checking a written pattern ------------------------------------------------------------------------------
+
+printf 'CO 6 sts.\nRnd 1: *K1, m1l; rep from * to end. (12 sts)\nBO all.\n' >ball.txt
+run_to 0 check ball.txt
+quiet
+ok "check says that every count holds" [ "$(cat out)" = \
+  '1 round read, 6 stitches cast on, 18 stitches in all: every count holds.' ]
+sed 's/12/13/' ball.txt >wrong.txt
+run_to 1 check - <wrong.txt
+quiet
+ok "check names the line" [ "$(head -n 1 out)" = 'line 2: Rnd 1 makes 12 stitches, the line says 13.' ]
+
 # --- Bad usage, unreadable and unfit files: 2, one line, nothing on standard output ---------------------------
 
 printf 'hello, I am no mesh\n' >words.obj
@@ -151,6 +163,8 @@ refused 'hole' holed.obj --headless --save-report -
 refused 'choose one of' --example teapot --headless
 refused 'not a vertex' --start 999999 --headless
 refused 'double or halve' index 6,13
+refused 'no pattern' check words.obj
+refused 'does not exist' check missing.txt
 # No display and no --headless.
 refused '--headless' --example sphere
 

@@ -87,7 +87,7 @@ struct ShowSide {
 };
 
 // Files. A failure is a notice in the session.
-enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, picture };
+enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, pattern, chart, picture };
 struct Export {
   ExportKind kind = ExportKind::mesh;
   std::filesystem::path path;
@@ -97,6 +97,18 @@ struct Export {
 struct ShowHelp {
   bool open = true;
 };
+struct SetPatternOptions {
+  knit::PatternOptions options;
+};
+struct ShowCentre {
+  CentrePanel centre = CentrePanel::view;
+};
+struct HoverStitch {
+  std::optional<StitchAt> stitch;
+};
+struct KnitAlong {
+  std::optional<std::int32_t> round;  // none: put it away
+};
 struct ShowOpenDialog {
   bool open = true;
 };
@@ -105,10 +117,11 @@ struct DismissNotice {
 };
 struct Quit {};
 
-using Action = std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying,
-                            SetSpeed, PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork,
-                            SetPicking, PickVertex, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide,
-                            Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
+using Action =
+    std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
+                 PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork, SetPicking, PickVertex,
+                 SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, SetPatternOptions, ShowCentre,
+                 HoverStitch, KnitAlong, Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
 using Actions = std::vector<Action>;
 
 void apply(Session& session, const Action& action);

@@ -9,6 +9,7 @@
 #include "app/core/export.h"
 #include "app/core/load.h"
 #include "app/core/navigate.h"
+#include "app/core/pattern_file.h"
 #include "app/core/presets.h"
 #include "app/core/work_beside.h"
 #include "knit/gauge.h"
@@ -54,6 +55,9 @@ struct Apply {
     session.picking = Picking::nothing;
     session.long_step.reset();
     session.before_change.reset();
+    session.hovered_stitch.reset();
+    session.knit_along.reset();
+    session.knit_along_round = 1;
     session.open_dialog_open = false;
     session.notices.clear();
     for (const knit::Finding& finding : session.findings)
@@ -250,6 +254,11 @@ struct Apply {
       session.screenshots_wanted.push_back(a.path);
       return;
     }
+    // A page with a picture of the finished piece is made where pictures are.
+    if (a.kind == ExportKind::pattern && pattern_format_of(a.path) == PatternFormat::html) {
+      session.pages_wanted.push_back(a.path);
+      return;
+    }
     if (const auto error = export_to_file(session, a.kind, a.path)) {
       notify(session, Notice::Kind::error, *error);
     } else if (a.path != "-") {
@@ -257,6 +266,13 @@ struct Apply {
     }
   }
 
+  void operator()(const SetPatternOptions& a) { session.pattern = a.options; }
+  void operator()(const ShowCentre& a) { session.centre = a.centre; }
+  void operator()(const HoverStitch& a) { session.hovered_stitch = a.stitch; }
+  void operator()(const KnitAlong& a) {
+    session.knit_along = a.round;
+    if (a.round) session.knit_along_round = *a.round;
+  }
   void operator()(const ShowHelp& a) { session.help_open = a.open; }
   void operator()(const ShowOpenDialog& a) { session.open_dialog_open = a.open; }
   void operator()(const DismissNotice& a) {

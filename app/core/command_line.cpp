@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/core/check_command.h"
+#include "app/core/pattern_file.h"
 #include "app/core/presets.h"
 #include "knit/gauge.h"
 #include "knit/pattern.h"
@@ -16,8 +18,11 @@ namespace {
 struct Words {
   std::string mesh, example, preset, at, side;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
-  std::string save_mesh, save_map, save_report, save_card, save_steps, screenshot, size;
-  std::string index_sizes, index_placement = "thesis";
+  std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
+      size;
+  std::string index_sizes, index_placement = "thesis", check_file;
+  std::string title, yarn, colour, needle;
+  bool markers = false, stars = false;
   bool headless = false, list_examples = false, list_parameters = false;
 };
 
@@ -60,6 +65,16 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
   app.add_option("--save-report", words.save_report, "write the report as JSON");
   app.add_option("--save-card", words.save_card, "write the report card as text");
+  app.add_option("--save-pattern", words.save_pattern,
+                 std::string("write the knitting pattern; a name that ends in ") + pattern_endings);
+  app.add_option("--save-chart", words.save_chart, "write the chart as SVG");
+  app.add_option("--title", words.title, "the pattern's title")->group("Pattern");
+  app.add_option("--yarn", words.yarn, "the yarn's name, for the pattern")->group("Pattern");
+  app.add_option("--colour", words.colour, "the yarn's colour, for the pattern")->group("Pattern");
+  app.add_option("--needle-mm", words.needle, "the needle, for the pattern; else the usual one")
+      ->group("Pattern");
+  app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
+  app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
   app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
   app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
@@ -71,6 +86,9 @@ void declare(CLI::App& app, Words& words) {
   index->add_option("--placement", words.index_placement, "thesis or even");
   refuse_empty_values(app);
   refuse_empty_values(*index);
+  CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");
+  check->add_option("FILE", words.check_file, "text, Markdown or HTML (\"-\": standard input)")->required();
+  refuse_empty_values(*check);
 }
 
 Answer bad_usage(const std::string& sentence) { return {exit_usage, "", sentence}; }
@@ -95,6 +113,8 @@ void add_saves(const Words& words, CommandLine& line) {
   add(words.save_map, ExportKind::map);
   add(words.save_report, ExportKind::report);
   add(words.save_card, ExportKind::card);
+  add(words.save_pattern, ExportKind::pattern);
+  add(words.save_chart, ExportKind::chart);
   add(words.save_steps, ExportKind::steps);
   add(words.screenshot, ExportKind::picture);
 }
@@ -113,6 +133,23 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
          " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
 }
 
+// The pattern's own words; a sentence where one cannot be.
+std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
+  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
+  if (!words.save_pattern.empty() && !pattern_format_of(words.save_pattern)) {
+    return "--save-pattern cannot be \"" + words.save_pattern + "\"; give a name that ends in " +
+           pattern_endings + ".";
+  }
+  if (words.needle.empty()) return std::nullopt;
+  double needle = 0.0;
+  const char* end = words.needle.data() + words.needle.size();
+  const auto result = std::from_chars(words.needle.data(), end, needle);
+  if (result.ec != std::errc() || result.ptr != end || !(needle >= 0.5 && needle <= 50.0))
+    return "--needle-mm cannot be \"" + words.needle + "\"; give a number from 0.5 to 50.";
+  line.pattern.needle_mm = needle;
+  return std::nullopt;
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -128,6 +165,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
     line.settings.emplace_back(&info, words.settings[i]);
   }
   if (const auto clash = clash_of_sizes(line)) return bad_usage(*clash);
+  if (const auto trouble = read_pattern_words(words, line)) return bad_usage(*trouble);
   line.preset = words.preset;
   if (!words.preset.empty() && find_preset(words.preset) == nullptr) {
     return bad_usage("--preset cannot be \"" + words.preset + "\"; give " + preset_keys() + ".");
@@ -194,6 +232,7 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
     return bad_usage(std::string(error.what()) + "; see knit-mesh --help.");
   }
   if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
+  if (!words.check_file.empty()) return check_file(words.check_file);
   if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
   if (words.list_examples) {
     std::string names;
@@ -222,6 +261,7 @@ std::optional<At> parse_at(const std::string& text) {
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
   apply(session, line.open);
   apply(session, ShowSide{line.side});
+  apply(session, SetPatternOptions{line.pattern});
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;

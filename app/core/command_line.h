@@ -26,6 +26,7 @@ struct CommandLine {
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
   std::optional<At> at;  // none: the end when headless, the start in the window
   bool headless = false;
+  knit::PatternOptions pattern;
   SidePanel side = SidePanel::step;  // what the right column shows
   std::vector<Export> saves;
   int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen

@@ -5,6 +5,7 @@
 
 #include "app/core/card_text.h"
 #include "app/core/files.h"
+#include "app/core/pattern_file.h"
 #include "app/core/report.h"
 #include "app/core/step_json.h"
 #include "knit/pattern.h"
@@ -82,6 +83,17 @@ std::string report_text(const Session& session) {
   return report_json(session).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+std::optional<std::string> export_pattern(const Session& session, const std::filesystem::path& path,
+                                          std::span<const std::uint8_t> picture_png) {
+  const auto format = pattern_format_of(path);
+  if (!format) {
+    return "a pattern cannot be written as " + path.string() + "; give a name that ends in " +
+           pattern_endings + ".";
+  }
+  if (auto missing = pattern_missing(session)) return missing;
+  return write_file(path, pattern_file_text(session, *format, picture_png));
+}
+
 std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
                                           const std::filesystem::path& path) {
   switch (kind) {
@@ -93,6 +105,11 @@ std::optional<std::string> export_to_file(const Session& session, ExportKind kin
       return write_file(path, report_text(session));
     case ExportKind::card:
       return write_file(path, card_text(session));
+    case ExportKind::pattern:
+      return export_pattern(session, path);
+    case ExportKind::chart:
+      if (auto missing = pattern_missing(session)) return missing;
+      return write_file(path, chart_file_text(session));
     case ExportKind::steps:
       return write_file(path, steps_text(session));
     case ExportKind::picture:

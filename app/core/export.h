@@ -27,4 +27,8 @@ std::string steps_text(const Session& session);
 std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
                                           const std::filesystem::path& path);
 
+// The written pattern; the format follows the file's ending. `picture_png` is for HTML and may be empty.
+std::optional<std::string> export_pattern(const Session& session, const std::filesystem::path& path,
+                                          std::span<const std::uint8_t> picture_png = {});
+
 }  // namespace app

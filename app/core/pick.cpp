@@ -61,4 +61,23 @@ std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dve
   return best;
 }
 
+std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& place, double reach) {
+  if (!session.timeline) return std::nullopt;
+  const View view = session.camera.view(session.aspect);
+  const glm::dmat4 onto = glm::dmat4(view.projection) * glm::dmat4(view.view);
+  std::optional<StitchAt> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& row : session.timeline->state().rows) {
+    for (std::size_t i = 0; i < row->stitches.size(); ++i) {
+      const glm::dvec4 at = onto * glm::dvec4(row->stitches[i].position, 1.0);
+      if (at.w <= 0.0 || at.w >= nearest) continue;
+      const glm::dvec2 away((at.x / at.w - place.x) * session.aspect, at.y / at.w - place.y);
+      if (glm::length(away) > reach) continue;
+      nearest = at.w;
+      best = StitchAt{row->number, static_cast<std::int32_t>(i)};
+    }
+  }
+  return best;
+}
+
 }  // namespace app

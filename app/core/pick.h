@@ -12,4 +12,8 @@ namespace app {
 // surface.
 std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place);
 
+// The finished stitch within `reach` of `place` on the screen (in heights of half the view) that is nearest to
+// the eye.
+std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& place, double reach);
+
 }  // namespace app

@@ -14,6 +14,7 @@
 #include "knit/check.h"
 #include "knit/closeness.h"
 #include "knit/timeline.h"
+#include "knit/written_pattern.h"
 
 namespace app {
 
@@ -57,6 +58,15 @@ struct Source {
   std::filesystem::path file;  // as given
 };
 
+// What the centre shows.
+enum class CentrePanel : std::uint8_t { view, chart };
+
+// A stitch, by its row (from 1) and its place in it (from 0).
+struct StitchAt {
+  std::int32_t row = 1, stitch = 0;
+  friend bool operator==(const StitchAt&, const StitchAt&) = default;
+};
+
 // What the right column shows.
 enum class SidePanel : std::uint8_t { step, report };
 
@@ -97,10 +107,16 @@ struct Session {
   Playback playback;
   Picking picking = Picking::nothing;
   SidePanel side = SidePanel::step;
-  std::vector<Notice> notices;  // newest last
+  CentrePanel centre = CentrePanel::view;
+  std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
+  std::optional<std::int32_t> knit_along;  // the round at hand, from 1; none: not knitting along
+  std::int32_t knit_along_round = 1;       // remembered when it is put away
+  knit::PatternOptions pattern;            // title, yarn, needle of the written pattern
+  std::vector<Notice> notices;             // newest last
   bool help_open = false;
   bool open_dialog_open = false;
   bool quit = false;
+  std::vector<std::filesystem::path> pages_wanted;        // patterns with a picture; likewise
   std::vector<std::filesystem::path> screenshots_wanted;  // the loop takes them after the next frame
 
   [[nodiscard]] bool shows(Layer layer) const { return layers[static_cast<std::size_t>(layer)]; }

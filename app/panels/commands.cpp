@@ -92,6 +92,16 @@ const std::array table{
                 [](const Session& session) -> Wish {
                   return ShowSide{session.side == SidePanel::report ? SidePanel::step : SidePanel::report};
                 }},
+    CommandInfo{Command::chart, view, "The view or the chart", on(Key::T), false,
+                [](const Session& session) -> Wish {
+                  const bool chart = session.centre == CentrePanel::chart;
+                  return ShowCentre{chart ? CentrePanel::view : CentrePanel::chart};
+                }},
+    CommandInfo{Command::knit_along, view, "Knit along, round by round", on(Key::K), false,
+                [](const Session& session) -> Wish {
+                  if (session.knit_along) return KnitAlong{std::nullopt};
+                  return KnitAlong{session.knit_along_round};
+                }},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
     CommandInfo{Command::help,

@@ -15,7 +15,7 @@ namespace app {
 enum class Command : std::uint8_t {
   // clang-format off
   play, play_back, forward_item, back_item, forward_row, back_row, forward_stage, back_stage, first, last,
-  faster, slower, frame_all, layer, side, open, help, close, quit
+  faster, slower, frame_all, layer, side, chart, knit_along, open, help, close, quit
   // clang-format on
 };
 

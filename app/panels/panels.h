@@ -30,6 +30,8 @@ struct PanelFrame {
 void draw_menu(PanelFrame& frame);
 void draw_view(PanelFrame& frame);
 void draw_captions(PanelFrame& frame);       // inside the view's window
+void draw_chart(PanelFrame& frame);          // in the view's place
+void draw_knit_along(PanelFrame& frame);     // over the foot of either
 void draw_view_overlays(PanelFrame& frame);  // notices, the picking banner, the empty state
 void draw_parameters(PanelFrame& frame);
 void draw_edits(PanelFrame& frame);  // inside the parameters

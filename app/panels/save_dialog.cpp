@@ -15,6 +15,8 @@ constexpr std::array kinds{
     SaveKind{ExportKind::map, "stitch map", "-map.txt"},
     SaveKind{ExportKind::report, "report", "-report.json"},
     SaveKind{ExportKind::card, "report card", "-card.txt"},
+    SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
+    SaveKind{ExportKind::chart, "chart", "-chart.svg"},
     SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
     SaveKind{ExportKind::picture, "picture", ".png"},
 };

@@ -29,11 +29,18 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
   PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
   ui.controls.clear();
   if (session.timeline) ui.run.refresh(*session.timeline);
+  const bool wants_chart = session.centre == CentrePanel::chart || session.knit_along;
+  if (session.timeline && wants_chart) ui.chart.refresh(*session.timeline, session.pattern);
   draw_menu(frame);
   draw_parameters(frame);
   draw_explanation(frame);
   draw_timeline(frame);
-  draw_view(frame);
+  if (session.centre == CentrePanel::chart) {
+    draw_chart(frame);
+  } else {
+    draw_view(frame);
+  }
+  draw_knit_along(frame);
   draw_view_overlays(frame);
   draw_help(frame);
   draw_open_dialog(frame);

@@ -17,6 +17,8 @@
 // style::text_size), style::apply(scale), ImGuiDraw::forget_fonts().
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <filesystem>
 #include <map>
@@ -27,6 +29,7 @@
 #include "app/core/action.h"
 #include "app/core/scene.h"
 #include "app/panels/card_cache.h"
+#include "app/panels/chart_cache.h"
 #include "app/panels/imgui_glue.h"
 #include "app/panels/layout.h"
 #include "app/panels/run_cache.h"
@@ -76,6 +79,12 @@ struct VertexField {
 
 enum class RunList : std::uint8_t { rows, problems };
 
+// How the chart is held: as fits the panel, times `zoom`, moved by `move`.
+struct ChartView {
+  float zoom = 1.0f;
+  ImVec2 move{0.0f, 0.0f};
+};
+
 // Only what is the panels' own: nothing of the algorithm, and nothing that a script would need.
 struct UiState {
   Unit unit = Unit::item;  // of the step buttons
@@ -87,6 +96,8 @@ struct UiState {
   std::map<std::string, VertexField, std::less<>> vertex_fields;  // by parameter key
   int row_scrolled_to = 0;
   RunCache run;
+  ChartCache chart;
+  ChartView chart_view;
   LabelTally labels;
   CardCache card;
   // Where controls stood in the last frame, by name ("play", "scrubber", "layer/surface"): for tests and for

@@ -13,7 +13,8 @@ namespace app {
 namespace {
 
 constexpr double radians_per_unit = 0.008;
-constexpr float click_reach = 4.0f;  // plain units that a click may move
+constexpr float hover_reach = 12.0f;  // plain units from the pointer to a stitch that it means
+constexpr float click_reach = 4.0f;   // plain units that a click may move
 
 // In [-1, 1] from the view's centre, up positive.
 glm::dvec2 pointer_in(const Box& view) {
@@ -148,6 +149,12 @@ void draw_view(PanelFrame& frame) {
   if (frame.timeline() != nullptr) {
     handle_drag(frame);
     handle_clicks(frame);
+    std::optional<StitchAt> under;
+    if (hovered && !ImGui::IsItemActive()) {
+      const double reach = static_cast<double>(frame.units(hover_reach) / view.height);
+      under = pick_stitch(frame.session, pointer_in(view), 2.0 * reach);
+    }
+    if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
     if (hovered && frame.session.picking != Picking::nothing) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     draw_captions(frame);
     if (hovered) draw_hint(frame);

@@ -95,6 +95,12 @@ std::optional<std::string> write_file(const std::string& name, const std::vector
 
 }  // namespace
 
+std::vector<std::uint8_t> png_bytes(const Image& image) {
+  const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.width < 1 || image.height < 1 || image.rgba.size() != pixels * 4) return {};
+  return encode(image);
+}
+
 std::optional<std::string> save_png(const std::string& path, const Image& image) {
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width < 1 || image.height < 1 || image.rgba.size() != pixels * 4) {

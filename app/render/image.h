@@ -13,6 +13,9 @@ struct Image {
   std::vector<std::uint8_t> rgba;  // top row first, 4 bytes a pixel
 };
 
+// The picture as a PNG file's bytes; none when it is empty or too large.
+std::vector<std::uint8_t> png_bytes(const Image& image);
+
 // Writes beside `path` and renames, so that there is never half a picture; "-" is standard output. Returns
 // what went wrong and what to do, or nothing.
 std::optional<std::string> save_png(const std::string& path, const Image& image);

@@ -36,6 +36,35 @@ Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::
   return wishes;
 }
 
+Image FrameDrawer::finished(const Session& session, int side) {
+  Session shown = session;
+  shown.timeline->seek(shown.timeline->known());
+  shown.layers.fill(false);
+  for (const Layer layer : {Layer::faces, Layer::column_edges, Layer::row_edges})
+    shown.layers[static_cast<std::size_t>(layer)] = true;
+  shown.knit_along.reset();
+  shown.hovered_stitch.reset();
+  shown.aspect = 1.0;
+  shown.camera.frame(shown.timeline->input().bounds, shown.aspect);
+  Scene scene = Describer().describe(shown);
+  scene.background = {255, 255, 255};
+  target_.begin(side, side, 4);
+  renderer_.draw(scene, {0, 0, side, side}, static_cast<float>(side) / 900.0f);
+  target_.resolve();
+  return target_.read();
+}
+
+std::variant<Image, std::string> finished_picture_of(const Session& session, int side) {
+  auto opened = HeadlessGl::open();
+  if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);
+  try {
+    FrameDrawer drawer(session.assets);
+    return drawer.finished(session, side);
+  } catch (const GlError& error) {
+    return std::string(error.what());
+  }
+}
+
 std::variant<Image, std::string> picture_of(Session& session, int width, int height) {
   auto opened = HeadlessGl::open();
   if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);

@@ -16,6 +16,9 @@
 
 namespace app {
 
+// Of the picture on a pattern's page.
+inline constexpr int page_picture_px = 900;
+
 struct FrameShape {
   float width = 0.0f, height = 0.0f;  // window units
   int width_px = 0, height_px = 0;    // of the framebuffer
@@ -32,6 +35,9 @@ class FrameDrawer {
 
   // Draws the session and returns what the person wished. Changes the session only by its view's aspect.
   Actions draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events);
+
+  // The finished knit mesh alone, on white, `side` pixels square. The target holds it afterwards.
+  Image finished(const Session& session, int side);
 
   [[nodiscard]] const Target& target() const { return target_; }
   [[nodiscard]] const ImGuiGlue& glue() const { return glue_; }
@@ -50,6 +56,9 @@ class FrameDrawer {
   Fonts fonts_;
   float fonts_scale_ = 0.0f;
 };
+
+// The finished knit mesh alone without any display, or why not.
+std::variant<Image, std::string> finished_picture_of(const Session& session, int side);
 
 // A picture of the session as its window would show it, `width` x `height` pixels, without any display; or
 // why not.

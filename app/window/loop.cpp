@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include "app/core/export.h"
+#include "app/core/pattern_file.h"
 #include "app/window/frame.h"
 #include "app/window/run.h"
 #include "app/window/window.h"
@@ -60,6 +62,17 @@ void save_pictures_wanted(Session& session, const Target& target) {
   session.screenshots_wanted.clear();
 }
 
+void save_pages_wanted(Session& session, FrameDrawer& drawer) {
+  for (const std::filesystem::path& path : std::exchange(session.pages_wanted, {})) {
+    const auto missing = pattern_missing(session);
+    const auto error =
+        missing ? missing
+                : export_pattern(session, path, png_bytes(drawer.finished(session, page_picture_px)));
+    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+  }
+}
+
 // One turn: collect, let time pass, draw, and do what was wished.
 void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   const bool idle =
@@ -100,6 +113,7 @@ void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   }
   window.swap();
   save_pictures_wanted(session, drawer.target());
+  save_pages_wanted(session, drawer);
   for (const Action& wish : wishes) apply(session, wish);
   pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/core/export.h"
+#include "app/core/pattern_file.h"
 #include "app/core/work_beside.h"
 #include "app/window/frame.h"
 #include "knit/narrate.h"
@@ -22,6 +23,23 @@ std::optional<std::string> save_picture(Session& session, const CommandLine& lin
   return save_png(path.string(), std::get<Image>(picture));
 }
 
+// A page is worth having without its picture too.
+std::optional<std::string> save_page(const Session& session, const std::filesystem::path& path) {
+  const auto picture = finished_picture_of(session, page_picture_px);
+  if (const auto* trouble = std::get_if<std::string>(&picture)) {
+    say(*trouble + " The page is written without a picture.");
+    return export_pattern(session, path);
+  }
+  return export_pattern(session, path, png_bytes(std::get<Image>(picture)));
+}
+
+std::optional<std::string> save(Session& session, const CommandLine& line, const Export& wish) {
+  if (wish.kind == ExportKind::picture) return save_picture(session, line, wish.path);
+  const bool page = wish.kind == ExportKind::pattern && pattern_format_of(wish.path) == PatternFormat::html;
+  return page && !pattern_missing(session) ? save_page(session, wish.path)
+                                           : export_to_file(session, wish.kind, wish.path);
+}
+
 }  // namespace
 
 int run_headless(Session& session, const CommandLine& line) {
@@ -33,8 +51,7 @@ int run_headless(Session& session, const CommandLine& line) {
 
   bool all_saved = true;
   for (const Export& wish : line.saves) {
-    const auto error = wish.kind == ExportKind::picture ? save_picture(session, line, wish.path)
-                                                        : export_to_file(session, wish.kind, wish.path);
+    const auto error = save(session, line, wish);
     if (error) say(*error);
     all_saved = all_saved && !error;
   }

@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
 }
 
 struct Size {
-  int segments, stacks;  // about 2 * segments * (stacks - 1) triangles
+  unsigned segments, stacks;  // about 2 * segments * (stacks - 1) triangles
   int turns;
 };
 constexpr std::array sizes{Size{71, 72, 15}, Size{224, 224, 9}, Size{708, 707, 3}};

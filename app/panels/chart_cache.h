@@ -1,0 +1,34 @@
+// The chart and the written rounds of the run, made again only when its transitions have changed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "knit/chart.h"
+#include "knit/timeline.h"
+#include "knit/written_pattern.h"
+
+namespace app {
+
+class ChartCache {
+ public:
+  // Of the whole run as far as it is known.
+  void refresh(const knit::Timeline& timeline, const knit::PatternOptions& options);
+
+  [[nodiscard]] const knit::Chart& chart() const { return chart_; }
+  // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round.
+  [[nodiscard]] std::string line_of(std::int32_t round) const;
+  // The cast on is the first; the chart's last row, the bind off, is none.
+  [[nodiscard]] std::int32_t rounds() const {
+    return std::max(0, static_cast<std::int32_t>(chart_.rows.size()) - 1);
+  }
+
+ private:
+  std::uint64_t key_ = 0;
+  knit::Chart chart_;
+  knit::WrittenPattern pattern_;
+};
+
+}  // namespace app

@@ -1,0 +1,22 @@
+// A chart's squares on a draw list: shared by the chart and by the knit-along strip.
+#pragma once
+
+#include <imgui.h>
+
+#include "knit/chart.h"
+
+namespace app {
+
+struct SquareLook {
+  float side = 16.0f;
+  bool lit = false;  // of the round at hand
+  bool hovered = false;
+};
+
+// One square with its symbol; `low` is its upper left corner.
+void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look);
+
+// What a square says, in words: "M1L", "knit, main stitch".
+const char* name_of(knit::ChartSymbol symbol);
+
+}  // namespace app

@@ -1,0 +1,157 @@
+// The chart in the centre: zoomed, moved, and linked with the view and the timeline.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/panels/chart_drawing.h"
+#include "app/panels/widgets.h"
+
+namespace app {
+
+namespace {
+
+// Where squares stand on the screen. Column 0 is the right edge, the first row the lowest.
+struct Sheet {
+  const knit::Chart& chart;
+  ImVec2 low;  // of the upper left square
+  float side;
+
+  [[nodiscard]] ImVec2 at(std::size_t row, std::size_t column) const {
+    const auto columns = static_cast<std::size_t>(chart.columns);
+    return {low.x + side * static_cast<float>(columns - 1 - column),
+            low.y + side * static_cast<float>(chart.rows.size() - 1 - row)};
+  }
+  [[nodiscard]] ImVec2 size() const {
+    return {side * static_cast<float>(chart.columns), side * static_cast<float>(chart.rows.size())};
+  }
+};
+
+struct SquarePlace {
+  std::size_t row = 0, column = 0;
+};
+
+std::optional<SquarePlace> square_under(const Sheet& sheet, ImVec2 pointer) {
+  const float x = (pointer.x - sheet.low.x) / sheet.side;
+  const float y = (pointer.y - sheet.low.y) / sheet.side;
+  const auto columns = static_cast<float>(sheet.chart.columns);
+  const auto rows = static_cast<float>(sheet.chart.rows.size());
+  if (x < 0.0f || y < 0.0f || x >= columns || y >= rows) return std::nullopt;
+  return SquarePlace{static_cast<std::size_t>(rows - 1.0f - std::floor(y)),
+                     static_cast<std::size_t>(columns - 1.0f - std::floor(x))};
+}
+
+float fitting_side(const PanelFrame& frame, const knit::Chart& chart, const Box& box) {
+  const float across = (box.width - frame.units(110.0f)) / static_cast<float>(std::max(1, chart.columns));
+  const float up =
+      (box.height - frame.units(40.0f)) / static_cast<float>(std::max<std::size_t>(1, chart.rows.size()));
+  return std::clamp(std::min(across, up), 1.0f, frame.units(28.0f));
+}
+
+void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
+  ChartView& view = frame.ui.chart_view;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActive()) {
+    view.move.x += io.MouseDelta.x;
+    view.move.y += io.MouseDelta.y;
+  }
+  if (!ImGui::IsItemHovered()) return;
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) view = {};
+  if (io.MouseWheel == 0.0f) return;
+  const float factor = std::clamp(view.zoom * std::pow(1.15f, io.MouseWheel), 0.2f, 30.0f) / view.zoom;
+  const ImVec2 middle(box.x + 0.5f * box.width, box.y + 0.5f * box.height);
+  // What is under the pointer stays there.
+  view.move.x = (1.0f - factor) * (io.MousePos.x - middle.x) + factor * view.move.x;
+  view.move.y = (1.0f - factor) * (io.MousePos.y - middle.y) + factor * view.move.y;
+  view.zoom *= factor;
+}
+
+std::int32_t round_at_hand(const PanelFrame& frame) {
+  if (frame.session.knit_along) return *frame.session.knit_along;
+  return row_at_hand(frame);
+}
+
+void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) {
+  const float needed = ImGui::GetTextLineHeight();
+  const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
+  const knit::ChartRow& round = sheet.chart.rows[row];
+  const bool at_hand = round.number == round_at_hand(frame);
+  if (row % every != 0 && !at_hand && row + 1 != sheet.chart.rows.size()) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = style::packed(at_hand ? palette::anchor : palette::faint_text);
+  const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
+  const std::string number = std::to_string(round.number);
+  list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, number.c_str());
+  const std::string count = std::to_string(round.stitches);
+  const float width = ImGui::CalcTextSize(count.c_str()).x;
+  list.AddText(ImVec2(sheet.low.x - width - frame.units(6.0f), y), colour, count.c_str());
+}
+
+void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
+                  const std::optional<StitchAt>& hovered) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::int32_t at_hand = round_at_hand(frame);
+  for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
+    const float y = sheet.at(row, 0).y;
+    if (y > box.bottom() || y + sheet.side < box.y) continue;
+    const knit::ChartRow& round = sheet.chart.rows[row];
+    for (std::size_t column = 0; column < round.squares.size(); ++column) {
+      const knit::ChartSquare& square = round.squares[column];
+      const bool here =
+          hovered && hovered->row == round.number && square.stitch >= 0 && hovered->stitch == square.stitch;
+      draw_square(list, sheet.at(row, column), square, {sheet.side, round.number == at_hand, here});
+    }
+    draw_numbers(frame, sheet, row);
+  }
+}
+
+// The square under the pointer is shown everywhere; a click goes to its round.
+void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
+  std::optional<StitchAt> under;
+  if (ImGui::IsItemHovered()) {
+    if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
+      const knit::ChartRow& round = sheet.chart.rows[place->row];
+      const knit::ChartSquare& square = round.squares[place->column];
+      const bool worked = round.number <= frame.ui.chart.rounds();
+      if (worked && square.stitch >= 0) under = StitchAt{round.number, square.stitch};
+      std::string words = "Rnd " + std::to_string(round.number);
+      if (under)
+        words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);
+      words += ": " + std::string(name_of(square.symbol)) + (square.main ? ", main" : "");
+      ImGui::SetTooltip("%s", words.c_str());
+      const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
+      const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                           std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
+      if (clicked && worked) wish_row(frame, round.number);
+    }
+  }
+  if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
+}
+
+}  // namespace
+
+void draw_chart(PanelFrame& frame) {
+  const Box& box = frame.layout.view;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel("Chart", box, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const knit::Chart& chart = frame.ui.chart.chart();
+  if (frame.timeline() == nullptr || chart.rows.empty()) {
+    ImGui::SetCursorPos(ImVec2(frame.units(14.0f), frame.units(12.0f)));
+    faint_text("The chart appears once the stitches have their labels.");
+    ImGui::End();
+    return;
+  }
+  ImGui::InvisibleButton("chart", ImVec2(box.width, box.height));
+  frame.mark("chart");
+  handle_zoom_and_drag(frame, box);
+  const ChartView& view = frame.ui.chart_view;
+  Sheet sheet{chart, {}, fitting_side(frame, chart, box) * view.zoom};
+  const ImVec2 size = sheet.size();
+  sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),
+                     std::floor(box.y + 0.5f * (box.height - size.y) + view.move.y));
+  draw_squares(frame, sheet, box, frame.session.hovered_stitch);
+  handle_pointer(frame, sheet);
+  ImGui::End();
+}
+
+}  // namespace app

@@ -1,0 +1,63 @@
+// `knit-mesh check`: lines, summary and exit codes.
+#include "app/core/check_command.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using test_support::is_one_sentence;
+
+namespace {
+
+const std::string good = "CO 6 sts.\nRnd 1: [K1, m1l] 6 times. (12 sts)\nRnds 2-3: Knit. (12 sts)\nBO all.\n";
+const std::string bad = "CO 6 sts.\nRnd 1: [K1, m1l] 6 times. (13 sts)\nRnd 2: Kint. (12 sts)\nBO 12 sts.\n";
+
+Answer answered(const std::vector<std::string>& words) {
+  auto parsed = parse_command_line(words, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<Answer>(parsed));
+  return std::get<Answer>(std::move(parsed));
+}
+
+}  // namespace
+
+TEST_CASE("check says that every count holds") {
+  const Answer answer = check_text(good, "ball");
+  CHECK(answer.exit_code == 0);
+  CHECK(answer.out == "3 rounds read, 6 stitches cast on, 42 stitches in all: every count holds.\n");
+  CHECK(answer.error.empty());
+}
+
+TEST_CASE("check prints a line a mistake and a summary") {
+  const Answer answer = check_text(bad, "ball");
+  CHECK(answer.exit_code == 1);
+  CHECK(answer.out ==
+        "line 2: Rnd 1 makes 12 stitches, the line says 13.\nline 3: Rnd 2: the word \"kint\" is not known.\n"
+        "2 rounds read, 6 stitches cast on, 18 stitches in all: 2 mistakes.\n");
+  CHECK(answer.error.empty());
+}
+
+TEST_CASE("check refuses what is no pattern or cannot be read") {
+  for (const char* text : {"", "hello, I am no pattern\n", "v 0 0 0\nf 1 2 3\n", "CO 6 sts\n"}) {
+    const Answer answer = check_text(text, "ball");
+    CHECK(answer.exit_code == 2);
+    CHECK(answer.out.empty());
+    CHECK(is_one_sentence(answer.error));
+  }
+  const test_support::Folder folder;
+  for (const std::string& path : {(folder.path() / "missing.txt").string(), folder.path().string()}) {
+    const Answer answer = answered({"check", path});
+    CHECK(answer.exit_code == 2);
+    CHECK(answer.out.empty());
+    CHECK(is_one_sentence(answer.error));
+  }
+}
+
+TEST_CASE("check is a command of the program") {
+  const test_support::Folder folder;
+  test_support::write_text(folder.path() / "good.txt", good);
+  test_support::write_text(folder.path() / "bad.txt", bad);
+  CHECK(answered({"check", (folder.path() / "good.txt").string()}).exit_code == 0);
+  CHECK(answered({"check", (folder.path() / "bad.txt").string()}).exit_code == 1);
+  CHECK(answered({"check"}).exit_code == 2);
+  CHECK(answered({"check", ""}).exit_code == 2);
+}

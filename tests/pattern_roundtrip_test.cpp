@@ -1,0 +1,106 @@
+// From the run to text and back: what a knitter reads leads to the very graph that was written.
+#include <random>
+
+#include "app/core/pattern_export.h"
+#include "app/core/pattern_html.h"
+#include "knit/chart.h"
+#include "knit/gauge.h"
+#include "knit/pattern_reader.h"
+#include "knit/shapes.h"
+#include "knit/stitch_index.h"
+#include "knit/timeline.h"
+#include "knit/written_pattern.h"
+#include "tests/support/catch.h"
+
+using namespace knit;
+
+namespace {
+
+void check_reads_back(const std::string& text, const KnitGraph& graph) {
+  const ReadPattern read = read_pattern(text);
+  if (!read.mistakes.empty()) {
+    CAPTURE(text, read.mistakes.front().sentence);
+    FAIL_CHECK("the reader finds a mistake");
+    return;
+  }
+  CHECK(graph_of(read.rounds) == graph);
+}
+
+void check_round_trip(const State& state, const Gauge& gauge) {
+  const Rounds rounds = rounds_of(state);
+  const KnitGraph graph = graph_of(state);
+  CHECK(graph_of(rounds) == graph);
+  for (const bool stars : {false, true}) {
+    PatternOptions options;
+    options.stars = stars;
+    options.markers = stars;
+    const WrittenPattern pattern = write_pattern(rounds, gauge, options, "piece");
+    check_reads_back(pattern_as_text(pattern), graph);
+    if (stars) continue;
+    check_reads_back(pattern_as_markdown(pattern), graph);
+    check_reads_back(app::pattern_html(pattern, chart_of(rounds)), graph);
+  }
+  check_reads_back(app::pattern_knitspeak(rounds), graph);
+}
+
+// The rows of a tube of these sizes, without places: labels need none.
+State tube_of(const std::vector<std::int32_t>& sizes, PlacementPolicy policy) {
+  State state;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    Row row;
+    row.number = static_cast<std::int32_t>(i) + 1;
+    row.stitches.resize(static_cast<std::size_t>(sizes[i]));
+    state.rows.emplace_back(std::move(row));
+  }
+  for (Transition& transition : plan_transitions(sizes, policy))
+    state.transitions.emplace_back(std::move(transition));
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("round trip: every shape, placement and row source comes back from its text") {
+  const std::vector<std::pair<const char*, Mesh>> shapes{{"sphere", sphere(64, 33, false)},
+                                                         {"stretched", stretched_sphere(64, 0.1)},
+                                                         {"egg", egg(64, 0.1)},
+                                                         {"capsule", capsule(64, 0.1)},
+                                                         {"cone", cone(64, 0.1)},
+                                                         {"vase", vase(64, 0.1)}};
+  for (const auto& [name, mesh] : shapes) {
+    const auto input = make_input(mesh);
+    for (const RowSource source : {RowSource::rings, RowSource::contours}) {
+      for (const PlacementPolicy policy :
+           {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
+        CAPTURE(name, static_cast<int>(source), static_cast<int>(policy));
+        Parameters parameters;
+        parameters.stitch_width = 0.15;
+        parameters.epsilon = 0.05;
+        parameters.timing = source == RowSource::rings ? TimingKind::linear : TimingKind::arc_length;
+        parameters.rows = source;
+        parameters.placement = policy;
+        Timeline timeline(input, parameters);
+        timeline.extend_to_end();
+        REQUIRE(timeline.furthest().finished());
+        check_round_trip(timeline.furthest(), timeline.parameters().gauge);
+      }
+    }
+  }
+}
+
+TEST_CASE("round trip: a thousand random tubes come back") {
+  std::mt19937_64 random(7);
+  const auto draw = [&](std::int32_t low, std::int32_t high) {
+    return low + static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(high - low + 1));
+  };
+  for (int tube = 0; tube < 1000; ++tube) {
+    std::vector<std::int32_t> sizes{draw(3, 24)};
+    const std::int32_t rows = draw(3, 16);
+    while (static_cast<std::int32_t>(sizes.size()) < rows) {
+      const std::int32_t below = sizes.back();
+      sizes.push_back(draw(std::max(3, (below + 1) / 2), std::min(90, 2 * below)));
+    }
+    CAPTURE(tube);
+    const auto policy = tube % 2 == 0 ? PlacementPolicy::thesis : PlacementPolicy::even;
+    check_round_trip(tube_of(sizes, policy), {22.0, 32.0});
+  }
+}
