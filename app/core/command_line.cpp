@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string mesh, example, preset, at, side;
+  std::string mesh, example, preset, at, side, centre, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
       size;
@@ -61,6 +61,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
   app.add_option("--side", words.side, "what the right column shows: step or report");
+  app.add_option("--centre", words.centre, "what the centre shows: view or chart");
+  app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
   app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
   app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
   app.add_option("--save-report", words.save_report, "write the report as JSON");
@@ -133,6 +135,20 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
          " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
 }
 
+std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
+  if (!words.centre.empty() && words.centre != "view" && words.centre != "chart")
+    return "--centre cannot be \"" + words.centre + "\"; give view or chart.";
+  line.centre = words.centre == "chart" ? CentrePanel::chart : CentrePanel::view;
+  if (words.knit_along.empty()) return std::nullopt;
+  std::int32_t round = 0;
+  const char* end = words.knit_along.data() + words.knit_along.size();
+  const auto result = std::from_chars(words.knit_along.data(), end, round);
+  if (result.ec != std::errc() || result.ptr != end || round < 1)
+    return "--knit-along cannot be \"" + words.knit_along + "\"; give a round from 1.";
+  line.knit_along = round;
+  return std::nullopt;
+}
+
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
   line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
@@ -182,6 +198,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (!words.side.empty() && words.side != "step" && words.side != "report") {
     return bad_usage("--side cannot be \"" + words.side + "\"; give step or report.");
   }
+  if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   line.side = words.side == "report" ? SidePanel::report : SidePanel::step;
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
@@ -262,6 +279,8 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   apply(session, line.open);
   apply(session, ShowSide{line.side});
   apply(session, SetPatternOptions{line.pattern});
+  apply(session, ShowCentre{line.centre});
+  if (line.knit_along) apply(session, KnitAlong{line.knit_along});
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;

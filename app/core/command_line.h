@@ -27,7 +27,9 @@ struct CommandLine {
   std::optional<At> at;  // none: the end when headless, the start in the window
   bool headless = false;
   knit::PatternOptions pattern;
-  SidePanel side = SidePanel::step;  // what the right column shows
+  SidePanel side = SidePanel::step;        // what the right column shows
+  CentrePanel centre = CentrePanel::view;  // what the centre shows
+  std::optional<std::int32_t> knit_along;  // the round to begin with
   std::vector<Export> saves;
   int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
 };

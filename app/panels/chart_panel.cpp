@@ -74,8 +74,11 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   const float needed = ImGui::GetTextLineHeight();
   const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
   const knit::ChartRow& round = sheet.chart.rows[row];
-  const bool at_hand = round.number == round_at_hand(frame);
-  if (row % every != 0 && !at_hand && row + 1 != sheet.chart.rows.size()) return;
+  const std::int32_t hand = round_at_hand(frame);
+  const bool at_hand = round.number == hand;
+  // The round at hand is always numbered; its neighbours give way.
+  const bool crowded = std::abs(round.number - hand) < static_cast<std::int32_t>(every);
+  if (!at_hand && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = style::packed(at_hand ? palette::anchor : palette::faint_text);
   const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);

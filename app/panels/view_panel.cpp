@@ -100,7 +100,7 @@ void draw_hint(const PanelFrame& frame) {
 void draw_time_ramp(const PanelFrame& frame) {
   const Session& session = frame.session;
   if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
-  if (frame.scene.timed_vertices == 0) return;
+  if (frame.scene.timed_vertices == 0 || session.knit_along) return;
   const Box& view = frame.layout.view;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = frame.units(90.0f);

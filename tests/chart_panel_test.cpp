@@ -1,0 +1,103 @@
+// The chart in the centre and the round at hand over it: keys, pointer, and what they wish.
+#include "tests/support/desk.h"
+
+using namespace desk;
+
+namespace {
+
+// A desk with a finished run and the chart in its centre.
+void show_chart(Desk& desk) {
+  desk.open();
+  desk.act({ShowCentre{CentrePanel::chart}});
+  desk.settle();
+}
+
+}  // namespace
+
+TEST_CASE("T shows the chart and the view again, K the round at hand") {
+  Desk desk;
+  desk.open();
+  CHECK(only<ShowCentre>(desk.press({Key::T, {}, 0})).centre == CentrePanel::chart);
+  desk.act({ShowCentre{CentrePanel::chart}});
+  CHECK(only<ShowCentre>(desk.press({Key::T, {}, 0})).centre == CentrePanel::view);
+  CHECK(only<KnitAlong>(desk.press({Key::K, {}, 0})).round == 1);
+  desk.act({KnitAlong{7}});
+  CHECK_FALSE(only<KnitAlong>(desk.press({Key::K, {}, 0})).round);
+  desk.act({KnitAlong{std::nullopt}});
+  CHECK(only<KnitAlong>(desk.press({Key::K, {}, 0})).round == 7);  // remembered
+}
+
+TEST_CASE("the chart stands in the view's place, before there is anything to chart too") {
+  Desk desk;
+  desk.act({ShowCentre{CentrePanel::chart}});
+  desk.settle();
+  CHECK(desk.ui.controls.count("chart") == 0);
+  show_chart(desk);
+  CHECK(desk.ui.controls.count("view") == 0);
+  CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
+  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.timeline->furthest().rows.size()));
+}
+
+TEST_CASE("a square under the pointer is shown everywhere, and a click goes to its round") {
+  Desk desk;
+  show_chart(desk);
+  const MouseMove middle = desk.over("chart");
+  const Actions hovered = desk.frames({middle});
+  REQUIRE(count_of<HoverStitch>(hovered) == 1);
+  desk.act(hovered);
+  REQUIRE(desk.session.hovered_stitch);
+  const auto row = desk.session.hovered_stitch->row;
+  CHECK(row > 1);
+  desk.settle();
+  const Actions clicked =
+      desk.frames({MouseClick{MouseButton::Left, true}, MouseClick{MouseButton::Left, false}});
+  REQUIRE(count_of<SeekPlace>(clicked) == 1);
+  for (const Action& wish : clicked) {
+    if (const auto* seek = std::get_if<SeekPlace>(&wish)) CHECK(seek->place.row == row);
+  }
+  desk.act(desk.frames({MouseLeave{}}));
+  CHECK_FALSE(desk.session.hovered_stitch);
+}
+
+TEST_CASE("a drag moves the chart and goes nowhere, the wheel brings it nearer") {
+  Desk desk;
+  show_chart(desk);
+  const MouseMove middle = desk.over("chart");
+  desk.act(desk.frames({middle, MouseClick{MouseButton::Left, true}}));
+  const Actions dragged =
+      desk.frames({MouseMove{middle.x + 60, middle.y + 10}, MouseClick{MouseButton::Left, false}});
+  CHECK(count_of<SeekPlace>(dragged) == 0);
+  CHECK(desk.ui.chart_view.move.x > 50.0f);
+}
+
+TEST_CASE("knitting along: forward, back, first, and away") {
+  Desk desk;
+  desk.open();
+  desk.act({KnitAlong{3}});
+  desk.settle();
+  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == 4);
+  CHECK(only<KnitAlong>(desk.click("knit-along/back")).round == 2);
+  CHECK(only<KnitAlong>(desk.click("knit-along/first")).round == 1);
+  CHECK_FALSE(only<KnitAlong>(desk.click("knit-along/close")).round);
+  desk.act({KnitAlong{100000}});
+  desk.settle();
+  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == desk.ui.chart.rounds());
+  CHECK(desk.ui.chart.line_of(1).find("CO") != std::string::npos);
+  for (int round = 2; round <= desk.ui.chart.rounds(); ++round)
+    CHECK(desk.ui.chart.line_of(round).rfind("Rnd", 0) == 0);
+}
+
+TEST_CASE("the round at hand is lit in the view") {
+  Desk desk;
+  desk.open();
+  desk.act({ToLast{}});
+  Describer describer;
+  const std::size_t before = describer.describe(desk.session).lines.size();
+  desk.act({KnitAlong{4}});
+  const std::size_t stitches = desk.session.timeline->state().rows[3]->stitches.size();
+  CHECK(describer.describe(desk.session).lines.size() == before + stitches);
+  desk.act({HoverStitch{StitchAt{2, 1}}});
+  const Scene scene = describer.describe(desk.session);
+  REQUIRE(!scene.captions.empty());
+  CHECK(scene.captions.back().text == "row 2, stitch 2");
+}
