@@ -104,3 +104,44 @@ TEST_CASE("round trip: a thousand random tubes come back") {
     check_round_trip(tube_of(sizes, policy), {22.0, 32.0});
   }
 }
+
+// Words straight from Appendix A's labels, cell by cell.
+std::vector<Hand> hands_of(const std::string& labels) {
+  std::vector<Hand> hands;
+  for (const char label : labels)
+    hands.push_back(label == '1' ? Hand::m1r : label == '2' ? Hand::m1l : Hand::knit);
+  return hands;
+}
+
+TEST_CASE("the pattern's rounds say what Appendix A's labels say, for its sizes") {
+  const std::vector<std::int32_t> sizes{6, 12, 17, 22, 26, 32, 32, 43, 43, 43, 44, 62, 65};
+  const Rounds rounds = rounds_of(tube_of(sizes, PlacementPolicy::thesis));
+  CHECK(rounds.cast_on == 6);
+  const std::vector<std::pair<std::size_t, std::string>> appendix{
+      {2, "616261626162"},
+      {3, "61002610006100061"},
+      {4, "6100002610000610000002"},
+      {8, "6100002610000261000026100002610000000610002"},
+      {12, "61000261000261000261000261000261000261000261000000000002610002"}};
+  for (const auto& [number, labels] : appendix) {
+    CAPTURE(number);
+    const Round& round = rounds.rounds.at(number - 2);
+    REQUIRE(round.number == static_cast<std::int32_t>(number));
+    std::vector<Hand> hands;
+    for (const Operation& operation : round.operations) hands.push_back(operation.hand);
+    CHECK(hands == hands_of(labels));
+    CHECK(round.after == static_cast<std::int32_t>(labels.size()));
+  }
+}
+
+TEST_CASE("the thesis sphere's pattern casts on 6 and has a round for each of its 64 rows") {
+  Parameters parameters;
+  parameters.close = Closing::thesis;
+  Timeline timeline(make_input(sphere(128, 65, true)), parameters);
+  timeline.extend_to_end();
+  const Rounds rounds = rounds_of(timeline.furthest());
+  CHECK(rounds.cast_on == 6);
+  CHECK(rounds.rounds.size() == 63);
+  CHECK(rounds.last_count() == 6);
+  check_round_trip(timeline.furthest(), timeline.parameters().gauge);
+}
