@@ -197,11 +197,12 @@ Split explain_split(const Input& input, const std::vector<double>& times, const 
     return split;
   }
   // The last saddle below which the level set was still one loop.
-  for (auto point = criticals.points.rbegin(); point != criticals.points.rend(); ++point) {
-    if (point->kind != CriticalKind::saddle || point->time > time) continue;
-    split.vertex = point->vertex;
-    split.time = point->time;
-    if (count_loops(input, times, point->time) <= 1) break;
+  for (std::size_t i = criticals.points.size(); i-- > 0;) {
+    const CriticalPoint& point = criticals.points[i];
+    if (point.kind != CriticalKind::saddle || point.time > time) continue;
+    split.vertex = point.vertex;
+    split.time = point.time;
+    if (count_loops(input, times, point.time) <= 1) break;
   }
   return split;
 }

@@ -230,7 +230,7 @@ struct Sentence {
 };
 
 std::string Sentence::operator()(const CountChosen& s) const {
-  const std::string head = row() + ": " + stitches_text(s.count);
+  std::string head = row() + ": " + stitches_text(s.count);
   const std::string tail = ", each " + short_number(s.course) + " wide.";
   const std::string instead = ", not the " + short_number(std::round(s.ideal)) + " that its length holds";
   switch (s.reason) {

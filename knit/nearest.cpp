@@ -20,6 +20,7 @@ std::vector<std::int32_t> mains_of(const NearestRows& rows) {
   const auto size = static_cast<std::int32_t>(rows.below.size());
   const std::int32_t count = std::min(size, most_mains);
   std::vector<std::int32_t> mains;
+  mains.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i) mains.push_back(i * size / count);
   return mains;
 }

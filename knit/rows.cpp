@@ -69,10 +69,12 @@ double measured(Walk& walk, const Ring& ring, const Input& input, const Paramete
     const double far = 1.5 * band_of(parameters).high;
     walk.reach = Shared(reach_from(ring, input, walk.anchor, far));
   }
+  const auto reach = walk.reach.pointer();
   const auto ahead = static_cast<std::size_t>(order - walk.anchor);
-  const double known = across_gap                           ? walk.reach->to_first
-                       : ahead < walk.reach->to_next.size() ? walk.reach->to_next[ahead]
-                                                            : not_reached;
+  const double known = reach == nullptr                ? not_reached
+                       : across_gap                    ? reach->to_first
+                       : ahead < reach->to_next.size() ? reach->to_next[ahead]
+                                                       : not_reached;
   return known < not_reached ? known : surface_distance(ring, input, walk.anchor, order);
 }
 
