@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "knit/fold.h"
+#include "knit/pattern_words.h"
 
 namespace app {
 
@@ -14,20 +15,10 @@ using knit::Hand;
 
 // --- knitspeak -----------------------------------------------------------------------------------
 
+// Increases are capitals there.
 std::string_view speak_word(Hand hand) {
-  switch (hand) {
-    case Hand::m1r:
-      return "M1R";
-    case Hand::m1l:
-      return "M1L";
-    case Hand::k2tog:
-      return "k2tog";
-    case Hand::ssk:
-      return "ssk";
-    case Hand::knit:
-      break;
-  }
-  return "k";
+  if (hand == Hand::m1r) return "M1R";
+  return hand == Hand::m1l ? "M1L" : knit::word_of(hand);
 }
 
 std::string speak(const knit::Run& run) {
@@ -67,21 +58,7 @@ bool same_work(const knit::Round& a, const knit::Round& b) {
 
 // --- JSON ----------------------------------------------------------------------------------------
 
-std::string_view json_word(Hand hand) {
-  switch (hand) {
-    case Hand::m1r:
-      return "m1r";
-    case Hand::m1l:
-      return "m1l";
-    case Hand::k2tog:
-      return "k2tog";
-    case Hand::ssk:
-      return "ssk";
-    case Hand::knit:
-      break;
-  }
-  return "knit";
-}
+std::string_view json_word(Hand hand) { return hand == Hand::knit ? "knit" : knit::word_of(hand); }
 
 Json operations_json(const std::vector<knit::Operation>& operations) {
   Json all = Json::array();
