@@ -26,7 +26,7 @@ if ! has_display; then
   headless=no # or nothing that needs a window was asked for
   for argument in "$@"; do
     case $argument in
-      --headless | --headless=* | --help | -h | --version | --list-* | index) headless=yes ;;
+      --headless | --headless=* | --help | -h | --version | --list-* | index | check) headless=yes ;;
     esac
   done
   if [ $headless = no ]; then
