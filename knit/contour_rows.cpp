@@ -118,6 +118,7 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   plan.row_height = plan.height / steps;
   const std::vector<double> times = inner_times(from_time, steps);
   std::vector<double> values;
+  values.reserve(times.size());
   for (const double time : times) values.push_back(value_of_time(timing, time));
   const RowFrame frame = row_frame(timing.ends.direction, parameters.start_direction);
   plan.cuts = cut_surface(input, timing.cut_field(), values, times, frame);

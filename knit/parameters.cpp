@@ -264,7 +264,7 @@ std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
   if (p.start != no_vertex && p.start == p.end) {
     return "--start and --end are both vertex " + std::to_string(p.start) + "; pick two different ones.";
   }
-  if (const auto fault = start_direction_fault(p, mesh)) return fault;
+  if (auto fault = start_direction_fault(p, mesh)) return fault;
   if (p.rows == RowSource::rings && p.epsilon >= p.stitch_width) {
     return "epsilon " + number_text(p.epsilon) + " is not below the stitch width " +
            number_text(p.stitch_width) +

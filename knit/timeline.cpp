@@ -152,22 +152,22 @@ const Parameters& Timeline::parameters_of_step(std::size_t index) const {
 }
 
 // Only what was wished is carried over; what follows from it follows anew in each. Returns the first reader.
-Stage Timeline::change_everywhere(const Parameters& before, const Parameters& wished) {
+Stage Timeline::change_everywhere(const Parameters& before, const Parameters& parameters) {
   Stage first = Stage::done;
-  const auto change = [&](Parameters& parameters) {
-    const Parameters changed = agreed(with_change(parameters, before, wished), *input_);
-    first = std::min(first, first_reader_of_change(parameters, changed));
-    parameters = changed;
+  const auto change = [&](Parameters& kept) {
+    const Parameters changed = agreed(with_change(kept, before, parameters), *input_);
+    first = std::min(first, first_reader_of_change(kept, changed));
+    kept = changed;
   };
   change(base_);
   for (Edit& edit : edits_) change(edit.parameters);
   return first;
 }
 
-void Timeline::tune(const Parameters& wished) {
+void Timeline::tune(const Parameters& parameters) {
   const Parameters before = this->parameters();
-  if (before == agreed(wished, *input_)) return;
-  const Stage reader = change_everywhere(before, wished);
+  if (before == agreed(parameters, *input_)) return;
+  const Stage reader = change_everywhere(before, parameters);
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   rerun_from_reader(reader);
@@ -178,18 +178,18 @@ void Timeline::tune(const Parameters& wished) {
   }
 }
 
-void Timeline::edit_from_here(const Parameters& wished) {
-  const Parameters parameters = agreed(wished, *input_);
-  if (this->parameters() == parameters) return;
+void Timeline::edit_from_here(const Parameters& parameters) {
+  const Parameters changed = agreed(parameters, *input_);
+  if (this->parameters() == changed) return;
   const Parameters before = this->parameters();
   const Place here = state_.next;
   const std::size_t position = position_;
   auto next = std::find_if(edits_.begin(), edits_.end(), [&](const Edit& edit) { return edit.at >= here; });
   if (next != edits_.end() && next->at == here) next = edits_.erase(next);
   for (auto later = next; later != edits_.end(); ++later) {
-    later->parameters = agreed(with_change(later->parameters, before, parameters), *input_);
+    later->parameters = agreed(with_change(later->parameters, before, changed), *input_);
   }
-  edits_.insert(next, {here, parameters});
+  edits_.insert(next, {here, changed});
   rerun_from(position);
   seek(position);
 }
