@@ -58,6 +58,23 @@ void explain_end(const Input& input, const Timing& timing, CutPlan& plan) {
   plan.split = split;
 }
 
+double stitches_in(const CutPlan& plan, double stitch_width) {
+  double stitches = 0.0;
+  for (const Cut& cut : plan.cuts) {
+    if (is_tube(cut)) stitches += std::round(cut.loops.front()->length / stitch_width);
+  }
+  return stitches;
+}
+
+Stopped too_many_rows(const Timing& timing, double rows) {
+  return {StopReason::too_fine, {},  0,  static_cast<std::int32_t>(rows), most_contour_rows,
+          timing.ends.start,    0.0, 0.0};
+}
+
+Stopped too_many_stitches(const Timing& timing, double stitches) {
+  return {StopReason::too_fine, {}, 0, 0, most_contour_stitches, timing.ends.start, stitches, 0.0};
+}
+
 // What a count costs: over its stitches, the squared share by which they come out too wide or too narrow.
 double misfit(const Ring& ring, std::int32_t count, double stitch_width) {
   const double off = ring.length / (count * stitch_width) - 1.0;
@@ -112,8 +129,8 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   plan.from_time = from_time;
   plan.stitch_height = stitch_height_of(parameters);
   plan.height = timing.scale.total() - height_of_time(timing, from_time);
-  // The more rows, the longer each cut is worked on; a slip of the stitch height shall not fill the memory.
-  const double wanted = std::clamp(std::round(plan.height / plan.stitch_height), 1.0, 100000.0);
+  const double wanted = std::clamp(std::round(plan.height / plan.stitch_height), 1.0, 1e9);
+  if (wanted > most_contour_rows) return too_many_rows(timing, wanted);
   const auto steps = static_cast<std::int32_t>(from_time > 0.0 ? wanted : std::max(wanted, 2.0));
   plan.row_height = plan.height / steps;
   const std::vector<double> times = inner_times(from_time, steps);
@@ -124,6 +141,8 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   plan.cuts = cut_surface(input, timing.cut_field(), values, times, frame);
   keep_rows(plan, parameters.stitch_width);
   explain_end(input, timing, plan);
+  if (const double stitches = stitches_in(plan, parameters.stitch_width); stitches > most_contour_stitches)
+    return too_many_stitches(timing, stitches);
   if (plan.cuts.empty() && from_time == 0.0) {
     return Stopped{StopReason::no_row_levels, {}, steps - 1, plan.passed_over, 0, timing.ends.start,
                    parameters.stitch_width,   0.0};

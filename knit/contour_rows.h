@@ -2,7 +2,8 @@
 //
 // Cuts lie at equal steps of time, as many as rows of the stitch height fit into the height still to go. A
 // row holds round(L / w) stitches, at least 3, at most twice and at least half the row below; where that limit
-// binds, the counts of a few rows together come as near to L / w as they can. A cut shorter than three half stitches makes no row.
+// binds, the counts of a few rows together come as near to L / w as they can. A cut shorter than three half
+// stitches makes no row.
 #pragma once
 
 #include <variant>
@@ -15,7 +16,12 @@
 
 namespace knit {
 
-// From `from_time` (0 for the whole surface) on. Stops with no_row_levels when no cut makes a row.
+// A slip of the stitch size shall not fill the memory: beyond these a run stops.
+inline constexpr std::int32_t most_contour_rows = 20000;
+inline constexpr std::int32_t most_contour_stitches = 2000000;
+
+// From `from_time` (0 for the whole surface) on. Stops with no_row_levels when no cut makes a row, with
+// too_fine when there would be more than can be held.
 std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timing,
                                          const Parameters& parameters, double from_time);
 

@@ -299,6 +299,10 @@ std::string Sentence::operator()(const Stopped& s) const {
     case StopReason::changes_too_much:
       return where + ": " + stitches_text(s.count) + " cannot follow " + str(s.other) +
              "; a row may at most double or halve. Change the stitch width, or let such rows be resampled.";
+    case StopReason::too_fine:
+      return where + ": stitches as small as these make " +
+             (s.value > 0.0 ? short_number(s.value) + " stitches" : str(s.count) + " rows") +
+             ", more than the " + str(s.other) + " that can be worked; make them wider or higher.";
   }
   return where;
 }

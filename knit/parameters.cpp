@@ -254,6 +254,11 @@ std::optional<std::string> start_direction_fault(const Parameters& p, const Mesh
 }  // namespace
 
 std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
+  // Values that no text could have given: out of range, or no numbers.
+  for (const ParameterInfo& info : parameter_table()) {
+    Parameters read_back = p;
+    if (auto fault = set_value(info, read_back, value_text(info, p))) return fault;
+  }
   const std::size_t vertices = mesh.positions.size();
   for (const auto& [key, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
     if (vertex != no_vertex && vertex >= vertices) {

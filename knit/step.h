@@ -201,6 +201,7 @@ enum class StopReason : std::uint8_t {
   splits,            // the level set falls into several loops
   stall,             // nothing in the band, and the person asked to stop
   changes_too_much,  // more than double or less than half, and resampling is off
+  too_fine,          // more rows or stitches than can be held
 };
 struct Stopped {
   StopReason reason;

@@ -39,6 +39,8 @@ std::string_view word_of(StopReason reason) {
       return "stall";
     case StopReason::changes_too_much:
       return "changes too much";
+    case StopReason::too_fine:
+      return "too fine";
   }
   return "";
 }

@@ -11,6 +11,14 @@ namespace knit {
 namespace {
 constexpr std::size_t first_spacing = 128;
 
+const Parameters& in_force_at(const Place& place, const Parameters& base, const std::vector<Edit>& edits) {
+  const Parameters* in_force = &base;
+  for (const Edit& edit : edits) {
+    if (edit.at <= place) in_force = &edit.parameters;
+  }
+  return *in_force;
+}
+
 // Where a keyframe stands just after a long step, or at a stage's beginning.
 bool follows_long_work(const State& state) {
   if (const auto* timing = std::get_if<TimingWork>(&state.work))
@@ -138,11 +146,7 @@ std::size_t Timeline::position_of(const Place& place) const {
 Place Timeline::place() const { return position_ == 0 ? Place{} : steps_[position_ - 1].place; }
 
 const Parameters& Timeline::parameters_at(const Place& place) const {
-  const Parameters* in_force = &base_;
-  for (const Edit& edit : edits_) {
-    if (edit.at <= place) in_force = &edit.parameters;
-  }
-  return *in_force;
+  return in_force_at(place, base_, edits_);
 }
 
 const Parameters& Timeline::parameters() const { return parameters_at(state_.next); }
@@ -213,6 +217,48 @@ void Timeline::change_input(std::shared_ptr<const Input> input, const Parameters
   change_everywhere(before, parameters);
   rerun_from(0);
   if (!at_start) return_to(here);
+}
+
+// Before it all steps were taken with what `base` and `edits` say too; known() when all were.
+std::size_t Timeline::first_step_to_differ(const Parameters& base, const std::vector<Edit>& edits) const {
+  std::vector<Place> turns{Place{Stage::import, 0, 0}};  // from each to the next, nothing changes
+  for (const auto* list : {&edits_, &edits}) {
+    for (const Edit& edit : *list) turns.push_back(edit.at);
+  }
+  std::sort(turns.begin(), turns.end());
+  const auto index_of = [this](const Place& place) {
+    const auto step = std::lower_bound(steps_.begin(), steps_.end(), place,
+                                       [](const Step& s, const Place& p) { return s.place < p; });
+    return static_cast<std::size_t>(step - steps_.begin());
+  };
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const Stage reader = first_reader_of_change(parameters_at(turns[i]), in_force_at(turns[i], base, edits));
+    const std::size_t first = std::max(index_of(turns[i]), index_of({reader, 0, 0}));
+    const std::size_t end = i + 1 < turns.size() ? index_of(turns[i + 1]) : known();
+    if (reader != Stage::done && first < end) return first;
+  }
+  return known();
+}
+
+void Timeline::set_knobs(const Parameters& base, const std::vector<Edit>& edits,
+                         std::shared_ptr<const Input> input) {
+  const Place here = sought_.value_or(place());
+  const bool at_start = position_ == 0 && !sought_;
+  const bool other_mesh = input != nullptr && input != input_;
+  if (other_mesh) input_ = std::move(input);
+  const Parameters new_base = agreed(base, *input_);
+  std::vector<Edit> new_edits = edits;
+  for (Edit& edit : new_edits) edit.parameters = agreed(edit.parameters, *input_);
+  if (!other_mesh && new_base == base_ && new_edits == edits_) return;
+  const std::size_t first = other_mesh ? 0 : first_step_to_differ(new_base, new_edits);
+  base_ = new_base;
+  edits_ = std::move(new_edits);
+  rerun_from(first);
+  if (at_start) {
+    seek(0);
+  } else {
+    return_to(here);
+  }
 }
 
 // Every keyframe after the first step that could read the change is stale, whatever its stage.

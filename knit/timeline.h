@@ -89,6 +89,10 @@ class Timeline {
   void tune(const Parameters& parameters);
   void edit_from_here(const Parameters& parameters);
   void remove_edit(std::size_t index);
+  // Exactly these parameters and edits, as undoing and opening want them; shows the same place, as tune does.
+  // Edits are by place, rising. `input`: another form of the same mesh; null: as it is.
+  void set_knobs(const Parameters& base, const std::vector<Edit>& edits,
+                 std::shared_ptr<const Input> input = nullptr);
   // As tune, on another form of the same mesh (welded, or not).
   void change_input(std::shared_ptr<const Input> input, const Parameters& parameters);
   // Shows the place, or the nearest before it, as soon as the run has come so far; until then its end.
@@ -103,6 +107,8 @@ class Timeline {
   [[nodiscard]] const Parameters& parameters_at(const Place& place) const;
   bool extend_while(std::size_t steps, bool take_long);
   void take_frontier_step(const Step& step, Stage stage, bool was_long);
+  [[nodiscard]] std::size_t first_step_to_differ(const Parameters& base,
+                                                 const std::vector<Edit>& edits) const;
   Stage change_everywhere(const Parameters& before, const Parameters& parameters);
   void rerun_from(std::size_t position);
   void rerun_from_reader(Stage reader);

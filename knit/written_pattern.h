@@ -31,6 +31,7 @@ struct PatternOptions {
   std::optional<double> needle_mm;  // none: the usual one for the weight class
   bool markers = false;             // at main lines
   bool stars = false;               // *...; rep from * to end, where a round is one repeat
+  friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
 };
 
 struct PatternSizes {

@@ -131,11 +131,13 @@ const std::set<std::string> below_stages{"bug",
                                          "triangle_tree",
                                          "union_find"};
 const std::set<std::string> above_stages{
-    "machine",       "timeline",       "state",       "measures",        "narrate",       "step_fields",
-    "gauge",         "rounds",         "fold",        "written_pattern", "pattern_words", "pattern_sizes",
-    "pattern_text",  "yarn",           "chart",       "wales",           "wale_columns",  "pattern_reader",
-    "reader_cursor", "reader_grammar", "reader_html", "reader_lines",    "reader_text",   "reader_words",
-    "reader_work",   "quality",        "mirror",      "closeness"};
+    "machine",       "timeline",      "state",          "measures",      "narrate",
+    "step_fields",   "gauge",         "rounds",         "fold",          "written_pattern",
+    "pattern_words", "pattern_sizes", "pattern_text",   "yarn",          "chart",
+    "wales",         "wale_columns",  "pattern_reader", "reader_cursor", "reader_grammar",
+    "reader_html",   "reader_lines",  "reader_text",    "reader_words",  "reader_work",
+    "why",           "breaks",        "quality",        "mirror",        "closeness",
+    "problems",      "chart_text",    "why_touches",    "why_vertex",    "candidates"};
 
 Strings wrong_in_knit(const Source& source) {
   Strings wrong;

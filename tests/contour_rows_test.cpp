@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "knit/heights.h"
+#include "knit/narrate.h"
 #include "knit/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
@@ -164,6 +165,24 @@ TEST_CASE("contour rows: no cut is long enough", "[contour-rows]") {
   CHECK(stopped.count == 30);
   CHECK(stopped.vertex == 0);
   CHECK(stopped.value == 10.0);
+}
+
+TEST_CASE("contour rows: stitches too fine to be held stop the run before the memory is full",
+          "[contour-rows]") {
+  const auto stop_of = [](double w, double h) {
+    Timeline timeline(test_support::small_sphere(), sized(w, h, TimingKind::linear));
+    timeline.extend_to_end();
+    REQUIRE(timeline.stop() != nullptr);
+    CHECK(narrate(*timeline.stop(), timeline.parameters_of_stop()).ends_with("make them wider or higher."));
+    return std::get<Stopped>(timeline.stop()->what);
+  };
+  const Stopped rows = stop_of(0.1, 1e-7);
+  CHECK(rows.reason == StopReason::too_fine);
+  CHECK(rows.count > most_contour_rows);
+  const Stopped stitches = stop_of(1e-7, 0.1);
+  CHECK(stitches.reason == StopReason::too_fine);
+  CHECK(stitches.value > most_contour_stitches);
+  CHECK(stop_of(1e-300, 0.0).reason == StopReason::too_fine);
 }
 
 TEST_CASE("contour rows: a tube that parts is planned up to where it does", "[contour-rows]") {

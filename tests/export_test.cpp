@@ -13,6 +13,7 @@
 #include "app/core/card_text.h"
 #include "app/core/command_line.h"
 #include "app/core/files.h"
+#include "app/core/index_command.h"
 #include "knit/obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

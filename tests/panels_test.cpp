@@ -241,7 +241,7 @@ TEST_CASE("layers, rows and problems are clicked") {
   desk.ui.list = RunList::problems;
   desk.settle();
   REQUIRE_FALSE(desk.ui.run.problems().empty());
-  CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.problems()[0] + 1);
+  CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.ranked()[0].step + 1);
 }
 
 TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing else") {

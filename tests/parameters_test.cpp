@@ -108,6 +108,26 @@ TEST_CASE("what does not fit together or the mesh is said") {
   CHECK(fault_of(p, mesh)->find("not below the stitch width") != std::string::npos);
 }
 
+TEST_CASE("a value that no text could have given is a fault") {
+  const Mesh mesh = sphere(16, 9, false);
+  const auto fault_with = [&](auto change) {
+    Parameters parameters;
+    change(parameters);
+    return fault_of(parameters, mesh).value_or("");
+  };
+  CHECK(fault_with([](Parameters&) {}).empty());
+  CHECK(fault_with([](Parameters& p) {
+          p.rows = RowSource::contours;
+          p.stitch_width = 0.0;
+        }).starts_with("--stitch-width cannot be \"0\""));
+  CHECK(fault_with([](Parameters& p) { p.epsilon = std::nan(""); }).starts_with("--epsilon cannot be"));
+  CHECK(fault_with([](Parameters& p) { p.cast_on = -1; }).starts_with("--cast-on cannot be"));
+  CHECK(fault_with([](Parameters& p) { p.gauge.rounds = -4.0; }).starts_with("--gauge cannot be"));
+  CHECK(fault_with([](Parameters& p) {
+          p.axis = {AxisKind::custom, glm::dvec3(0.0)};
+        }).starts_with("--axis cannot be"));
+}
+
 TEST_CASE("defaults follow the mesh's size") {
   const Parameters p = default_parameters(bounds_of(sphere(16, 8).positions));
   CHECK(p.stitch_width == Approx(0.03 * 2 * std::sqrt(3.0)));

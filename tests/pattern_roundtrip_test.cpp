@@ -3,7 +3,7 @@
 
 #include "app/core/pattern_export.h"
 #include "app/core/pattern_html.h"
-#include "knit/chart.h"
+#include "knit/chart_text.h"
 #include "knit/gauge.h"
 #include "knit/pattern_reader.h"
 #include "knit/shapes.h"
@@ -30,15 +30,16 @@ void check_round_trip(const State& state, const Gauge& gauge) {
   const Rounds rounds = rounds_of(state);
   const KnitGraph graph = graph_of(state);
   CHECK(graph_of(rounds) == graph);
+  const Chart chart = chart_of(rounds);
   for (const bool stars : {false, true}) {
     PatternOptions options;
     options.stars = stars;
     options.markers = stars;
     const WrittenPattern pattern = write_pattern(rounds, gauge, options, "piece");
-    check_reads_back(pattern_as_text(pattern), graph);
+    check_reads_back(pattern_as_text(pattern) + chart_as_text(chart), graph);
     if (stars) continue;
-    check_reads_back(pattern_as_markdown(pattern), graph);
-    check_reads_back(app::pattern_html(pattern, chart_of(rounds)), graph);
+    check_reads_back(pattern_as_markdown(pattern) + chart_as_markdown(chart), graph);
+    check_reads_back(app::pattern_html(pattern, chart), graph);
   }
   check_reads_back(app::pattern_knitspeak(rounds), graph);
 }

@@ -110,7 +110,7 @@ knit::Quality fine_quality() {
 
 }  // namespace
 
-TEST_CASE("a click on a tab shows its side, once, and R shows the other") {
+TEST_CASE("a click on a tab shows its side, once, and R shows the next") {
   Desk desk;
   desk.open();
   CHECK(desk.session.side == SidePanel::step);
@@ -122,6 +122,8 @@ TEST_CASE("a click on a tab shows its side, once, and R shows the other") {
   desk.settle();
   CHECK(desk.click("side/report").empty());
   CHECK(desk.ui.controls.count("layer/faces") == 0);
+  CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::pattern);
+  desk.session.side = SidePanel::sweep;
   CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::step);
   desk.act(desk.click("side/step"));
   desk.settle();

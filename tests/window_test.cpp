@@ -68,6 +68,7 @@ for _ in $(seq 300); do
   sleep 0.1
 done
 export DISPLAY=:$(cat display)
+export XDG_STATE_HOME=$PWD/state  # never the person's own
 fail() {
   echo "window test: $1"
   [ -z "${pid:-}" ] || kill -KILL "$pid" 2>/dev/null || true
@@ -249,6 +250,39 @@ close
     apply(session, action);
   }
   CHECK(steps_in(folder, "mixed.json") == session.timeline->position());
+}
+
+TEST_CASE("after a crash the real window offers the session, and a clean end leaves nothing") {
+  if (!can_run()) return;
+  const Folder folder;
+  desk::Desk desk(width, height);
+  desk.open();
+  desk.session.rescued = Rescued{"", "thesis-sphere, row 30"};
+  desk.settle();
+  const MouseMove open = desk.over("rescue/open");
+  const std::string at = std::to_string(std::lround(open.x)) + " " + std::to_string(std::lround(open.y));
+  const std::string trouble = run_on_screen(folder, R"(
+left() { ls state/knit-mesh/*.json >/dev/null 2>&1; }
+start
+xdotool key shift+Right
+for _ in $(seq 200); do
+  ! left || break
+  sleep 0.1
+done
+left || fail "nothing was saved aside"
+kill -KILL $pid
+wait $pid || true
+start --save-report beside.json
+close
+left || fail "what was on offer is gone though nobody took it"
+start --save-report rescued.json
+xdotool mousemove --window "$window" )" + at + R"( click 1
+close
+! left || fail "a clean end left something"
+)");
+  REQUIRE(trouble == "");
+  CHECK(steps_in(folder, "beside.json") == 0);
+  CHECK(steps_in(folder, "rescued.json") > 0);
 }
 
 TEST_CASE("in the real window a drag turns the view, keys hide layers, and the play button plays") {

@@ -43,11 +43,14 @@ struct PassTime {
 };  // the clock's tick: plays, and works the run out further
 
 // Parameters.
+// `held`: by a hand that has not let go; Settle says when it has. What it changes meanwhile is undone as one.
 struct Tune {
   knit::Parameters parameters;
+  bool held = false;
 };  // as if from the start
 struct EditFromHere {
   knit::Parameters parameters;
+  bool held = false;
 };  // the past stays
 struct RemoveEdit {
   std::size_t index = 0;
@@ -62,6 +65,64 @@ struct SetPicking {
 struct PickVertex {
   knit::VertexId vertex = knit::no_vertex;
 };  // for whatever session.picking asks
+
+struct Settle {};  // the hand has let go: the next change of parameters is undone apart from those before
+struct Undo {};    // of changes of parameters and edits
+struct Redo {};
+struct CopyParameters {};  // as text, to the clipboard
+struct PasteParameters {
+  std::string text;
+};  // as Tune; from parameters_text.h
+
+// Why, and finding one's way: travel.h.
+struct Select {
+  std::optional<knit::Thing> thing;
+};  // shown in view, chart and lists
+struct ShowWhy {
+  knit::Thing thing;
+};  // selects it and goes to the step that made or refused it
+struct ToTouch {
+  int direction = 1;
+};                 // the next, or the last, step that had to do with what is selected
+struct GoBack {};  // to where one was before a jump
+struct GoForward {};
+enum class Depth : std::uint8_t { over, into, out };
+struct StepDeep {
+  Depth depth = Depth::over;
+  int direction = 1;
+};
+struct SetBreaks {
+  std::vector<knit::BreakCondition> conditions;
+};
+struct RunToBreak {
+  int direction = 1;
+};
+struct SetLoop {
+  std::optional<Stretch> stretch;
+};  // playing goes round in it; none: no loop
+struct SetSlowMotion {
+  bool on = true;
+};  // playing slows down where something interesting happens
+
+// Two settings side by side: pins.h, sweep.h.
+struct PinRun {};  // keeps the run at hand as the one compared with
+struct SwapPinned {};
+struct Unpin {};
+struct StartSweep {
+  SweepPlan plan;
+};
+struct CancelSweep {};
+struct TakeSweepValue {
+  std::size_t run = 0;
+};  // the parameters of one of its runs, as Tune
+
+// Sessions: session_file.h.
+struct OpenSession {
+  std::filesystem::path path;
+};
+struct CopyLink {};     // the command line that opens exactly this, to the clipboard
+struct TakeRescued {};  // the session saved aside before a crash
+struct DropRescued {};
 
 // The view.
 struct SetLayer {
@@ -87,7 +148,7 @@ struct ShowSide {
 };
 
 // Files. A failure is a notice in the session.
-enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, pattern, chart, picture };
+enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, pattern, chart, picture, session };
 struct Export {
   ExportKind kind = ExportKind::mesh;
   std::filesystem::path path;
@@ -106,6 +167,9 @@ struct ShowCentre {
 struct HoverStitch {
   std::optional<StitchAt> stitch;
 };
+struct HoverRounds {
+  std::optional<RoundSpan> rounds;
+};
 struct KnitAlong {
   std::optional<std::int32_t> round;  // none: put it away
 };
@@ -120,8 +184,12 @@ struct Quit {};
 using Action =
     std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
                  PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork, SetPicking, PickVertex,
-                 SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, SetPatternOptions, ShowCentre,
-                 HoverStitch, KnitAlong, Export, ShowHelp, ShowOpenDialog, DismissNotice, Quit>;
+                 Settle, Undo, Redo, CopyParameters, PasteParameters, Select, ShowWhy, ToTouch, GoBack,
+                 GoForward, StepDeep, SetBreaks, RunToBreak, SetLoop, SetSlowMotion, PinRun, SwapPinned,
+                 Unpin, StartSweep, CancelSweep, TakeSweepValue, OpenSession, CopyLink, TakeRescued,
+                 DropRescued, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, SetPatternOptions,
+                 ShowCentre, HoverStitch, HoverRounds, KnitAlong, Export, ShowHelp, ShowOpenDialog,
+                 DismissNotice, Quit>;
 using Actions = std::vector<Action>;
 
 void apply(Session& session, const Action& action);

@@ -6,20 +6,21 @@
 #include <utility>
 
 #include "app/core/action.h"
+#include "app/core/apply_parts.h"
 #include "app/core/export.h"
+#include "app/core/keep_place.h"
 #include "app/core/load.h"
 #include "app/core/navigate.h"
 #include "app/core/pattern_file.h"
+#include "app/core/playing.h"
 #include "app/core/presets.h"
+#include "app/core/session_file.h"
 #include "app/core/work_beside.h"
 #include "knit/gauge.h"
 
 namespace app {
 
 namespace {
-
-// Worked out ahead per tick, so that a frame stays short.
-constexpr std::size_t steps_per_tick = 40000;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -38,8 +39,8 @@ struct Apply {
   [[nodiscard]] bool open() const { return session.timeline.has_value(); }
   [[nodiscard]] knit::Timeline& timeline() const { return *session.timeline; }
 
-  void take(std::variant<Loaded, std::string> result, Source source,
-            std::chrono::steady_clock::time_point start) {
+  void take_loaded(std::variant<Loaded, std::string> result, Source source,
+                   std::chrono::steady_clock::time_point start) {
     if (const auto* error = std::get_if<std::string>(&result)) {
       notify(session, Notice::Kind::error, *error);
       return;
@@ -56,8 +57,16 @@ struct Apply {
     session.long_step.reset();
     session.before_change.reset();
     session.hovered_stitch.reset();
+    session.hovered_rounds.reset();
     session.knit_along.reset();
+    session.travel.history = {};
+    session.travel.left_by_seek.reset();
+    session.travel.selected.reset();
     session.knit_along_round = 1;
+    app::take(session, SetLoop{});
+    session.sweep.reset();
+    session.changes = {};
+    session.camera_kept = false;
     session.open_dialog_open = false;
     session.notices.clear();
     for (const knit::Finding& finding : session.findings)
@@ -69,11 +78,11 @@ struct Apply {
 
   void operator()(const OpenExample& a) {
     const auto start = std::chrono::steady_clock::now();
-    take(load_example(session.assets, a.name), {a.name, {}}, start);
+    take_loaded(load_example(session.assets, a.name), {a.name, {}}, start);
   }
   void operator()(const OpenFile& a) {
     const auto start = std::chrono::steady_clock::now();
-    take(load_file(a.path), {{}, a.path}, start);
+    take_loaded(load_file(a.path), {{}, a.path}, start);
   }
 
   // Does what may work the run out further, and counts the time if it did.
@@ -90,7 +99,7 @@ struct Apply {
     if (!open()) return;
     session.playback.playing = false;
     if (session.beside && a.direction > 0) {
-      counted([&] { return extend_now(steps_per_tick); });
+      counted([&] { return extend_now(steps_of_slice(timeline())); });
       if (const auto place = place_ahead(timeline(), a.unit)) return timeline().await(*place);
     }
     timeline().seek(counted([&] { return position_after(timeline(), a.unit, a.direction); }));
@@ -98,11 +107,16 @@ struct Apply {
   void operator()(const SeekTo& a) {
     if (!open()) return;
     const std::size_t known = timeline().known();
+    // A drag along the track is one jump: it is remembered where it began.
+    const bool goes_on = session.travel.left_by_seek == timeline().position();
+    if (!goes_on && a.position != timeline().position()) remember_place(session);
     if (a.position > known) counted([&] { return extend_now(a.position - known); });
     timeline().seek(a.position);
+    session.travel.left_by_seek = timeline().position();
   }
   void operator()(const SeekPlace& a) {
     if (!open()) return;
+    remember_place(session);
     if (session.beside) return timeline().await(a.place);
     timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
   }
@@ -110,10 +124,13 @@ struct Apply {
     return session.beside ? timeline().extend_briefly(steps) : timeline().extend(steps);
   }
   void operator()(const ToFirst& /*a*/) {
-    if (open()) timeline().seek(0);
+    if (!open()) return;
+    remember_place(session);
+    timeline().seek(0);
   }
   void operator()(const ToLast& /*a*/) {
     if (!open()) return;
+    remember_place(session);
     counted([&] { return extend_now(std::numeric_limits<std::size_t>::max()); });
     if (timeline().complete()) return timeline().seek(timeline().known());
     timeline().await({knit::Stage::done, 0, 0});
@@ -135,29 +152,16 @@ struct Apply {
   void operator()(const PassTime& a) {
     if (!open()) return;
     work_beside(session, a.seconds);
-    counted([&] { return extend_now(steps_per_tick); });
+    counted([&] { return extend_now(steps_of_slice(timeline())); });
+    tend_travel(session);
     // A tuned run that has not come back to its place yet plays on from there, not from where it has got to.
-    if (session.playback.playing && !timeline().sought()) play(a.seconds);
-  }
-  void play(double seconds) {
-    Playback& playback = session.playback;
-    playback.owed += std::clamp(seconds, 0.0, 0.25) * playback.steps_per_second;
-    const double whole = std::floor(playback.owed);
-    playback.owed -= whole;
-    const auto steps = static_cast<std::size_t>(whole);
-    const std::size_t position = timeline().position();
-    if (playback.direction > 0) {
-      timeline().seek(std::min(position + steps, timeline().known()));
-      if (timeline().complete() && timeline().position() == timeline().known()) stop_playing(session);
-    } else {
-      timeline().seek(position - std::min(position, steps));
-      if (timeline().position() == 0) stop_playing(session);
-    }
+    if (session.playback.playing && !timeline().sought()) play(session, a.seconds);
   }
 
   void operator()(const Tune& a) {
     if (!open()) return;
     if (refuse(a.parameters)) return;
+    remember_knobs(session);
     if (!session.long_step) session.before_change = timeline().parameters();
     if (a.parameters.weld != timeline().parameters().weld) {
       reload(a.parameters);
@@ -195,6 +199,7 @@ struct Apply {
                  " already; set where they come from for the whole run, not from here.");
       return;
     }
+    remember_knobs(session);
     if (!session.long_step) session.before_change = timeline().parameters();
     timeline().edit_from_here(a.parameters);
   }
@@ -213,7 +218,14 @@ struct Apply {
     linear.timing = knit::TimingKind::linear;
     const knit::Parameters back = session.before_change.value_or(linear);
     session.long_step.reset();
+    remember_knobs(session);
     timeline().tune(back);
+    // What is cancelled was never done.
+    Changes& changes = session.changes;
+    if (!changes.undo.empty() && changes.undo.back() == knobs_of(timeline())) {
+      changes.undo.pop_back();
+      changes.before.reset();
+    }
   }
   bool refuse(const knit::Parameters& wished) {
     const knit::Parameters parameters = knit::agreed(wished, timeline().input());
@@ -222,7 +234,9 @@ struct Apply {
     return fault.has_value();
   }
   void operator()(const RemoveEdit& a) {
-    if (open() && a.index < timeline().edits().size()) timeline().remove_edit(a.index);
+    if (!open() || a.index >= timeline().edits().size()) return;
+    remember_knobs(session);
+    timeline().remove_edit(a.index);
   }
   void operator()(const SetPicking& a) { session.picking = a.picking; }
   void operator()(const PickVertex& a) {
@@ -262,6 +276,7 @@ struct Apply {
     if (const auto error = export_to_file(session, a.kind, a.path)) {
       notify(session, Notice::Kind::error, *error);
     } else if (a.path != "-") {
+      if (a.kind == ExportKind::session) note_saved(session, a.path);
       notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");
     }
   }
@@ -269,6 +284,7 @@ struct Apply {
   void operator()(const SetPatternOptions& a) { session.pattern = a.options; }
   void operator()(const ShowCentre& a) { session.centre = a.centre; }
   void operator()(const HoverStitch& a) { session.hovered_stitch = a.stitch; }
+  void operator()(const HoverRounds& a) { session.hovered_rounds = a.rounds; }
   void operator()(const KnitAlong& a) {
     session.knit_along = a.round;
     if (a.round) session.knit_along_round = *a.round;
@@ -281,10 +297,31 @@ struct Apply {
     }
   }
   void operator()(const Quit& /*a*/) { session.quit = true; }
+
+  // The others: apply_parts.h.
+  template <class Other>
+  void operator()(const Other& other) {
+    app::take(session, other);
+  }
 };
 
 }  // namespace
 
-void apply(Session& session, const Action& action) { std::visit(Apply{session}, action); }
+void apply(Session& session, const Action& action) {
+  const Whereabouts before = before_action(session, action);
+  std::visit(Apply{session}, action);
+  if (session.changes.before) {
+    const auto* tune = std::get_if<Tune>(&action);
+    const auto* edit = std::get_if<EditFromHere>(&action);
+    const bool held = tune != nullptr ? tune->held : edit != nullptr && edit->held;
+    note_change(session.changes, knobs_of(*session.timeline), held);
+  }
+  after_action(session, before);
+}
+
+void show_loaded(Session& session, Loaded loaded, Source source,
+                 std::chrono::steady_clock::time_point start) {
+  Apply{session}.take_loaded(std::move(loaded), std::move(source), start);
+}
 
 }  // namespace app

@@ -1,7 +1,5 @@
 #include "app/core/chart_squares.h"
 
-#include <algorithm>
-
 namespace app {
 
 namespace {
@@ -18,12 +16,6 @@ std::string rectangle(std::string_view look, std::size_t x, std::size_t y, std::
                       std::size_t height) {
   return "<rect" + std::string(look) + attribute("x", x) + attribute("y", y) + attribute("width", width) +
          attribute("height", height) + "/>\n";
-}
-
-std::string_view id_of(ChartSymbol symbol) {
-  return std::find_if(chart_shapes.begin(), chart_shapes.end(),
-                      [&](const ChartShape& shape) { return shape.symbol == symbol; })
-      ->id;
 }
 
 class Grid {
@@ -85,7 +77,7 @@ class Grid {
     std::string out;
     for (std::size_t y = rows_; y-- > 0;) {
       for (std::size_t x = columns_; x-- > 0;) {
-        const std::string_view id = id_of(at(x, y).symbol);
+        const std::string_view id = shape_of(at(x, y).symbol).id;
         if (id.empty()) continue;
         out += "<use href=\"#" + std::string(id) + "\"" + attribute("x", x) + attribute("y", y) + "/>\n";
       }

@@ -91,7 +91,7 @@ class Drawing {
   [[nodiscard]] std::vector<KeyEntry> used() const {
     std::vector<KeyEntry> entries;
     for (const ChartShape& shape : chart_shapes) {
-      if (has(chart_, shape.symbol)) entries.push_back({&shape, shape.meaning});
+      if (has(chart_, shape.symbol)) entries.push_back({&shape, knit::sign_of(shape.symbol).meaning});
     }
     if (look_.tint_mains && any_main(chart_)) entries.push_back({nullptr, "main line"});
     return entries;
@@ -124,7 +124,7 @@ class Drawing {
     std::string out = "<defs fill=\"none\">\n";
     for (const ChartShape& shape : chart_shapes) {
       if (shape.id.empty() || !has(chart_, shape.symbol)) continue;
-      out += "<path id=\"" + std::string(shape.id) + "\" d=\"" + std::string(shape.path) +
+      out += "<path id=\"" + std::string(shape.id) + "\" d=\"" + svg_path(shape.strokes) +
              "\" fill=\"none\" stroke=\"#111\" stroke-width=\".115\" stroke-linecap=\"round\" "
              "stroke-linejoin=\"round\"/>\n";
     }

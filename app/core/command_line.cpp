@@ -1,21 +1,27 @@
 #include "app/core/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "app/core/check_command.h"
+#include "app/core/index_command.h"
 #include "app/core/pattern_file.h"
 #include "app/core/presets.h"
-#include "knit/gauge.h"
-#include "knit/pattern.h"
+#include "app/core/queries.h"
+#include "app/core/session_file.h"
+#include "app/core/words.h"
 #include "knit/stage.h"
-#include "knit/stitch_index.h"
 
 namespace app {
 
 namespace {
 
 struct Words {
+  std::string session, diff, why;
+  std::vector<std::string> breaks, sweep;
+  std::string save_session;
   std::string mesh, example, preset, at, side, centre, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
@@ -50,6 +56,7 @@ void declare(CLI::App& app, Words& words) {
   app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
   app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
+  app.add_option("--session", words.session, "open a saved session instead");
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
@@ -60,9 +67,17 @@ void declare(CLI::App& app, Words& words) {
   }
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
-  app.add_option("--side", words.side, "what the right column shows: step or report");
+  app.add_option("--side", words.side,
+                 "what the right column shows: step, report, pattern, compare or sweep");
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
+  app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
+      ->allow_extra_args(false);
+  app.add_option("--why", words.why, "say which step made stitch:ROW:ITEM or refused vertex:ID, and why");
+  app.add_option("--sweep", words.sweep, "run for PARAM=FROM:TO:N and write a table as CSV; twice: a grid")
+      ->allow_extra_args(false);
+  app.add_option("--diff", words.diff, "say what differs from the run of another session file");
+  app.add_option("--save-session", words.save_session, "write the session, to open it again");
   app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
   app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
   app.add_option("--save-report", words.save_report, "write the report as JSON");
@@ -118,6 +133,7 @@ void add_saves(const Words& words, CommandLine& line) {
   add(words.save_pattern, ExportKind::pattern);
   add(words.save_chart, ExportKind::chart);
   add(words.save_steps, ExportKind::steps);
+  add(words.save_session, ExportKind::session);
   add(words.screenshot, ExportKind::picture);
 }
 
@@ -135,10 +151,38 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
          " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
 }
 
+std::optional<std::string> read_side(const Words& words, CommandLine& line) {
+  constexpr std::array<std::string_view, 5> names{"step", "report", "pattern", "compare", "sweep"};
+  if (words.side.empty()) return std::nullopt;
+  const auto name = std::find(names.begin(), names.end(), words.side);
+  if (name == names.end())
+    return "--side cannot be \"" + words.side + "\"; give step, report, pattern, compare or sweep.";
+  line.side = static_cast<SidePanel>(name - names.begin());
+  line.side_given = true;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
+  if (!words.session.empty() && (!words.mesh.empty() || !words.example.empty()))
+    return "give either a session or a mesh, not both.";
+  line.session = words.session;
+  if (!words.mesh.empty() && is_session_file(words.mesh)) line.session = words.mesh;
+  line.breaks = words.breaks;
+  line.sweep = words.sweep;
+  line.diff = words.diff;
+  line.why = words.why;
+  for (const std::string& text : line.breaks) {
+    if (const auto fault = fault_of_break(text)) return fault;
+  }
+  if (const auto fault = fault_of_sweep(line.sweep)) return fault;
+  return line.why.empty() ? std::nullopt : fault_of_why(line.why);
+}
+
 std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
   if (!words.centre.empty() && words.centre != "view" && words.centre != "chart")
     return "--centre cannot be \"" + words.centre + "\"; give view or chart.";
   line.centre = words.centre == "chart" ? CentrePanel::chart : CentrePanel::view;
+  line.centre_given = !words.centre.empty();
   if (words.knit_along.empty()) return std::nullopt;
   std::int32_t round = 0;
   const char* end = words.knit_along.data() + words.knit_along.size();
@@ -157,12 +201,9 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
            pattern_endings + ".";
   }
   if (words.needle.empty()) return std::nullopt;
-  double needle = 0.0;
-  const char* end = words.needle.data() + words.needle.size();
-  const auto result = std::from_chars(words.needle.data(), end, needle);
-  if (result.ec != std::errc() || result.ptr != end || !(needle >= 0.5 && needle <= 50.0))
-    return "--needle-mm cannot be \"" + words.needle + "\"; give a number from 0.5 to 50.";
-  line.pattern.needle_mm = needle;
+  line.pattern.needle_mm = needle_mm_of(words.needle);
+  if (!line.pattern.needle_mm)
+    return "--needle-mm cannot be \"" + words.needle + "\"; give " + needle_range + ".";
   return std::nullopt;
 }
 
@@ -195,41 +236,15 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
           "stitches, faces, pattern.");
     }
   }
-  if (!words.side.empty() && words.side != "step" && words.side != "report") {
-    return bad_usage("--side cannot be \"" + words.side + "\"; give step or report.");
-  }
+  if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
-  line.side = words.side == "report" ? SidePanel::report : SidePanel::step;
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
   }
   line.headless = words.headless;
   add_saves(words, line);
   return line;
-}
-
-template <class Number>
-std::optional<Number> whole_number(std::string_view text) {
-  Number value{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || result.ec != std::errc() || result.ptr != text.data() + text.size())
-    return std::nullopt;
-  return value;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::string place_text(const knit::Place& place) {
-  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
-         std::to_string(place.item);
 }
 
 }  // namespace
@@ -273,100 +288,6 @@ std::optional<At> parse_at(const std::string& text) {
   place.row = *row;
   place.item = *item;
   return place;
-}
-
-std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
-  apply(session, line.open);
-  apply(session, ShowSide{line.side});
-  apply(session, SetPatternOptions{line.pattern});
-  apply(session, ShowCentre{line.centre});
-  if (line.knit_along) apply(session, KnitAlong{line.knit_along});
-  if (!session.timeline)
-    return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
-  if (line.settings.empty() && line.preset.empty()) return std::nullopt;
-  knit::Parameters parameters = session.timeline->parameters();
-  if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
-  const double band_share = parameters.epsilon / parameters.stitch_width;
-  bool epsilon_given = false;
-  for (const auto& [info, text] : line.settings) {
-    knit::set_value(*info, parameters, text);
-    knit::give_size_by(info->key, parameters);
-    epsilon_given = epsilon_given || info->key == "epsilon";
-  }
-  // A width alone takes epsilon along in proportion.
-  for (const auto& [info, text] : line.settings) {
-    if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
-  }
-  parameters = knit::agreed(parameters, session.timeline->input());
-  if (!epsilon_given) parameters.epsilon = band_share * parameters.stitch_width;
-  const std::size_t notices = session.notices.size();
-  apply(session, Tune{parameters});
-  if (session.notices.size() > notices && session.notices.back().kind == Notice::Kind::error) {
-    return session.notices.back().text;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> go_to(Session& session, const At& at) {
-  knit::Timeline& timeline = *session.timeline;
-  if (std::holds_alternative<AtEnd>(at)) {
-    apply(session, ToLast{});
-    return std::nullopt;
-  }
-  if (const auto* steps = std::get_if<std::size_t>(&at)) {
-    apply(session, SeekTo{*steps});
-    if (timeline.position() == *steps) return std::nullopt;
-    return "the run has only " + std::to_string(timeline.known()) + " steps; showing the last.";
-  }
-  if (const auto* stage = std::get_if<AtStage>(&at)) {
-    // A stage's first row differs: 0, 1 or 2. Its first step is the one after all that stands before it.
-    apply(session, SeekPlace{{stage->stage, -1, 0}});
-    apply(session, StepBy{Unit::item, 1});
-    if (timeline.place().stage == stage->stage) return std::nullopt;
-    return "the run does not reach the stage " + std::string(knit::name_of(stage->stage)) +
-           "; showing the last step.";
-  }
-  const auto& place = std::get<knit::Place>(at);
-  apply(session, SeekPlace{place});
-  if (timeline.place() == place) return std::nullopt;
-  return "the run has no place " + place_text(place) + "; showing the nearest before it, " +
-         place_text(timeline.place()) + ".";
-}
-
-Answer index_answer(const std::string& sizes_text, const std::string& placement) {
-  std::vector<std::int32_t> sizes;
-  for (const std::string_view part : split(sizes_text, ',')) {
-    const auto size = whole_number<std::int32_t>(part);
-    if (!size || *size < 1 || *size > 100000) {
-      return bad_usage("index: \"" + std::string(part) +
-                       "\" is not a row size; give whole numbers from 1 to 100000, like 6,12,17.");
-    }
-    sizes.push_back(*size);
-  }
-  if (placement == "nearest") {
-    return bad_usage(
-        "index: --placement nearest needs to know where stitches stand, and a list of sizes does not say; "
-        "give "
-        "thesis or even.");
-  }
-  if (placement != "thesis" && placement != "even") {
-    return bad_usage("index: --placement cannot be \"" + placement + "\"; give thesis or even.");
-  }
-  for (std::size_t i = 1; i < sizes.size(); ++i) {
-    if (sizes[i] <= 2 * sizes[i - 1] && 2 * sizes[i] >= sizes[i - 1]) continue;
-    return bad_usage("index: row " + std::to_string(i + 1) + " cannot have " + std::to_string(sizes[i]) +
-                     " stitches after " + std::to_string(sizes[i - 1]) +
-                     "; a row may at most double or halve.");
-  }
-  const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
-  const std::vector<knit::Transition> transitions = knit::plan_transitions(sizes, policy);
-  std::vector<const knit::Transition*> view;
-  view.reserve(transitions.size());
-  for (const knit::Transition& transition : transitions) view.push_back(&transition);
-  std::string text;
-  for (const knit::LabelRow& row : knit::appendix_view(sizes.front(), view))
-    text += knit::text_of(row) + "\n";
-  return {exit_done, text, ""};
 }
 
 }  // namespace app

@@ -30,8 +30,13 @@ struct CommandLine {
   SidePanel side = SidePanel::step;        // what the right column shows
   CentrePanel centre = CentrePanel::view;  // what the centre shows
   std::optional<std::int32_t> knit_along;  // the round to begin with
+  std::filesystem::path session;           // instead of a mesh; empty: none
+  std::vector<std::string> breaks, sweep;  // as given: queries.h
+  std::string diff, why;
   std::vector<Export> saves;
   int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
+
+  bool side_given = false, centre_given = false;  // beside a session only what is given counts
 };
 
 // The program's answer without a window: help, a list, an error.
@@ -42,8 +47,9 @@ struct Answer {
 };
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_stopped = 1;  // the algorithm stopped on this mesh
-inline constexpr int exit_usage = 2;    // bad usage, or an unreadable or unfit file
+inline constexpr int exit_stopped = 1;   // the algorithm stopped on this mesh
+inline constexpr int exit_usage = 2;     // bad usage, or an unreadable or unfit file
+inline constexpr int exit_no_break = 4;  // no condition of --break holds
 
 // `arguments` without the program's name.
 std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,
@@ -57,8 +63,5 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
 // Moves to where the command line wants to stop. A sentence if the run has no such place; it then shows the
 // nearest before it.
 std::optional<std::string> go_to(Session& session, const At& at);
-
-// `knit-mesh index 6,12,17`: the label arrays for a list of row sizes.
-Answer index_answer(const std::string& sizes, const std::string& placement);
 
 }  // namespace app

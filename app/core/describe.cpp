@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/core/describe_contours.h"
+#include "app/core/describe_selected.h"
 #include "app/core/describe_step.h"
 #include "app/core/palette.h"
 
@@ -145,7 +146,9 @@ Scene Describer::describe(const Session& session) {
   }
   add_rows(session, scene);
   add_strips(session, scene);
+  ghost_.describe(session, scene);
   describe_step(session, scene);
+  describe_selected(session, scene);
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/core/describe_ghost.h"
 #include "app/core/scene.h"
 #include "app/core/session.h"
 
@@ -41,6 +42,7 @@ class Describer {
   std::shared_ptr<const std::vector<Line>> isolines_;
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
+  Ghost ghost_;
 };
 
 }  // namespace app

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/core/describe_contours.h"
+#include "app/core/describe_meant.h"
 #include "app/core/palette.h"
 #include "knit/faces.h"
 #include "knit/narrate.h"
@@ -247,31 +248,6 @@ std::vector<Line> columns_of(const knit::Strip& strip, std::size_t count, const 
     lines.push_back({places.at(lower), places.at(upper), palette::column_edge, 1.3F});
   }
   return lines;
-}
-
-// What the pointer or the person who knits along means: a stitch, a whole round.
-void describe_meant(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
-  const auto row_at = [&](std::int32_t number) -> const knit::Row* {
-    const bool there = number >= 1 && static_cast<std::size_t>(number) <= state.rows.size();
-    return there ? &*state.rows[static_cast<std::size_t>(number) - 1] : nullptr;
-  };
-  if (const knit::Row* row = session.knit_along ? row_at(*session.knit_along) : nullptr) {
-    for (std::size_t i = 0; i < row->stitches.size(); ++i) {
-      const glm::vec3 from(row->stitches[i].position);
-      const glm::vec3 to(row->stitches[(i + 1) % row->stitches.size()].position);
-      scene.lines.push_back({from, to, palette::anchor, 5.0F});
-    }
-  }
-  if (!session.hovered_stitch) return;
-  const knit::Row* row = row_at(session.hovered_stitch->row);
-  const auto stitch = static_cast<std::size_t>(session.hovered_stitch->stitch);
-  if (row == nullptr || stitch >= row->stitches.size()) return;
-  const glm::vec3 at(row->stitches[stitch].position);
-  scene.points.push_back({at, palette::accepted, 12.0F});
-  scene.captions.push_back({at,
-                            "row " + std::to_string(row->number) + ", stitch " + std::to_string(stitch + 1),
-                            palette::accepted});
 }
 
 void describe_step(const Session& session, Scene& scene) {

@@ -7,6 +7,7 @@
 #include "app/core/files.h"
 #include "app/core/pattern_file.h"
 #include "app/core/report.h"
+#include "app/core/session_file.h"
 #include "app/core/step_json.h"
 #include "knit/pattern.h"
 
@@ -112,6 +113,8 @@ std::optional<std::string> export_to_file(const Session& session, ExportKind kin
       return write_file(path, chart_file_text(session));
     case ExportKind::steps:
       return write_file(path, steps_text(session));
+    case ExportKind::session:
+      return save_session(session, path);
     case ExportKind::picture:
       break;
   }

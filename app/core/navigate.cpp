@@ -70,4 +70,28 @@ std::optional<knit::Place> place_ahead(const knit::Timeline& timeline, Unit unit
   return last;
 }
 
+std::optional<Unit> unit_of_depth(const knit::Timeline& timeline, Depth depth) {
+  if (depth == Depth::into) return Unit::item;
+  const knit::Place last = timeline.place();
+  const knit::Place next = timeline.state().next;
+  const bool between_stages = timeline.position() == 0 || last.stage != next.stage;
+  const bool between_rows = between_stages || last.row != next.row;
+  if (depth == Depth::over) return between_stages ? Unit::stage : between_rows ? Unit::row : Unit::item;
+  if (between_stages) return std::nullopt;
+  return between_rows ? Unit::stage : Unit::row;
+}
+
+std::optional<Stretch> stretch_of(const knit::Timeline& timeline, const PlaceStretch& places) {
+  const Stretch stretch{count_before(timeline, places.first), timeline.position_of(places.last)};
+  return stretch.begin < stretch.end ? std::optional(stretch) : std::nullopt;
+}
+
+std::optional<Stretch> stretch_of_row(const Session& session) {
+  if (!session.timeline || session.timeline->position() == 0) return std::nullopt;
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::Place here = timeline.place();
+  return Stretch{count_before(timeline, {here.stage, here.row, 0}),
+                 count_before(timeline, after(here, Unit::row))};
+}
+
 }  // namespace app

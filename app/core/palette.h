@@ -23,10 +23,13 @@ inline constexpr Colour too_far{160, 110, 90};
 inline constexpr Colour accepted{255, 255, 255};
 inline constexpr Colour anchor{255, 214, 64};
 inline constexpr Colour band{255, 214, 64, 110};
+inline constexpr Colour selected{140, 255, 150};
 inline constexpr Colour stitch{244, 240, 228};
 inline constexpr Colour row_edge{236, 232, 220};
 inline constexpr Colour column_edge{40, 44, 52};
+inline constexpr Colour ghost{150, 176, 214, 150};  // the pinned run behind the one at hand
 inline constexpr Colour problem{230, 90, 70};
+inline constexpr Colour break_hit{186, 156, 255};
 
 inline constexpr Colour of(knit::Label label) {
   switch (label) {

@@ -1,9 +1,11 @@
 #include "app/core/pattern_file.h"
 
+#include <charconv>
+
 #include "app/core/chart_svg.h"
 #include "app/core/pattern_export.h"
 #include "app/core/pattern_html.h"
-#include "knit/chart.h"
+#include "knit/chart_text.h"
 
 namespace app {
 
@@ -28,6 +30,15 @@ std::optional<PatternFormat> pattern_format_of(const std::filesystem::path& path
   return std::nullopt;
 }
 
+std::optional<double> needle_mm_of(std::string_view text) {
+  double needle = 0.0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, needle);
+  if (result.ec != std::errc() || result.ptr != end || !(needle >= 0.5 && needle <= 50.0))
+    return std::nullopt;
+  return needle;
+}
+
 std::optional<std::string> pattern_missing(const Session& session) {
   if (session.timeline->state().stage() > knit::Stage::stitches) return std::nullopt;
   return "the pattern is not there yet: not all stitches have their labels. Let the run go on to the faces.";
@@ -38,9 +49,10 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
   const knit::Rounds rounds = knit::rounds_of(session.timeline->state());
   switch (format) {
     case PatternFormat::text:
-      return knit::pattern_as_text(written(session, rounds));
+      return knit::pattern_as_text(written(session, rounds)) + knit::chart_as_text(knit::chart_of(rounds));
     case PatternFormat::markdown:
-      return knit::pattern_as_markdown(written(session, rounds));
+      return knit::pattern_as_markdown(written(session, rounds)) +
+             knit::chart_as_markdown(knit::chart_of(rounds));
     case PatternFormat::html:
       return pattern_html(written(session, rounds), knit::chart_of(rounds), picture_png);
     case PatternFormat::json:

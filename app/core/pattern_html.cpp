@@ -59,11 +59,16 @@ dd { margin: 0; }
   .facts li, .steps li { margin: 0 0 .3mm; }
   .rounds li { margin: 0 0 .25mm; padding-left: 4mm; }
   .rounds.long { column-gap: 6mm; }
+  body.roomy { font-size: 9.2pt; line-height: 1.32; }
+  .roomy .picture { width: 50mm; max-height: 50mm; }
+  .roomy .rounds li { margin: 0 0 .5mm; }
 }
 )css";
 
 // More lines than this are set in two columns.
 constexpr std::size_t long_list = 16;
+// Up to so many leave the sheet room for larger print.
+constexpr std::size_t roomy_list = 24;
 
 std::string heading(std::string_view text) { return "<h2>" + xml_text(text) + "</h2>\n"; }
 
@@ -112,7 +117,8 @@ std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart&
   const std::string title = xml_text(pattern.title);
   std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  out += "<title>" + title + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n";
+  out += "<title>" + title + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n";
+  out += pattern.instructions.size() <= roomy_list ? "<body class=\"roomy\">\n" : "<body>\n";
   out += "<header>\n<h1>" + title + "</h1>\n";
   if (!pattern.level.empty()) out += "<p class=\"level\">Level: " + xml_text(pattern.level) + "</p>\n";
   out += "</header>\n";

@@ -6,13 +6,9 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
+#include "app/core/pick_ray.h"
+
 namespace app {
-
-namespace {
-
-struct Ray {
-  glm::dvec3 origin, direction;
-};
 
 Ray ray_through(const Session& session, const glm::dvec2& place) {
   const View view = session.camera.view(session.aspect);
@@ -38,12 +34,8 @@ std::optional<double> meets(const Ray& ray, const glm::dvec3& a, const glm::dvec
   return along;
 }
 
-}  // namespace
-
-std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place) {
-  if (!session.timeline) return std::nullopt;
+std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray) {
   const knit::Mesh& mesh = session.timeline->input().mesh;
-  const Ray ray = ray_through(session, place);
   double nearest = std::numeric_limits<double>::infinity();
   const knit::Triangle* hit = nullptr;
   for (const knit::Triangle& t : mesh.triangles) {
@@ -58,7 +50,13 @@ std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dve
   for (const knit::VertexId v : *hit) {
     if (glm::distance(mesh.positions[v], point) < glm::distance(mesh.positions[best], point)) best = v;
   }
-  return best;
+  return SurfaceHit{nearest, best};
+}
+
+std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place) {
+  if (!session.timeline) return std::nullopt;
+  const auto hit = hit_surface(session, ray_through(session, place));
+  return hit ? std::optional(hit->vertex) : std::nullopt;
 }
 
 std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& place, double reach) {

@@ -10,6 +10,10 @@
 #include <vector>
 
 #include "app/core/camera.h"
+#include "app/core/changes.h"
+#include "app/core/pins.h"
+#include "app/core/sweep.h"
+#include "app/core/travel.h"
 #include "app/core/worker.h"
 #include "knit/check.h"
 #include "knit/closeness.h"
@@ -67,8 +71,15 @@ struct StitchAt {
   friend bool operator==(const StitchAt&, const StitchAt&) = default;
 };
 
+// Whole rounds, by their numbers.
+struct RoundSpan {
+  std::int32_t first = 1, last = 1;
+  [[nodiscard]] bool holds(std::int32_t round) const { return first <= round && round <= last; }
+  friend bool operator==(const RoundSpan&, const RoundSpan&) = default;
+};
+
 // What the right column shows.
-enum class SidePanel : std::uint8_t { step, report };
+enum class SidePanel : std::uint8_t { step, report, pattern, compare, sweep };
 
 enum class Picking : std::uint8_t { nothing, start, end };
 
@@ -81,6 +92,16 @@ struct LongStep {
 struct Measuring {
   std::uint64_t run = 0;  // hash of the state measured
   Work<std::optional<knit::Closeness>> work;
+};
+
+// A session file, and what it says.
+struct SavedAs {
+  std::filesystem::path path;
+  std::string text;
+};
+struct Rescued {
+  std::filesystem::path path;
+  std::string words;  // "thesis-sphere, row 14"
 };
 
 struct Session {
@@ -101,6 +122,17 @@ struct Session {
   std::shared_ptr<const knit::Closeness> closeness;  // of the finished run; null: not measured
   bool measuring = false;                            // a worker is at it
 
+  Travel travel;               // where one was, what is selected, break conditions, the loop
+  Changes changes;             // of parameters, to undo and redo
+  std::optional<Pin> pinned;   // the run that this one is compared with
+  std::optional<Sweep> sweep;  // under way or done
+  std::string place_note;      // why another place is shown than the one tuned at; else empty
+  std::optional<std::string> clipboard_wanted;  // the loop hands it over after the next frame
+
+  std::optional<Rescued> rescued;  // a session from before a crash, offered
+  std::optional<SavedAs> saved;    // the session file last written or opened
+  bool camera_kept = false;        // it came with a session: not framed anew once the view's shape is known
+
   Camera camera;
   double aspect = 1.6;  // of the view
   std::array<bool, layer_count> layers{true, true, true, true, false, true, true, true, true, true, true};
@@ -109,6 +141,8 @@ struct Session {
   SidePanel side = SidePanel::step;
   CentrePanel centre = CentrePanel::view;
   std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
+  // By their line in the text or their place on the timeline: likewise, and in both of these.
+  std::optional<RoundSpan> hovered_rounds;
   std::optional<std::int32_t> knit_along;  // the round at hand, from 1; none: not knitting along
   std::int32_t knit_along_round = 1;       // remembered when it is put away
   knit::PatternOptions pattern;            // title, yarn, needle of the written pattern

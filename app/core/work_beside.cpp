@@ -1,5 +1,7 @@
 #include "app/core/work_beside.h"
 
+#include "app/core/playing.h"
+
 namespace app {
 
 namespace {
@@ -57,6 +59,17 @@ void work_beside(Session& session, double seconds) {
   if (!session.beside || !session.timeline) return;
   tend_long_step(session, seconds);
   tend_measuring(session);
+  tend_pin(session);
+}
+
+std::size_t steps_of_slice(const knit::Timeline& timeline) {
+  // The shortest way over the surface, for each candidate measured: a good tenth of a millisecond.
+  constexpr std::size_t dear_steps = 64;
+  const knit::Parameters& parameters = timeline.parameters_of_stop();
+  const bool dear = parameters.rows == knit::RowSource::rings &&
+                    parameters.metric == knit::Metric::geodesic &&
+                    timeline.furthest().stage() <= knit::Stage::rows;
+  return dear ? dear_steps : steps_per_tick;
 }
 
 std::shared_ptr<const knit::Closeness> closeness_now(const Session& session) {

@@ -11,4 +11,7 @@ void work_beside(Session& session, double seconds);
 // Measures at once, unless it is known: for reports without a window.
 std::shared_ptr<const knit::Closeness> closeness_now(const Session& session);
 
+// How many steps may be worked out in one tick without holding up a frame: fewer where each is dear.
+std::size_t steps_of_slice(const knit::Timeline& timeline);
+
 }  // namespace app

@@ -6,12 +6,16 @@ namespace app {
 
 namespace {
 
-std::uint64_t key_of(const knit::State& state, const knit::PatternOptions& options) {
+std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
+                     const knit::PatternOptions& options) {
   knit::Hasher hasher;
   hasher.add(state.rows.empty() ? 0 : state.rows.front().content_hash());
   for (const auto& transition : state.transitions) hasher.add(transition.content_hash());
   hasher.add(state.rows.size());
-  knit::hash_into(hasher, std::string_view(options.title));
+  for (const std::string* words : {&options.title, &options.yarn, &options.colour})
+    knit::hash_into(hasher, std::string_view(*words));
+  for (const double number : {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds})
+    knit::hash_into(hasher, number);
   hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U));
   return hasher.value();
 }
@@ -20,7 +24,8 @@ std::uint64_t key_of(const knit::State& state, const knit::PatternOptions& optio
 
 void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOptions& options) {
   const knit::State& state = timeline.furthest();
-  const std::uint64_t key = key_of(state, options);
+  const knit::Gauge& gauge = timeline.parameters().gauge;  // as for a file
+  const std::uint64_t key = key_of(state, gauge, options);
   if (key == key_) return;
   key_ = key;
   chart_ = {};
@@ -28,8 +33,7 @@ void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOpti
   if (state.transitions.empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
-  pattern_ =
-      knit::write_pattern(rounds, timeline.base_parameters().gauge, options, timeline.input().mesh.name);
+  pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);
 }
 
 std::string ChartCache::line_of(std::int32_t round) const {

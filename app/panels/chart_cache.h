@@ -18,6 +18,9 @@ class ChartCache {
   void refresh(const knit::Timeline& timeline, const knit::PatternOptions& options);
 
   [[nodiscard]] const knit::Chart& chart() const { return chart_; }
+  [[nodiscard]] const knit::WrittenPattern& pattern() const { return pattern_; }
+  // Another whenever the chart or the pattern is.
+  [[nodiscard]] std::uint64_t key() const { return key_; }
   // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round.
   [[nodiscard]] std::string line_of(std::int32_t round) const;
   // The cast on is the first; the chart's last row, the bind off, is none.

@@ -1,5 +1,6 @@
 #include "app/panels/chart_drawing.h"
 
+#include "app/core/chart_strokes.h"
 #include "app/panels/style.h"
 
 namespace app {
@@ -38,37 +39,22 @@ Colour ground_of(const knit::ChartSquare& square, bool lit) {
   return square.main ? main_paper : paper;
 }
 
-// Places within the square, from the upper left corner, as shares of its side.
-struct Pen {
-  ImDrawList& list;
-  ImVec2 low;
-  float side;
-  ImU32 colour;
-  void line(float x0, float y0, float x1, float y1) const {
-    const auto at = [&](float x, float y) { return ImVec2(low.x + x * side, low.y + y * side); };
-    list.AddLine(at(x0, y0), at(x1, y1), colour, 0.1f * side + 0.6f);
-  }
-};
-
-void draw_symbol(const Pen& pen, knit::ChartSymbol symbol) {
-  switch (symbol) {
-    case knit::ChartSymbol::k2tog:
-      return pen.line(0.2f, 0.8f, 0.8f, 0.2f);
-    case knit::ChartSymbol::ssk:
-      return pen.line(0.2f, 0.2f, 0.8f, 0.8f);
-    case knit::ChartSymbol::m1r:
-      pen.line(0.3f, 0.82f, 0.7f, 0.18f);
-      return pen.line(0.5f, 0.5f, 0.22f, 0.25f);
-    case knit::ChartSymbol::m1l:
-      pen.line(0.7f, 0.82f, 0.3f, 0.18f);
-      return pen.line(0.5f, 0.5f, 0.78f, 0.25f);
-    case knit::ChartSymbol::cast_on:
-      return pen.line(0.2f, 0.82f, 0.8f, 0.82f);
-    case knit::ChartSymbol::bind_off:
-      return pen.line(0.2f, 0.2f, 0.8f, 0.2f);
-    case knit::ChartSymbol::no_stitch:
-    case knit::ChartSymbol::knit:
-      break;
+// Strokes that go on one from another are one line.
+void draw_symbol(ImDrawList& list, ImVec2 low, float side, ImU32 colour, knit::ChartSymbol symbol) {
+  const auto at = [&](const ChartPoint& point) {
+    return ImVec2(low.x + static_cast<float>(point.x) * side, low.y + static_cast<float>(point.y) * side);
+  };
+  const std::span<const ChartStroke> strokes = shape_of(symbol).strokes;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const ChartStroke& stroke = strokes[i];
+    if (i == 0 || strokes[i - 1].to != stroke.from) list.PathLineTo(at(stroke.from));
+    if (stroke.bend) {
+      list.PathBezierQuadraticCurveTo(at(*stroke.bend), at(stroke.to));
+    } else {
+      list.PathLineTo(at(stroke.to));
+    }
+    if (i + 1 == strokes.size() || strokes[i + 1].from != stroke.to)
+      list.PathStroke(colour, ImDrawFlags_None, 0.1f * side + 0.6f);
   }
 }
 
@@ -81,33 +67,11 @@ void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, 
   if (look.side >= 5.0f) {
     const knit::Label label = label_of(square.symbol);
     const Colour colour = label == knit::Label::knit ? ink : palette::of(label);
-    draw_symbol({list, low, look.side - gap, style::packed(colour)}, square.symbol);
+    draw_symbol(list, low, look.side - gap, style::packed(colour), square.symbol);
   } else if (label_of(square.symbol) != knit::Label::knit) {
     list.AddRectFilled(low, high, style::packed(palette::of(label_of(square.symbol))));
   }
   if (look.hovered) list.AddRect(low, high, style::packed(style::accent), 0.0f, 0, 2.0f);
-}
-
-const char* name_of(knit::ChartSymbol symbol) {
-  switch (symbol) {
-    case knit::ChartSymbol::no_stitch:
-      return "no stitch";
-    case knit::ChartSymbol::knit:
-      return "knit";
-    case knit::ChartSymbol::m1r:
-      return "m1r: make one right";
-    case knit::ChartSymbol::m1l:
-      return "m1l: make one left";
-    case knit::ChartSymbol::k2tog:
-      return "k2tog: knit two together";
-    case knit::ChartSymbol::ssk:
-      return "ssk: slip, slip, knit";
-    case knit::ChartSymbol::cast_on:
-      return "cast on";
-    case knit::ChartSymbol::bind_off:
-      return "bind off";
-  }
-  return "";
 }
 
 }  // namespace app

@@ -16,7 +16,4 @@ struct SquareLook {
 // One square with its symbol; `low` is its upper left corner.
 void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look);
 
-// What a square says, in words: "M1L", "knit, main stitch".
-const char* name_of(knit::ChartSymbol symbol);
-
 }  // namespace app

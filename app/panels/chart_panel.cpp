@@ -5,6 +5,7 @@
 
 #include "app/panels/chart_drawing.h"
 #include "app/panels/widgets.h"
+#include "knit/chart_text.h"
 
 namespace app {
 
@@ -65,11 +66,6 @@ void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
   view.zoom *= factor;
 }
 
-std::int32_t round_at_hand(const PanelFrame& frame) {
-  if (frame.session.knit_along) return *frame.session.knit_along;
-  return row_at_hand(frame);
-}
-
 void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) {
   const float needed = ImGui::GetTextLineHeight();
   const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
@@ -107,7 +103,45 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
   }
 }
 
-// The square under the pointer is shown everywhere; a click goes to its round.
+// The rounds of the text's line under the pointer, framed as one.
+void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
+  const auto& rounds = frame.session.hovered_rounds;
+  if (!rounds) return;
+  const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
+  const auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
+  const auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
+  const ImVec2 low = sheet.at(last, static_cast<std::size_t>(sheet.chart.columns) - 1);
+  const ImVec2 high = sheet.at(first, 0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(high.x + sheet.side, high.y + sheet.side);
+  list.AddRectFilled(low, end, style::packed(style::accent, 50));
+  list.AddRect(low, end, style::packed(style::accent), frame.units(2.0f), 0, frame.units(2.0f));
+}
+
+// What a square stands for: the label that shaped it, else its stitch.
+knit::Thing thing_of(const knit::Timeline& timeline, const StitchAt& at) {
+  const auto& transitions = timeline.furthest().transitions;
+  const auto i = static_cast<std::size_t>(at.row) - 2;
+  if (at.row < 2 || i >= transitions.size()) return knit::StitchThing{at.row, at.stitch};
+  const knit::Transition& t = *transitions[i];
+  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(t.labels.size()); ++cell) {
+    const auto index = static_cast<std::size_t>(cell);
+    const std::int32_t above = t.above >= t.below ? cell : t.link[index];
+    if (above == at.stitch && t.labels[index] != knit::Label::knit) return knit::LabelThing{at.row, cell};
+  }
+  return knit::StitchThing{at.row, at.stitch};
+}
+
+void wish_why(PanelFrame& frame, const StitchAt& at) {
+  const knit::Timeline& timeline = *frame.timeline();
+  const knit::Thing thing = thing_of(timeline, at);
+  frame.wish(Select{thing});
+  const auto step = knit::made_by(timeline, thing);
+  if (!step) return wish_round(frame, at.row);
+  frame.wish(SeekPlace{timeline.step(*step).place});
+}
+
+// The square under the pointer is shown everywhere; a click goes to the step that made what it stands for.
 void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
   std::optional<StitchAt> under;
   if (ImGui::IsItemHovered()) {
@@ -119,12 +153,13 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
       std::string words = "Rnd " + std::to_string(round.number);
       if (under)
         words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);
-      words += ": " + std::string(name_of(square.symbol)) + (square.main ? ", main" : "");
+      words += ": " + std::string(knit::sign_of(square.symbol).meaning) + (square.main ? ", main" : "");
       ImGui::SetTooltip("%s", words.c_str());
       const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
       const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                            std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
-      if (clicked && worked) wish_row(frame, round.number);
+      if (clicked && under) wish_why(frame, *under);
+      if (clicked && worked && !under) wish_round(frame, round.number);
     }
   }
   if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
@@ -153,6 +188,7 @@ void draw_chart(PanelFrame& frame) {
   sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),
                      std::floor(box.y + 0.5f * (box.height - size.y) + view.move.y));
   draw_squares(frame, sheet, box, frame.session.hovered_stitch);
+  draw_hovered_rounds(frame, sheet);
   handle_pointer(frame, sheet);
   ImGui::End();
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/core/navigate.h"
+
 namespace app {
 
 namespace {
@@ -14,6 +16,8 @@ using Wish = std::optional<Action>;
 constexpr Mods none{};
 constexpr Mods shift{.shift = true};
 constexpr Mods ctrl{.ctrl = true};
+constexpr Mods alt{.alt = true};
+constexpr Mods ctrl_shift{.shift = true, .ctrl = true};
 
 constexpr std::array<Chord, 2> on(Key key, Mods mods = none) { return {{{key, mods, 0}, {}}}; }
 constexpr std::array<Chord, 2> typing(char32_t a, char32_t b) {
@@ -41,6 +45,27 @@ Wish speed(const Session& session) {
   return SetSpeed{std::clamp(wanted, slowest_steps_per_second, fastest_steps_per_second)};
 }
 
+template <Depth depth, int direction>
+Wish deep(const Session& /*session*/) {
+  return StepDeep{depth, direction};
+}
+
+template <class Plain>
+Wish plain(const Session& /*session*/) {
+  return Plain{};
+}
+
+// Round the row at hand, or no more.
+Wish loop(const Session& session) {
+  if (session.travel.loop || !session.timeline) return SetLoop{};
+  return SetLoop{stretch_of_row(session)};
+}
+
+Wish paste(const Session& /*session*/) {
+  const char* text = ImGui::GetClipboardText();
+  return text != nullptr && *text != '\0' ? Wish(PasteParameters{text}) : std::nullopt;
+}
+
 // Whatever is open on top; dialogs close themselves.
 Wish close(const Session& session) {
   if (session.help_open) return ShowHelp{false};
@@ -50,6 +75,8 @@ Wish close(const Session& session) {
 }
 
 constexpr std::string_view run = "The run";
+constexpr std::string_view finding = "Finding why";
+constexpr std::string_view changes = "Changes";
 constexpr std::string_view view = "The view";
 constexpr std::string_view program = "The program";
 
@@ -75,6 +102,38 @@ const std::array table{
                 [](const Session&) -> Wish { return ToLast{}; }},
     CommandInfo{Command::faster, run, "Play faster", typing('.', '+'), true, speed<3, 2>},
     CommandInfo{Command::slower, run, "Play slower", typing(',', '-'), true, speed<2, 3>},
+    CommandInfo{Command::slow_motion, run, "Slow down where it matters", on(Key::M), false,
+                [](const Session& session) -> Wish { return SetSlowMotion{!session.travel.slow_motion}; }},
+    CommandInfo{Command::loop, run, "Play round and round in this row", on(Key::L), false, loop},
+    CommandInfo{Command::step_over, finding, "Step over", on(Key::F10), true, deep<Depth::over, 1>},
+    CommandInfo{Command::over_back, finding, "Step over, back", on(Key::F10, ctrl), true,
+                deep<Depth::over, -1>},
+    CommandInfo{Command::step_into, finding, "Step into", on(Key::F11), true, deep<Depth::into, 1>},
+    CommandInfo{Command::into_back, finding, "Step into, back", on(Key::F11, ctrl), true,
+                deep<Depth::into, -1>},
+    CommandInfo{Command::step_out, finding, "Step out", on(Key::F11, shift), true, deep<Depth::out, 1>},
+    CommandInfo{Command::out_back, finding, "Step out, back", on(Key::F11, ctrl_shift), true,
+                deep<Depth::out, -1>},
+    CommandInfo{Command::next_break, finding, "To the next break", on(Key::N), true,
+                [](const Session&) -> Wish { return RunToBreak{1}; }},
+    CommandInfo{Command::last_break, finding, "To the break before", on(Key::N, shift), true,
+                [](const Session&) -> Wish { return RunToBreak{-1}; }},
+    CommandInfo{Command::next_touch, finding, "The next step that touches what is selected", on(Key::J), true,
+                [](const Session&) -> Wish { return ToTouch{1}; }},
+    CommandInfo{Command::last_touch, finding, "The one before that touched it", on(Key::J, shift), true,
+                [](const Session&) -> Wish { return ToTouch{-1}; }},
+    CommandInfo{Command::go_back, finding, "Back to where you were", on(Key::Left, alt), true, plain<GoBack>},
+    CommandInfo{Command::go_forward, finding, "Forward again", on(Key::Right, alt), true, plain<GoForward>},
+    CommandInfo{Command::undo, changes, "Undo a change", on(Key::Z, ctrl), true, plain<Undo>},
+    CommandInfo{
+        Command::redo, changes, "Redo it", {{{Key::Y, ctrl, 0}, {Key::Z, ctrl_shift, 0}}}, true, plain<Redo>},
+    CommandInfo{Command::copy, changes, "Copy all parameters", on(Key::C, ctrl), false,
+                plain<CopyParameters>},
+    CommandInfo{Command::paste, changes, "Paste parameters", on(Key::V, ctrl), false, paste},
+    CommandInfo{
+        Command::pin, changes, "Pin this run, or let it go", on(Key::P), false,
+        [](const Session& session) -> Wish { return session.pinned ? Wish(Unpin{}) : Wish(PinRun{}); }},
+    CommandInfo{Command::swap, changes, "Swap with the pinned run", on(Key::X), false, plain<SwapPinned>},
     CommandInfo{Command::frame_all, view, "Frame the mesh", on(Key::F), false,
                 [](const Session&) -> Wish { return FrameAll{}; }},
     layer_info<Layer::surface>(Key::Digit1),
@@ -88,9 +147,10 @@ const std::array table{
     layer_info<Layer::row_edges>(Key::Digit7),
     layer_info<Layer::column_edges>(Key::Digit8),
     layer_info<Layer::faces>(Key::Digit9),
-    CommandInfo{Command::side, view, "Step or report card", on(Key::R), false,
+    CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
                 [](const Session& session) -> Wish {
-                  return ShowSide{session.side == SidePanel::report ? SidePanel::step : SidePanel::report};
+                  constexpr int sides = static_cast<int>(SidePanel::sweep) + 1;
+                  return ShowSide{static_cast<SidePanel>((static_cast<int>(session.side) + 1) % sides)};
                 }},
     CommandInfo{Command::chart, view, "The view or the chart", on(Key::T), false,
                 [](const Session& session) -> Wish {
@@ -104,6 +164,8 @@ const std::array table{
                 }},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
+    CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
+                on(Key::C, ctrl_shift), false, plain<CopyLink>},
     CommandInfo{Command::help,
                 program,
                 "Show or hide the keys",
@@ -137,6 +199,10 @@ std::string name_of(Key key) {
       return "Esc";
     case Key::F1:
       return "F1";
+    case Key::F10:
+      return "F10";
+    case Key::F11:
+      return "F11";
     default:
       return "?";  // a test sees to it that no such key is in the table
   }

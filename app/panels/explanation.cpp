@@ -111,8 +111,10 @@ void draw_tab(PanelFrame& frame, const Tab& tab, float height, float thin) {
 }
 
 void draw_tabs(PanelFrame& frame) {
-  constexpr std::array tabs{Tab{SidePanel::step, "Step", "side/step"},
-                            Tab{SidePanel::report, "Report card", "side/report"}};
+  constexpr std::array tabs{
+      Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
+      Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
+      Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight() + frame.units(9.0f);
   const float thin = std::max(1.0f, std::floor(frame.units(1.0f)));
@@ -127,17 +129,27 @@ void draw_tabs(PanelFrame& frame) {
   ImGui::NewLine();
 }
 
+std::string counted(const char* name, std::size_t count) {
+  return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
+}
+
 void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
-  const std::string rows_name = "Rows (" + with_commas(rows) + ")###rows";
-  const std::string problems_name = "Problems (" + with_commas(count_problems(frame)) + ")###problems";
-  const std::array<std::string_view, 2> names{rows_name, problems_name};
+  const std::string rows_name = counted("Rows", rows);
+  const std::string problems_name = counted("Problems", count_problems(frame));
+  const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
+  const std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
   const int clicked = segmented("list", names, static_cast<int>(frame.ui.list), 0.0f);
   if (clicked >= 0) frame.ui.list = static_cast<RunList>(clicked);
-  if (frame.ui.list == RunList::rows) {
-    draw_rows(frame);
-  } else {
-    draw_problems(frame);
+  switch (frame.ui.list) {
+    case RunList::rows:
+      return draw_rows(frame);
+    case RunList::candidates:
+      return draw_candidates(frame);
+    case RunList::problems:
+      return draw_problems(frame);
+    case RunList::breaks:
+      return draw_breaks(frame);
   }
 }
 
@@ -200,6 +212,7 @@ void draw_step_side(PanelFrame& frame) {
   frame.mark("step");
   draw_layers(frame);
   draw_legend(frame);
+  draw_selected(frame);
   draw_lists(frame);
 }
 
@@ -208,10 +221,22 @@ void draw_step_side(PanelFrame& frame) {
 void draw_explanation(PanelFrame& frame) {
   begin_panel("Explanation", frame.layout.explanation);
   draw_tabs(frame);
-  if (frame.session.side == SidePanel::report) {
-    draw_report_card(frame);
-  } else {
-    draw_step_side(frame);
+  switch (frame.session.side) {
+    case SidePanel::step:
+      draw_step_side(frame);
+      break;
+    case SidePanel::report:
+      draw_report_card(frame);
+      break;
+    case SidePanel::pattern:
+      draw_pattern_text(frame);
+      break;
+    case SidePanel::compare:
+      draw_compare(frame);
+      break;
+    case SidePanel::sweep:
+      draw_sweep(frame);
+      break;
   }
   ImGui::End();
 }

@@ -12,30 +12,34 @@ namespace app {
 
 namespace {
 
+constexpr int column_count = 3;
+
 void line(const PanelFrame& frame, std::string_view keys, std::string_view words) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   push_font(frame.fonts.mono);
-  text(keys);
+  wrapped_text(keys);
   pop_font();
   ImGui::TableNextColumn();
-  faint_text(words);
+  wrapped_text(words, palette::faint_text);
 }
 
 bool begin_lines(const PanelFrame& frame, const char* id, const char* title) {
   ImGui::Dummy(ImVec2(0.0f, frame.units(3.0f)));
   heading(frame, title);
   if (!ImGui::BeginTable(id, 2)) return false;
-  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, frame.units(116.0f));
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, frame.units(124.0f));
   ImGui::TableSetupColumn("words", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
 
-void draw_group(const PanelFrame& frame, std::string_view group) {
+void draw_group(PanelFrame& frame, std::string_view group) {
   const std::string title(group);
   if (!begin_lines(frame, title.c_str(), title.c_str())) return;
   for (const CommandInfo& info : command_table()) {
-    if (info.group == group) line(frame, keys_of(info), words_of(info));
+    if (info.group != group) continue;
+    line(frame, keys_of(info), words_of(info));
+    frame.mark("help/" + words_of(info));
   }
   ImGui::EndTable();
 }
@@ -55,13 +59,32 @@ void draw_mouse(const PanelFrame& frame) {
   ImGui::EndTable();
 }
 
+std::size_t lines_of(std::string_view group) {
+  const auto table = command_table();
+  return 2 + static_cast<std::size_t>(std::count_if(
+                 table.begin(), table.end(), [&](const CommandInfo& info) { return info.group == group; }));
+}
+
+// The groups from `first` that go into a column: about a third of all lines. The mouse's are in the first.
+std::size_t end_of_column(const std::vector<std::string_view>& names, std::size_t first, int column) {
+  if (column + 1 == column_count) return names.size();
+  const std::size_t mouse = 2 + mouse_help.size();
+  std::size_t all = mouse;
+  for (const std::string_view name : names) all += lines_of(name);
+  std::size_t lines = column == 0 ? mouse : 0;
+  std::size_t end = first;
+  for (; end < names.size() && lines + lines_of(names[end]) / 2 < all / column_count; ++end)
+    lines += lines_of(names[end]);
+  return end;
+}
+
 }  // namespace
 
 void draw_help(PanelFrame& frame) {
   if (!frame.session.help_open) return;
   const Box& window = frame.layout.window;
-  const float width = std::min(frame.units(760.0f), 0.92f * window.width);
-  const float height = std::min(frame.units(500.0f), 0.92f * window.height);
+  const float width = std::min(frame.units(1200.0f), 0.96f * window.width);
+  const float height = std::min(frame.units(540.0f), 0.96f * window.height);
   ImGui::SetNextWindowPos(ImVec2(0.5f * (window.width - width), 0.5f * (window.height - height)));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   push_raised_look(frame);
@@ -69,13 +92,17 @@ void draw_help(PanelFrame& frame) {
   ImGui::Begin("Keys and mouse", &open,
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);
-  if (ImGui::BeginTable("halves", 2)) {
+  frame.ui.controls.insert_or_assign(
+      "help", Box{0.5f * (window.width - width), 0.5f * (window.height - height), width, height});
+  if (ImGui::BeginTable("columns", column_count)) {
     const auto names = groups();
-    ImGui::TableNextColumn();
-    draw_group(frame, names.front());
-    draw_mouse(frame);
-    ImGui::TableNextColumn();
-    for (std::size_t i = 1; i < names.size(); ++i) draw_group(frame, names[i]);
+    std::size_t next = 0;
+    for (int column = 0; column < column_count; ++column) {
+      ImGui::TableNextColumn();
+      const std::size_t end = end_of_column(names, next, column);
+      for (; next < end; ++next) draw_group(frame, names[next]);
+      if (column == 0) draw_mouse(frame);
+    }
     ImGui::EndTable();
   }
   ImGui::End();

@@ -45,6 +45,22 @@ void draw_strip(const PanelFrame& frame, const knit::ChartRow& row) {
 
 }  // namespace
 
+std::int32_t round_at_hand(const PanelFrame& frame) {
+  if (frame.session.knit_along) return *frame.session.knit_along;
+  return row_at_hand(frame);
+}
+
+void wish_round(PanelFrame& frame, std::int32_t number) {
+  wish_row(frame, number);
+  if (frame.session.knit_along) frame.wish(KnitAlong{number});
+}
+
+std::optional<RoundSpan> rounds_meant(const Session& session) {
+  if (session.hovered_rounds) return session.hovered_rounds;
+  if (!session.hovered_stitch) return std::nullopt;
+  return RoundSpan{session.hovered_stitch->row, session.hovered_stitch->row};
+}
+
 void draw_knit_along(PanelFrame& frame) {
   const auto& along = frame.session.knit_along;
   if (!along || frame.timeline() == nullptr) return;

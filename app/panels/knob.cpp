@@ -206,6 +206,7 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   ImGui::BeginGroup();
   std::visit(Control{frame, info, parameters, std::min(control, whole)}, info.kind);
   ImGui::EndGroup();
+  if (frame.session.changes.open && ImGui::IsItemDeactivated()) frame.wish(Settle{});
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
     tooltip(frame, help_text(frame, info));

@@ -57,6 +57,31 @@ void draw_file_menu(PanelFrame& frame) {
   ImGui::EndMenu();
 }
 
+void draw_edit_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "Edit", "menu/edit")) return;
+  for (const Command command : {Command::undo, Command::redo}) command_item(frame, command);
+  ImGui::Separator();
+  for (const Command command : {Command::copy, Command::paste, Command::copy_link})
+    command_item(frame, command);
+  ImGui::Separator();
+  for (const Command command : {Command::pin, Command::swap}) command_item(frame, command);
+  ImGui::EndMenu();
+}
+
+void draw_why_menu(PanelFrame& frame) {
+  if (!begin_menu(frame, "Why", "menu/why")) return;
+  for (const Command command :
+       {Command::go_back, Command::go_forward, Command::next_touch, Command::last_touch})
+    command_item(frame, command);
+  ImGui::Separator();
+  for (const Command command : {Command::next_break, Command::last_break}) command_item(frame, command);
+  ImGui::Separator();
+  for (const Command command : {Command::step_over, Command::step_into, Command::step_out, Command::over_back,
+                                Command::into_back, Command::out_back})
+    command_item(frame, command);
+  ImGui::EndMenu();
+}
+
 void draw_preset_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "Presets", "menu/presets")) return;
   for (const Preset& preset : presets()) {
@@ -78,7 +103,8 @@ void draw_go_menu(PanelFrame& frame) {
     command_item(frame, command);
   }
   ImGui::Separator();
-  for (const Command command : {Command::play, Command::play_back, Command::faster, Command::slower}) {
+  for (const Command command : {Command::play, Command::play_back, Command::faster, Command::slower,
+                                Command::slow_motion, Command::loop}) {
     command_item(frame, command);
   }
   if (frame.timeline() != nullptr && !frame.ui.run.stages().empty()) {
@@ -140,8 +166,10 @@ void draw_menu(PanelFrame& frame) {
   ImGui::PopStyleVar();
   if (!open) return;
   draw_file_menu(frame);
+  draw_edit_menu(frame);
   draw_preset_menu(frame);
   draw_go_menu(frame);
+  draw_why_menu(frame);
   draw_view_menu(frame);
   draw_help_menu(frame);
   draw_title(frame);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <system_error>
 
+#include "app/core/session_file.h"
 #include "app/panels/widgets.h"
 
 namespace app {
@@ -13,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_mesh(const fs::path& path) {
+bool is_openable(const fs::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".obj";
+  return ending == ".obj" || ending == ".json";
 }
 
 void enter_folder(OpenDialog& dialog, const fs::path& wanted) {
@@ -28,7 +29,7 @@ void enter_folder(OpenDialog& dialog, const fs::path& wanted) {
     std::error_code unknown;
     const std::string name = it->path().filename().string();
     const bool is_folder = it->is_directory(unknown);
-    if (name.empty() || name[0] == '.' || (!is_folder && !is_mesh(it->path()))) continue;
+    if (name.empty() || name[0] == '.' || (!is_folder && !is_openable(it->path()))) continue;
     entries.push_back({name, is_folder});
   }
   if (error) {
@@ -71,7 +72,7 @@ void take(PanelFrame& frame, const fs::path& path) {
   } else if (!fs::exists(path, error)) {
     frame.ui.open.trouble = path.string() + " does not exist.";
   } else {
-    frame.wish(OpenFile{path});
+    frame.wish(opening_of(path));
     finish(frame);
   }
 }
@@ -106,7 +107,7 @@ bool draw_entries(PanelFrame& frame, float height) {
     if (move != 0 && dialog.chosen == i) ImGui::SetScrollHereY();
     ImGui::PopID();
   }
-  if (count == 0) faint_text("No folder and no .obj file here.");
+  if (count == 0) faint_text("No folder, no mesh (.obj) and no session (.json) here.");
   ImGui::EndChild();
   return opened;
 }
@@ -151,7 +152,7 @@ void draw_open_dialog(PanelFrame& frame) {
   OpenDialog& dialog = frame.ui.open;
   const bool wanted = frame.session.open_dialog_open;
   if (!wanted && !dialog.shown) return;
-  const char* const title = "Open a mesh";
+  const char* const title = "Open a mesh or a session";
   if (wanted && !dialog.shown) {
     begin_dialog(frame.session, dialog);
     ImGui::OpenPopup(title);

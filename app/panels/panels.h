@@ -7,6 +7,8 @@
 
 namespace app {
 
+struct Track;
+
 // One frame's drawing. Panels read the session and leave their wishes in `actions`.
 struct PanelFrame {
   const Session& session;
@@ -15,6 +17,7 @@ struct PanelFrame {
   const Layout& layout;
   const Fonts& fonts;
   Actions actions;
+  std::optional<RoundSpan> rounds_under = std::nullopt;  // the pointer, in whichever panel has it
 
   void wish(Action action) { actions.push_back(std::move(action)); }
   // Notes where the last item stands.
@@ -36,12 +39,22 @@ void draw_view_overlays(PanelFrame& frame);  // notices, the picking banner, the
 void draw_parameters(PanelFrame& frame);
 void draw_edits(PanelFrame& frame);  // inside the parameters
 void draw_explanation(PanelFrame& frame);
-void draw_report_card(PanelFrame& frame);  // its other side
-void draw_last_step(PanelFrame& frame);    // the explanation's parts
+void draw_report_card(PanelFrame& frame);   // its other side
+void draw_pattern_text(PanelFrame& frame);  // another side: the written rounds
+void draw_compare(PanelFrame& frame);       // another: the pinned run beside the one at hand
+void draw_sweep(PanelFrame& frame);         // another: many values of a parameter
+void draw_last_step(PanelFrame& frame);     // the explanation's parts
 void draw_layers(PanelFrame& frame);
 void draw_legend(PanelFrame& frame);
 void draw_rows(PanelFrame& frame);
 void draw_problems(PanelFrame& frame);
+void draw_candidates(PanelFrame& frame);
+void draw_selected(PanelFrame& frame);  // one line over the lists, with ways on from there
+void draw_breaks(PanelFrame& frame);
+void draw_travel_marks(PanelFrame& frame,
+                       const Track& track);  // on the track: hits of break conditions, the loop
+void draw_pattern_marks(PanelFrame& frame, const Track& track);  // and the round under the pointer
+void draw_rescue(PanelFrame& frame);  // over the view: a session from before a crash
 void draw_timeline(PanelFrame& frame);
 void draw_transport(PanelFrame& frame);  // the timeline's parts
 void draw_track(PanelFrame& frame);
@@ -53,6 +66,17 @@ void draw_save_dialog(PanelFrame& frame);
 std::int32_t row_at_hand(const PanelFrame& frame);
 // To the end of a row in the stage at hand.
 void wish_row(PanelFrame& frame, std::int32_t number);
+
+// That is knitted along, or in the making; none: 0.
+std::int32_t round_at_hand(const PanelFrame& frame);
+// There, as wish_row; who knits along goes on from there.
+void wish_round(PanelFrame& frame, std::int32_t number);
+// Inside the written pattern: its title, yarn and needle, folded away.
+void draw_pattern_fields(PanelFrame& frame);
+// Of the step under the pointer, which is on the track.
+void mean_round_under(PanelFrame& frame, const Track& track);
+// Under the pointer, by a stitch, a square, a line of the text or the timeline.
+std::optional<RoundSpan> rounds_meant(const Session& session);
 
 // How many lines the list of problems has.
 std::size_t count_problems(const PanelFrame& frame);

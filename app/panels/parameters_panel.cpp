@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "app/panels/commands.h"
 #include "app/panels/knob.h"
 #include "app/panels/widgets.h"
 #include "knit/gauge.h"
@@ -10,9 +11,46 @@ namespace app {
 
 namespace {
 
+struct Tool {
+  Command command;
+  Icon icon;
+  const char* id;
+  bool usable;
+};
+
+// Undo, redo, copy and paste at the right end of a line.
+void draw_tools(PanelFrame& frame) {
+  const Changes& changes = frame.session.changes;
+  const std::array<Tool, 4> tools{Tool{Command::undo, Icon::undo, "undo", !changes.undo.empty()},
+                                  Tool{Command::redo, Icon::redo, "redo", !changes.redo.empty()},
+                                  Tool{Command::copy, Icon::copy, "copy", true},
+                                  Tool{Command::paste, Icon::paste, "paste", true}};
+  const float side = ImGui::GetFrameHeight();
+  const float gap = frame.units(3.0f);
+  const auto count = static_cast<float>(tools.size());
+  ImGui::SameLine();
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  float x = right - count * side - (count - 1.0f) * gap;
+  for (const Tool& tool : tools) {
+    const CommandInfo& info = info_of(tool.command);
+    ImGui::SameLine(x);
+    ImGui::BeginDisabled(!tool.usable);
+    const bool clicked = icon_button(tool.id, tool.icon, ImVec2(side, side));
+    ImGui::EndDisabled();
+    frame.mark(tool.id);
+    tooltip(frame, tooltip_of(info));
+    if (clicked) {
+      if (auto wish = info.make(frame.session)) frame.wish(std::move(*wish));
+    }
+    x += side + gap;
+  }
+}
+
 void draw_mode(PanelFrame& frame) {
   constexpr std::array<std::string_view, 2> names{"from the start", "from here"};
+  ImGui::AlignTextToFramePadding();
   faint_text("A change counts");
+  draw_tools(frame);
   ImGui::BeginGroup();
   const int clicked = segmented("mode", names, frame.ui.from_here ? 1 : 0, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
@@ -26,10 +64,11 @@ void draw_mode(PanelFrame& frame) {
 
 // What a change asks for: welding makes another mesh, so it can only count from the start.
 void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
+  const bool held = ImGui::IsAnyItemActive();  // a drag goes on; a click is over
   if (frame.ui.from_here && info.first_reader != knit::Stage::import) {
-    frame.wish(EditFromHere{changed});
+    frame.wish(EditFromHere{changed, held});
   } else {
-    frame.wish(Tune{changed});
+    frame.wish(Tune{changed, held});
   }
 }
 

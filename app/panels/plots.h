@@ -37,7 +37,9 @@ struct RowPlot {
   std::string title;
   std::string help;
   std::string value_words, ideal_words;    // of the two: "made", "ideal"
-  std::span<const double> values, ideals;  // of the first, second ... row; equally many
+  std::span<const double> values, ideals;  // of the first, second ... row; equally many, or no ideals
+  std::span<const double> ghosts;          // the same of the run compared with, pale; may be empty
+  int decimals = 0;                        // of values in words
   std::size_t rows = 0;                    // that the axis has room for, at least: it stays still in a run
   double highest = 0.0;                    // likewise
   std::optional<std::size_t> current;      // index of the row at hand; may be one that is not there yet

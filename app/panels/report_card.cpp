@@ -180,7 +180,7 @@ HistogramPlot corner_plot(const knit::Quality& quality) {
 
 // What a row plot points into.
 struct RowValues {
-  std::vector<double> made, ideal;
+  std::vector<double> made, ideal, pinned;
 };
 
 RowPlot row_plot(const PanelFrame& frame, const RowValues& values) {
@@ -194,6 +194,7 @@ RowPlot row_plot(const PanelFrame& frame, const RowValues& values) {
   plot.ideal_words = "ideal";
   plot.values = values.made;
   plot.ideals = values.ideal;
+  plot.ghosts = values.pinned;
   plot.missing = "after the cast on";
   if (frame.timeline() == nullptr) return plot;
   const auto& rows = frame.timeline()->furthest().rows;
@@ -232,6 +233,10 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
   for (const knit::RowFit& row : quality.rows) {
     values.made.push_back(row.stitches);
     values.ideal.push_back(row.ideal);
+  }
+  if (frame.session.pinned) {
+    for (const auto& row : frame.session.pinned->end.rows)
+      values.pinned.push_back(static_cast<double>(row->stitches.size()));
   }
   const auto clicked = draw_row_plot(frame, row_plot(frame, values), ImVec2(room.x, heights.rows));
   if (clicked) wish_row(frame, quality.rows[*clicked].row);

@@ -14,6 +14,7 @@ namespace {
 using namespace plot_parts;
 
 constexpr Colour ideal_line{240, 190, 80};
+constexpr Colour ghost_line{palette::ghost.r, palette::ghost.g, palette::ghost.b};
 
 // From rows and values to the screen.
 struct RowScale {
@@ -40,11 +41,11 @@ struct RowScale {
 
 RowScale scale_of(const RowPlot& plot, const Box& ground) {
   double high = std::max(1.0, plot.highest);
-  for (const auto& series : {plot.values, plot.ideals}) {
+  for (const auto& series : {plot.values, plot.ideals, plot.ghosts}) {
     for (const double value : series) high = std::isfinite(value) ? std::max(high, value) : high;
   }
   const std::size_t current = plot.current ? *plot.current + 1 : 1;
-  return {ground, std::max({current, plot.rows, plot.values.size()}), 1.08 * high};
+  return {ground, std::max({current, plot.rows, plot.values.size(), plot.ghosts.size()}), 1.08 * high};
 }
 
 int ticks_in(const PanelFrame& frame, float height) {
@@ -89,6 +90,23 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
                          ImDrawFlags_None, frame.units(1.6f));
 }
 
+// Steps like the values', thin, with nothing below.
+void draw_ghosts(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
+  const float thick = whole(std::max(1.0f, frame.units(1.0f)));
+  const std::size_t count = plot.ghosts.size();
+  const ImU32 colour = style::packed(ghost_line, 200);
+  std::optional<float> before;
+  for (std::size_t i = 0; i < count; i += scale.stride()) {
+    const float x0 = whole(scale.x_of(i));
+    const float x1 = whole(scale.x_of(std::min(i + scale.stride(), count)));
+    const float y = whole(scale.y_of(plot.ghosts[i]));
+    const float from = before.value_or(y);
+    fill(stand, x0, std::min(from, y), x0 + thick, std::max(from, y) + thick, colour);
+    fill(stand, x0, y, x1, y + thick, colour);
+    before = y;
+  }
+}
+
 // A row picked out: a light band down the plot.
 void draw_band(const PanelFrame& frame, const Stand& stand, const RowScale& scale, std::size_t row,
                std::uint8_t alpha) {
@@ -107,7 +125,7 @@ void draw_dots(const PanelFrame& frame, const RowPlot& plot, const Stand& stand,
     stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(palette::background));
     stand.list.AddCircleFilled(at, frame.units(3.2f), style::packed(colour));
   };
-  dot(plot.ideals[row], ideal_line);
+  if (row < plot.ideals.size()) dot(plot.ideals[row], ideal_line);
   dot(plot.values[row], bar);
 }
 
@@ -129,14 +147,19 @@ float gutter_of(const PanelFrame& frame, double high) {
 }
 
 void draw_keys(const PanelFrame& frame, const RowPlot& plot, const Stand& stand) {
-  const float right = stand.ground.right();
-  const float left = draw_key(frame, stand, plot.title, right, {plot.ideal_words, ideal_line, true});
-  draw_key(frame, stand, plot.title, left, {plot.value_words, bar, true});
+  float left = stand.ground.right();
+  if (!plot.ideals.empty())
+    left = draw_key(frame, stand, plot.title, left, {plot.ideal_words, ideal_line, true});
+  const float next = draw_key(frame, stand, plot.title, left, {plot.value_words, bar, true});
+  if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line, true});
 }
 
 std::string row_words(const RowPlot& plot, std::size_t row) {
-  return "Row " + std::to_string(row + 1) + ": " + fixed_text(plot.values[row], 0) + " " + plot.value_words +
-         ", " + fixed_text(plot.ideals[row], 1) + " " + plot.ideal_words + ".\nClick: go there.";
+  std::string words = "Row " + std::to_string(row + 1) + ": " + fixed_text(plot.values[row], plot.decimals) +
+                      " " + plot.value_words;
+  if (row < plot.ideals.size()) words += ", " + fixed_text(plot.ideals[row], 1) + " " + plot.ideal_words;
+  if (row < plot.ghosts.size()) words += ", " + fixed_text(plot.ghosts[row], plot.decimals) + " pinned";
+  return words + ".\nClick: go there.";
 }
 
 }  // namespace
@@ -156,6 +179,7 @@ std::optional<std::size_t> draw_row_plot(PanelFrame& frame, const RowPlot& plot,
   if (plot.current) draw_band(frame, stand, scale, *plot.current, 60);
   if (pointed) draw_band(frame, stand, scale, *pointed, 40);
   draw_values(frame, plot, stand, scale);
+  draw_ghosts(frame, plot, stand, scale);
   if (plot.current) draw_dots(frame, plot, stand, scale, *plot.current);
   if (pointed) draw_dots(frame, plot, stand, scale, *pointed);
   draw_foot(stand);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "knit/measures.h"
-
 namespace app {
 
 namespace {
@@ -63,10 +61,13 @@ void RunCache::find_edits(const knit::Timeline& timeline) {
 
 void RunCache::find_problems(const knit::Timeline& timeline) {
   for (; scanned_ < timeline.known(); ++scanned_) {
-    if (knit::is_unusual(timeline.step(scanned_), timeline.parameters_of_step(scanned_))) {
-      problems_.push_back(scanned_);
-    }
+    const auto problem =
+        knit::problem_of(timeline.step(scanned_), scanned_, timeline.parameters_of_step(scanned_));
+    if (!problem) continue;
+    problems_.push_back(scanned_);
+    ranked_.take(*problem);
   }
+  if (timeline.complete()) ranked_.finish();
 }
 
 LabelTally::Counts LabelTally::count(const knit::State& state) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "knit/problems.h"
 #include "knit/timeline.h"
 
 namespace app {
@@ -27,6 +28,7 @@ class RunCache {
   [[nodiscard]] const std::vector<std::size_t>& row_starts() const { return row_starts_; }  // rising
   [[nodiscard]] const std::vector<std::size_t>& edits() const { return edits_; }        // in the edits' order
   [[nodiscard]] const std::vector<std::size_t>& problems() const { return problems_; }  // steps, rising
+  [[nodiscard]] const knit::ProblemRanking& ranked() const { return ranked_; }          // worst first
 
  private:
   struct Key {
@@ -45,6 +47,7 @@ class RunCache {
   std::size_t scanned_ = 0;  // and by find_problems
   std::vector<Stretch> stages_;
   std::vector<std::size_t> row_starts_, edits_, problems_;
+  knit::ProblemRanking ranked_;
 };
 
 // How often each label has been placed at a state, by Label. Finished transitions are counted once.

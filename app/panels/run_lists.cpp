@@ -4,6 +4,7 @@
 
 #include "app/panels/widgets.h"
 #include "knit/narrate.h"
+#include "knit/why.h"
 
 namespace app {
 
@@ -40,16 +41,35 @@ void draw_header() {
   }
 }
 
+// Of the cell under the pointer: to where the row begins, gets its number of stitches, or its change is counted.
+void wish_why(PanelFrame& frame, std::int32_t row) {
+  const float left = ImGui::GetItemRectMin().x;
+  const float share = (ImGui::GetIO().MousePos.x - left) / (ImGui::GetItemRectMax().x - left);
+  const knit::Timeline& timeline = *frame.timeline();
+  if (share < 1.0f / 3.0f) return frame.wish(SeekPlace{{knit::stage_of_row(row), row, 0}});
+  const auto decided = knit::count_decided_by(timeline, row);
+  if (share < 2.0f / 3.0f && decided) return frame.wish(SeekPlace{timeline.step(*decided).place});
+  if (row > 1) frame.wish(SeekPlace{{knit::Stage::stitches, row, 0}});
+}
+
 void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
   const auto number = static_cast<std::int32_t>(i) + 1;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string label = std::to_string(number);
-  if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), ImGuiSelectableFlags_SpanAllColumns)) {
-    wish_row(frame, number);
+  constexpr ImGuiSelectableFlags flags =
+      ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
+  if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), flags)) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      wish_why(frame, number);
+    } else {
+      wish_row(frame, number);
+    }
   }
   frame.mark("row/" + label);
-  tooltip(frame, "Click: to the end of this row in this stage.");
+  tooltip(frame,
+          "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
+          "gives it its stitches, or counts its change.");
   if (i >= state.rows.size()) {  // in the making
     ImGui::TableNextColumn();
     const auto* walk = std::get_if<knit::RowWork>(&state.work);
@@ -78,22 +98,22 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
   ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
 }
 
-// The list's lines in order: findings about the mesh, unusual steps, why the run stopped.
+// The list's lines, worst first: why the run stopped, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
 };
 
 Problem problem_at(const PanelFrame& frame, std::size_t i) {
+  const knit::Timeline& timeline = *frame.timeline();
+  if (const knit::Step* stop = timeline.stop()) {
+    if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known()};
+    --i;
+  }
   const auto& findings = frame.session.findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt};
-  i -= findings.size();
-  const knit::Timeline& timeline = *frame.timeline();
-  const auto& steps = frame.ui.run.problems();
-  if (i < steps.size()) {
-    return {knit::narrate(timeline.step(steps[i]), timeline.parameters_of_step(steps[i])), steps[i] + 1};
-  }
-  return {knit::narrate(*timeline.stop(), timeline.parameters_of_stop()), timeline.known()};
+  const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
+  return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1};
 }
 
 void draw_problem(PanelFrame& frame, std::size_t i) {

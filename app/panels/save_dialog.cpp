@@ -18,6 +18,7 @@ constexpr std::array kinds{
     SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
     SaveKind{ExportKind::chart, "chart", "-chart.svg"},
     SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
+    SaveKind{ExportKind::session, "session", "-session.json"},
     SaveKind{ExportKind::picture, "picture", ".png"},
 };
 

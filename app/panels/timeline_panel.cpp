@@ -59,9 +59,11 @@ void draw_speed(PanelFrame& frame) {
   double speed = frame.session.playback.steps_per_second;
   const double low = slowest_steps_per_second;
   const double high = fastest_steps_per_second;
-  ImGui::SetNextItemWidth(frame.units(190.0f));
-  const bool changed = ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &low, &high,
-                                           speed < 10.0 ? "%.1f steps a second" : "%.0f steps a second",
+  const char* words = speed >= high  ? "as fast as it goes"
+                      : speed < 10.0 ? "%.1f steps a second"
+                                     : "%.0f steps a second";
+  ImGui::SetNextItemWidth(frame.units(170.0f));
+  const bool changed = ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &low, &high, words,
                                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   if (changed) frame.wish(SetSpeed{speed});
   frame.mark("speed");
@@ -69,10 +71,54 @@ void draw_speed(PanelFrame& frame) {
                      keys_of(info_of(Command::faster)) + " faster.");
 }
 
+void draw_ways_of_playing(PanelFrame& frame) {
+  const Travel& travel = frame.session.travel;
+  ImGui::SameLine(0.0f, frame.units(12.0f));
+  transport_button(frame, Command::slow_motion, Icon::slow, "slow-motion", travel.slow_motion);
+  transport_button(frame, Command::loop, Icon::loop, "loop", travel.loop.has_value());
+}
+
 std::string position_text(const knit::Timeline& timeline) {
   std::string words = "step " + with_commas(timeline.position()) + " of " + with_commas(timeline.known());
   if (!timeline.complete()) words += timeline.sought() ? "..., going back to its place" : "... so far";
   return words;
+}
+
+void right_aligned(const PanelFrame& frame, const std::string& words, float before) {
+  const float right = frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - before -
+                      ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::SameLine();
+  if (right > ImGui::GetCursorScreenPos().x)
+    ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetCursorScreenPos().y));
+  ImGui::AlignTextToFramePadding();
+  text(words);
+}
+
+// The position at the right, and before it why another place is shown than the one asked for; where there is
+// no room for both, that alone.
+void draw_position(PanelFrame& frame) {
+  const std::string& note = frame.session.place_note;
+  const std::string words = position_text(*frame.timeline());
+  push_font(frame.fonts.mono);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  pop_font();
+  const float gap = frame.units(18.0f);
+  ImGui::SameLine();
+  const float room =
+      frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - ImGui::GetCursorScreenPos().x;
+  const bool both = ImGui::CalcTextSize(note.c_str()).x + gap + width <= room;
+  if (!note.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(style::warning));
+    right_aligned(frame, cut_to_width(note, room), both ? width + gap : 0.0f);
+    ImGui::PopStyleColor();
+    frame.mark("place-note");
+    tooltip(frame, note);
+    if (!both) return;
+  }
+  push_font(frame.fonts.mono);
+  right_aligned(frame, words, 0.0f);
+  pop_font();
+  frame.mark("position");
 }
 
 }  // namespace
@@ -84,20 +130,11 @@ void draw_transport(PanelFrame& frame) {
   draw_buttons(frame);
   draw_unit(frame);
   draw_speed(frame);
+  draw_ways_of_playing(frame);
   ImGui::EndDisabled();
+  if (frame.timeline() != nullptr) draw_position(frame);
   ImGui::PopStyleVar();
-  if (frame.timeline() == nullptr) return;
-  const std::string words = position_text(*frame.timeline());
-  push_font(frame.fonts.mono);
-  const float width = ImGui::CalcTextSize(words.c_str()).x;
-  ImGui::SameLine();
-  const float right = frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - width;
-  if (right > ImGui::GetCursorScreenPos().x) {
-    ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetCursorScreenPos().y));
-  }
-  text(words);
-  pop_font();
-  frame.mark("position");
+  if (frame.timeline() == nullptr) ImGui::NewLine();
 }
 
 void draw_timeline(PanelFrame& frame) {

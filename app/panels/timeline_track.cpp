@@ -4,29 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "app/panels/track.h"
 #include "app/panels/widgets.h"
 #include "knit/narrate.h"
 
 namespace app {
 
 namespace {
-
-// From positions to the screen and back.
-struct Track {
-  float left, right;  // where positions 0 and `steps` are
-  float top, bottom;  // of the coloured stretches
-  std::size_t steps;
-
-  [[nodiscard]] float x_of(std::size_t position) const {
-    if (steps == 0) return left;
-    return left +
-           (right - left) * static_cast<float>(static_cast<double>(position) / static_cast<double>(steps));
-  }
-  [[nodiscard]] std::size_t position_at(float x) const {
-    const double share = std::clamp(static_cast<double>((x - left) / (right - left)), 0.0, 1.0);
-    return static_cast<std::size_t>(std::llround(share * static_cast<double>(steps)));
-  }
-};
 
 void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   const float now = track.x_of(frame.timeline()->position());
@@ -127,6 +111,12 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
     const std::size_t step = frame.ui.run.problems()[*problem];
     words += "\n\n" + knit::narrate(timeline.step(step), timeline.parameters_of_step(step));
   }
+  // A mark covers a few units: the hit nearest below its right edge.
+  const BreakHits& hits = frame.session.travel.hits;
+  const auto hit = hits.before(track.position_at(ImGui::GetIO().MousePos.x + frame.units(4.0f)) + 1);
+  if (hit && std::abs(track.x_of(*hit) - ImGui::GetIO().MousePos.x) <= frame.units(4.0f))
+    words += "\n\nBreak: " + knit::words_of(*hits.condition_at(*hit)) + ".";
+  words += "\n\nDrag: go there. Right drag: a loop that playing goes round in; right click: no loop.";
   tooltip(frame, words);
 }
 
@@ -152,13 +142,16 @@ void draw_track(PanelFrame& frame) {
   if (ImGui::IsItemActive()) {
     const std::size_t wanted = track.position_at(ImGui::GetIO().MousePos.x);
     if (wanted != timeline->position()) frame.wish(SeekTo{wanted});
-  } else if (wants_tooltip()) {
-    draw_track_tooltip(frame, track);
+  } else if (ImGui::IsItemHovered()) {
+    mean_round_under(frame, track);
+    if (wants_tooltip()) draw_track_tooltip(frame, track);
   }
   draw_stages(frame, track, list);
   draw_row_ticks(frame, track, list);
   draw_problem_marks(frame, track, list);
   draw_edit_marks(frame, track, list);
+  draw_travel_marks(frame, track);
+  draw_pattern_marks(frame, track);
   draw_scrubber(frame, track, list);
 }
 

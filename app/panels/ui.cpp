@@ -29,13 +29,15 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
   PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
   ui.controls.clear();
   if (session.timeline) ui.run.refresh(*session.timeline);
-  const bool wants_chart = session.centre == CentrePanel::chart || session.knit_along;
+  const bool wants_chart =
+      session.centre == CentrePanel::chart || session.knit_along || session.side == SidePanel::pattern;
   if (session.timeline && wants_chart) ui.chart.refresh(*session.timeline, session.pattern);
   draw_menu(frame);
   draw_parameters(frame);
   draw_explanation(frame);
   draw_timeline(frame);
   if (session.centre == CentrePanel::chart) {
+    ui.click.reset();
     draw_chart(frame);
   } else {
     draw_view(frame);
@@ -45,6 +47,7 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
   draw_help(frame);
   draw_open_dialog(frame);
   draw_save_dialog(frame);
+  if (frame.rounds_under != session.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
   return std::move(frame.actions);
 }
 

@@ -28,11 +28,15 @@
 
 #include "app/core/action.h"
 #include "app/core/scene.h"
+#include "app/panels/candidate_list.h"
 #include "app/panels/card_cache.h"
 #include "app/panels/chart_cache.h"
+#include "app/panels/compare_cache.h"
 #include "app/panels/imgui_glue.h"
 #include "app/panels/layout.h"
+#include "app/panels/pattern_lines.h"
 #include "app/panels/run_cache.h"
+#include "app/panels/sweep_cache.h"
 
 namespace app {
 
@@ -47,6 +51,12 @@ struct TextBuffer {
 struct ViewDrag {
   enum class Kind : std::uint8_t { orbit, pan } kind = Kind::orbit;
   bool moved = false;  // far enough to be no click
+};
+
+// A click in the view counts once it can no longer become a double click.
+struct PendingClick {
+  std::optional<knit::Thing> thing;  // none: beside everything
+  double due = 0.0;
 };
 
 struct OpenDialog {
@@ -77,7 +87,35 @@ struct VertexField {
   std::string trouble;  // why what was typed is refused
 };
 
-enum class RunList : std::uint8_t { rows, problems };
+// A break condition that is typed.
+struct BreakField {
+  TextBuffer text;
+  std::string trouble;  // why what was typed is none
+};
+
+// A drag with the right button on the track, which lays the loop.
+struct LoopDrag {
+  std::size_t from = 0;  // the position where it began
+  float x = 0.0f;        // and on the screen
+  bool moved = false;    // far enough to be no click
+};
+
+enum class RunList : std::uint8_t { rows, candidates, problems, breaks };
+
+// What is typed about the pattern; follows the session's options unless they are what was typed.
+struct PatternFields {
+  bool open = false;
+  std::optional<knit::PatternOptions> shown;  // what the buffers stand for
+  TextBuffer title, yarn, colour, needle;
+  std::string trouble;  // why the needle is refused
+};
+
+// The written pattern's place in its panel.
+struct PatternView {
+  PatternLayout layout;
+  std::int32_t followed = 0;                // the round at hand that was scrolled to
+  std::optional<RoundSpan> followed_meant;  // and the rounds under the pointer elsewhere
+};
 
 // How the chart is held: as fits the panel, times `zoom`, moved by `move`.
 struct ChartView {
@@ -91,15 +129,24 @@ struct UiState {
   bool from_here = false;  // a changed parameter counts from here on, not from the start
   RunList list = RunList::rows;
   ViewDrag drag;
+  std::optional<PendingClick> click;
+  CandidateList candidates;
   OpenDialog open;
   SaveDialog save;
+  BreakField break_field;
+  std::optional<LoopDrag> loop_drag;
   std::map<std::string, VertexField, std::less<>> vertex_fields;  // by parameter key
   int row_scrolled_to = 0;
   RunCache run;
   ChartCache chart;
   ChartView chart_view;
+  PatternFields pattern_fields;
+  PatternView pattern_view;
   LabelTally labels;
   CardCache card;
+  CompareCache compare;
+  SweepForm sweep_form;
+  SweepCache sweep;
   // Where controls stood in the last frame, by name ("play", "scrubber", "layer/surface"): for tests and for
   // whoever points at them.
   std::map<std::string, Box, std::less<>> controls;

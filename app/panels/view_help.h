@@ -13,6 +13,8 @@ struct MouseHelp {
 };
 
 inline constexpr std::array mouse_help{
+    MouseHelp{"Click", "Say why: to the step that made it", "click says why"},
+    MouseHelp{"Ctrl+click", "The same for the mesh's vertex there", ""},
     MouseHelp{"Left drag", "Turn", "left drag turns"},
     MouseHelp{"Right drag", "Move", "right drag moves"},
     MouseHelp{"Middle drag", "Move", ""},

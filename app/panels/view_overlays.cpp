@@ -150,6 +150,7 @@ void draw_view_overlays(PanelFrame& frame) {
   draw_welcome(frame);
   draw_picking(frame);
   draw_waiting(frame);
+  draw_rescue(frame);
   draw_notices(frame);
 }
 

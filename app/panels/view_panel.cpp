@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/core/pick.h"
+#include "app/core/pick_thing.h"
 #include "app/panels/commands.h"
 #include "app/panels/view_help.h"
 #include "app/panels/widgets.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double radians_per_unit = 0.008;
 constexpr float hover_reach = 12.0f;  // plain units from the pointer to a stitch that it means
 constexpr float click_reach = 4.0f;   // plain units that a click may move
+constexpr float point_reach = 8.0f;   // plain units from a click to a stitch that it means
+constexpr float edge_reach = 5.0f;    // and to an edge
 
 // In [-1, 1] from the view's centre, up positive.
 glm::dvec2 pointer_in(const Box& view) {
@@ -55,7 +58,40 @@ void handle_drag(PanelFrame& frame) {
   if (by.x != 0.0f || by.y != 0.0f) move_camera(frame, by);
 }
 
+std::optional<knit::Thing> thing_clicked(const PanelFrame& frame) {
+  const Box& view = frame.layout.view;
+  const glm::dvec2 place = pointer_in(view);
+  if (key_mods().ctrl) {
+    const auto vertex = pick_vertex(frame.session, place);
+    return vertex ? std::optional<knit::Thing>(knit::VertexThing{*vertex}) : std::nullopt;
+  }
+  const auto reach = [&](float units) { return 2.0 * static_cast<double>(frame.units(units) / view.height); };
+  return pick_thing(frame.session, place, {reach(point_reach), reach(edge_reach)});
+}
+
+// A click leads to why a thing is there; it waits until it can be no double click any more, which frames.
+void handle_plain_click(PanelFrame& frame) {
+  std::optional<PendingClick>& click = frame.ui.click;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (click && ImGui::GetTime() >= click->due) {
+    if (click->thing) {
+      frame.wish(ShowWhy{*click->thing});
+    } else if (frame.session.travel.selected) {
+      frame.wish(Select{});
+    }
+    click.reset();
+  }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    click.reset();
+    frame.ui.drag.moved = true;  // its release is no click
+  }
+  const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  if (!released || frame.ui.drag.moved || frame.session.picking != Picking::nothing) return;
+  click = PendingClick{thing_clicked(frame), ImGui::GetTime() + static_cast<double>(io.MouseDoubleClickTime)};
+}
+
 void handle_clicks(PanelFrame& frame) {
+  handle_plain_click(frame);
   const bool picking = frame.session.picking != Picking::nothing;
   if (picking && ImGui::IsItemDeactivated() && !frame.ui.drag.moved &&
       ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {

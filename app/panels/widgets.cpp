@@ -141,6 +141,11 @@ std::string capitalised(std::string_view name) {
   return words;
 }
 
+std::string with_capital(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
 std::string words_of(const knit::Place& place) {
   std::string words = capitalised(knit::name_of(place.stage));
   if (place.row > 0) words += ", row " + std::to_string(place.row);

@@ -28,7 +28,22 @@ void pop_raised_look();
 // A section's title with a thin line.
 void heading(const PanelFrame& frame, const char* words);
 
-enum class Icon : std::uint8_t { first, back, play, pause, forward, last, cross, reset };
+enum class Icon : std::uint8_t {
+  first,
+  back,
+  play,
+  pause,
+  forward,
+  last,
+  cross,
+  reset,
+  slow,
+  loop,
+  undo,
+  redo,
+  copy,
+  paste
+};
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
 bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
 
@@ -52,6 +67,7 @@ std::string cut_to_width(std::string_view words, float width);
 
 std::string with_commas(std::size_t number);
 std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
+std::string with_capital(std::string words);     // what begins a sentence
 std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"
 
 }  // namespace app

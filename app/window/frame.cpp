@@ -44,6 +44,9 @@ Image FrameDrawer::finished(const Session& session, int side) {
     shown.layers[static_cast<std::size_t>(layer)] = true;
   shown.knit_along.reset();
   shown.hovered_stitch.reset();
+  shown.pinned.reset();
+  shown.travel.selected.reset();
+  shown.hovered_rounds.reset();
   shown.aspect = 1.0;
   shown.camera.frame(shown.timeline->input().bounds, shown.aspect);
   Scene scene = Describer().describe(shown);
@@ -77,7 +80,7 @@ std::variant<Image, std::string> picture_of(Session& session, int width, int hei
     shape.height_px = height;
     // The camera frames the view only once its aspect is known; panels find their size in a few frames.
     drawer.draw(session, shape, {});
-    apply(session, FrameAll{});
+    if (!session.camera_kept) apply(session, FrameAll{});
     for (int i = 0; i < 3; ++i) drawer.draw(session, shape, {});
     return drawer.target().read();
   } catch (const GlError& error) {

@@ -41,6 +41,8 @@ class FrameDrawer {
 
   [[nodiscard]] const Target& target() const { return target_; }
   [[nodiscard]] const ImGuiGlue& glue() const { return glue_; }
+  // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
+  [[nodiscard]] bool busy() const { return glue_.busy() || ui_.click.has_value(); }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
  private:

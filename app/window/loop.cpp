@@ -5,6 +5,10 @@
 
 #include "app/core/export.h"
 #include "app/core/pattern_file.h"
+#include "app/core/queries.h"
+#include "app/core/rescue.h"
+#include "app/core/session_file.h"
+#include "app/core/sweep_work.h"
 #include "app/window/frame.h"
 #include "app/window/run.h"
 #include "app/window/window.h"
@@ -43,14 +47,21 @@ FrameShape shape_of(const Window& window, double seconds, int samples) {
           samples};
 }
 
+// Threads of their own are at it: a sweep, the pinned run's end.
+bool working_beside(const Session& session) {
+  return pin_is_pending(session) || (session.sweep && session.sweep->work->running());
+}
+
 bool working(const Session& session) {
-  return session.timeline && (session.playback.playing || !session.timeline->complete() || session.measuring);
+  return session.timeline && (working_beside(session) || session.playback.playing ||
+                              !session.timeline->complete() || session.measuring);
 }
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
   return session.timeline && !session.playback.playing &&
-         (session.long_step.has_value() || (session.timeline->complete() && session.measuring));
+         (session.long_step.has_value() ||
+          (session.timeline->complete() && (session.measuring || working_beside(session))));
 }
 
 void save_pictures_wanted(Session& session, const Target& target) {
@@ -73,10 +84,9 @@ void save_pages_wanted(Session& session, FrameDrawer& drawer) {
   }
 }
 
-// One turn: collect, let time pass, draw, and do what was wished.
-void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
-  const bool idle =
-      pace.frames_due == 0 && window.input().empty() && !drawer.glue().busy() && !working(session);
+// One turn: collect, let time pass, draw, and do what was wished. Gives the seconds since the one before.
+double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
+  const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
   if (idle) {
     window.wait(0.5);
   } else if (pace.frames_due == 0 && window.input().empty() && only_waiting(session)) {
@@ -89,15 +99,15 @@ void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   if (window.take_refresh() || !window.input().empty() || working(session)) {
     pace.frames_due = frames_after_event;
   }
-  for (const std::string& path : window.take_dropped()) apply(session, OpenFile{path});
+  for (const std::string& path : window.take_dropped()) app::apply(session, opening_of(path));
   apply(session, PassTime{idle ? 0.0 : seconds});
   const Window::Size pixels = window.framebuffer_size();
   if (window.minimised() || pixels.width == 0 || pixels.height == 0) {
     window.wait(0.1);
-    return;
+    return seconds;
   }
-  const bool drawing = pace.frames_due > 0 || working(session) || drawer.glue().busy();
-  if (!drawing) return;
+  const bool drawing = pace.frames_due > 0 || working(session) || drawer.busy();
+  if (!drawing) return seconds;
 
   // A slow machine gets jagged edges while things move, smooth ones when they rest.
   const bool moving = pace.frames_due > 1 || working(session);
@@ -115,7 +125,9 @@ void turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   save_pictures_wanted(session, drawer.target());
   save_pages_wanted(session, drawer);
   for (const Action& wish : wishes) apply(session, wish);
+  if (const auto text = std::exchange(session.clipboard_wanted, std::nullopt)) window.set_clipboard(*text);
   pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
+  return seconds;
 }
 
 int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer& drawer) {
@@ -148,11 +160,21 @@ int run_window(Session& session, const CommandLine& line) {
       if (const auto nearest = go_to(session, *line.at))
         session.notices.push_back({Notice::Kind::warning, *nearest});
     }
+    if (!line.why.empty()) {
+      const Answer answer = why_answer(session, line.why);
+      std::fputs(answer.out.c_str(), stdout);
+      if (!answer.error.empty()) session.notices.push_back({Notice::Kind::warning, answer.error});
+    }
+    const auto folder = rescue_folder();
+    if (folder) session.rescued = find_rescued(*folder);
     session.beside = true;
     drawer.draw(session, shape_of(window, 0.0, 1), {});
-    apply(session, FrameAll{});  // now that the view's shape is known
+    if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
+    RescueKeeper keeper(session, folder);
     Pace pace;
-    while (!session.quit && !window.close_requested()) turn(session, window, drawer, pace);
+    while (!session.quit && !window.close_requested())
+      keeper.pass(session, turn(session, window, drawer, pace));
+    keeper.end();
     return save_at_closing(session, line, drawer);
   } catch (const GlError& error) {
     std::fprintf(stderr, "knit-mesh: %s Run with --headless to work without a window.\n", error.what());

@@ -4,6 +4,7 @@
 
 #include "app/core/export.h"
 #include "app/core/pattern_file.h"
+#include "app/core/queries.h"
 #include "app/core/work_beside.h"
 #include "app/window/frame.h"
 #include "knit/narrate.h"
@@ -17,6 +18,8 @@ void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line
 std::optional<std::string> save_picture(Session& session, const CommandLine& line,
                                         const std::filesystem::path& path) {
   session.timeline->extend_to_end();  // so that the timeline in the picture is whole
+  apply(session, PassTime{0.0});      // and its marks
+  finish_pin(session);
   if (session.side == SidePanel::report) session.closeness = closeness_now(session);
   auto picture = picture_of(session, line.width, line.height);
   if (auto* error = std::get_if<std::string>(&picture)) return std::move(*error);
@@ -40,15 +43,36 @@ std::optional<std::string> save(Session& session, const CommandLine& line, const
                                            : export_to_file(session, wish.kind, wish.path);
 }
 
+// The first exit code that is not 0, or 0.
+int answer_queries(Session& session, const CommandLine& line) {
+  int code = exit_done;
+  const auto give = [&](const Answer& answer) {
+    std::fputs(answer.out.c_str(), stdout);
+    if (!answer.error.empty()) say(answer.error);
+    if (code == exit_done) code = answer.exit_code;
+  };
+  if (!line.why.empty()) give(why_answer(session, line.why));
+  if (!line.sweep.empty()) give(sweep_answer(session, line.sweep));
+  if (!line.diff.empty()) give(diff_answer(session, line.diff));
+  return code;
+}
+
 }  // namespace
 
 int run_headless(Session& session, const CommandLine& line) {
   for (const Notice& notice : session.notices) say(notice.text);
   session.notices.clear();
-  if (const auto nearest = go_to(session, line.at.value_or(At(AtEnd{})))) say(*nearest);
+  // A session brings its own place.
+  const bool stays = !line.session.empty() && !line.at;
+  const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});
+  const auto nearest = stays ? std::nullopt : go_to(session, line.at.value_or(otherwise));
+  if (nearest) say(*nearest);
+  const Answer broke = line.breaks.empty() ? Answer{} : break_answer(session);
+  if (!broke.error.empty()) say(broke.error);
   const knit::Step* stop = stop_shown(session);
   if (stop != nullptr) say(knit::narrate(*stop, session.timeline->parameters()));
 
+  const int asked = answer_queries(session, line);
   bool all_saved = true;
   for (const Export& wish : line.saves) {
     const auto error = save(session, line, wish);
@@ -56,7 +80,8 @@ int run_headless(Session& session, const CommandLine& line) {
     all_saved = all_saved && !error;
   }
   if (!all_saved) return exit_usage;
-  return stop != nullptr ? exit_stopped : exit_done;
+  if (asked != exit_done) return asked;
+  return stop != nullptr ? exit_stopped : broke.exit_code;
 }
 
 }  // namespace app

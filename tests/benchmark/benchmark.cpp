@@ -1,6 +1,8 @@
 // What the pipeline costs, as ratios measured in one run: JSON on standard output.
 //
 //   build/dev/benchmark [MESH.obj]      (without a mesh: the thesis sphere)
+//   build/dev/benchmark --travel        (changed parameters to pictures, scrubbing a million steps)
+//   build/dev/benchmark --sweep         (only 200 values of epsilon on the thesis sphere, against single runs)
 //   build/dev/benchmark --sizes         (timings and contour rows on spheres up to a million triangles: minutes)
 //
 // Times of single runs on a shared machine mean little; each figure is a median, and stages are set against
@@ -20,6 +22,8 @@
 #include "app/core/load.h"
 #include "knit/timeline.h"
 #include "tests/benchmark/sizes.h"
+#include "tests/benchmark/sweeps.h"
+#include "tests/benchmark/travel.h"
 
 namespace {
 
@@ -178,7 +182,15 @@ int main(int argc, char** argv) {
     return 0;
   }
   const std::filesystem::path assets = std::filesystem::absolute(argv[0]).parent_path() / "assets";
-  const bool own = argc > 1;
+  if (argc > 1 && std::string_view(argv[1]) == "--travel") {
+    Json json;
+    json["tune_to_picture"] = benchmark::measure_tuning_to_picture(assets);
+    json["scrub"] = benchmark::measure_long_scrubbing(assets);
+    std::printf("%s\n", json.dump(2).c_str());
+    return 0;
+  }
+  const bool only_sweep = argc > 1 && std::string_view(argv[1]) == "--sweep";
+  const bool own = argc > 1 && !only_sweep;
   const std::filesystem::path path =
       own ? std::filesystem::path(argv[1]) : assets / "thesis-sphere" / "mesh.obj";
   const auto result = own ? app::load_file(path) : app::load_example(assets, "thesis-sphere");
@@ -188,6 +200,10 @@ int main(int argc, char** argv) {
   }
   const auto& loaded = std::get<app::Loaded>(result);
   const std::size_t triangles = loaded.input->mesh.triangles.size();
+  if (only_sweep) {
+    std::printf("%s\n", benchmark::measure_sweep(loaded).dump(2).c_str());
+    return 0;
+  }
   Json json;
   json["mesh"] = {{"name", loaded.input->mesh.name},
                   {"vertices", loaded.input->mesh.positions.size()},
@@ -196,6 +212,7 @@ int main(int argc, char** argv) {
   json["seek"] = seeks(loaded);
   json["tune"] = tuning(loaded);
   json["copy"] = copies(loaded);
+  json["sweep"] = benchmark::measure_sweep(loaded);
   std::printf("%s\n", json.dump(2).c_str());
   return 0;
 }

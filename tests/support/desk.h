@@ -33,6 +33,8 @@ class Desk {
       : layout(layout_of(width, height, scale)),
         fonts_(glue_.load_fonts(fonts_folder, scale, style::text_size)) {
     style::apply(scale);
+    glue_.set_clipboard(
+        {[this] { return clipboard; }, [this](const std::string& text) { clipboard = text; }});
     session.aspect = layout.view_aspect();
     session.defaults = wide_band();
   }
@@ -82,9 +84,13 @@ class Desk {
     for (const Action& wish : wishes) apply(session, wish);
   }
 
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
   Session session;
   UiState ui;
   Layout layout;
+  std::string clipboard = "stitch-width = 0.5\n";
 
  private:
   ImGuiGlue glue_;

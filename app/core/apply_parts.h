@@ -1,0 +1,60 @@
+// Actions that are done in files of their own, by what they are about; `apply` hands them on.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "app/core/action.h"
+#include "app/core/load.h"
+
+namespace app {
+
+// apply_why.cpp
+void take(Session& session, const Select& action);
+void take(Session& session, const ShowWhy& action);
+void take(Session& session, const ToTouch& action);
+void take(Session& session, const GoBack& action);
+void take(Session& session, const GoForward& action);
+// Before a jump: the place left behind can be come back to.
+void remember_place(Session& session);
+
+// apply_travel.cpp
+void take(Session& session, const StepDeep& action);
+void take(Session& session, const SetBreaks& action);
+void take(Session& session, const RunToBreak& action);
+void take(Session& session, const SetLoop& action);
+void take(Session& session, const SetSlowMotion& action);
+// The clock's tick: carries the hits of break conditions and the loop on with the run.
+void tend_travel(Session& session);
+// As far as so many seconds lead; stops at a break condition's hit. Requires something open.
+void play(Session& session, double seconds);
+
+// apply_changes.cpp
+void take(Session& session, const Settle& action);
+void take(Session& session, const Undo& action);
+void take(Session& session, const Redo& action);
+void take(Session& session, const CopyParameters& action);
+void take(Session& session, const PasteParameters& action);
+// Before parameters or edits change: what they were can be gone back to.
+void remember_knobs(Session& session);
+// A notice, unless it is the newest already.
+void tell(Session& session, const std::string& words);
+
+// apply.cpp: what was opened takes the place of what is open; `start`: when opening began.
+void show_loaded(Session& session, Loaded loaded, Source source, std::chrono::steady_clock::time_point start);
+
+// apply_compare.cpp
+void take(Session& session, const PinRun& action);
+void take(Session& session, const SwapPinned& action);
+void take(Session& session, const Unpin& action);
+void take(Session& session, const StartSweep& action);
+void take(Session& session, const CancelSweep& action);
+void take(Session& session, const TakeSweepValue& action);
+
+// apply_session.cpp
+void take(Session& session, const OpenSession& action);
+void take(Session& session, const CopyLink& action);
+void take(Session& session, const TakeRescued& action);
+void take(Session& session, const DropRescued& action);
+
+}  // namespace app

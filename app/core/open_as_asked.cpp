@@ -1,0 +1,101 @@
+// From a command line to an open session at the place that was asked for.
+#include "app/core/command_line.h"
+#include "app/core/presets.h"
+#include "app/core/queries.h"
+#include "knit/gauge.h"
+
+namespace app {
+
+namespace {
+
+std::string place_text(const knit::Place& place) {
+  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
+         std::to_string(place.item);
+}
+
+// Over the pattern options of a session go those that are given.
+knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::PatternOptions& given) {
+  if (!given.title.empty()) pattern.title = given.title;
+  if (!given.yarn.empty()) pattern.yarn = given.yarn;
+  if (!given.colour.empty()) pattern.colour = given.colour;
+  if (given.needle_mm) pattern.needle_mm = given.needle_mm;
+  pattern.markers = pattern.markers || given.markers;
+  pattern.stars = pattern.stars || given.stars;
+  return pattern;
+}
+
+std::optional<std::string> set_parameters(Session& session, const CommandLine& line) {
+  if (line.settings.empty() && line.preset.empty()) return std::nullopt;
+  knit::Parameters parameters = session.timeline->parameters();
+  if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
+  const double width = parameters.stitch_width;
+  const double band_share = parameters.epsilon / width;
+  bool epsilon_given = false;
+  for (const auto& [info, text] : line.settings) {
+    knit::set_value(*info, parameters, text);
+    knit::give_size_by(info->key, parameters);
+    epsilon_given = epsilon_given || info->key == "epsilon";
+  }
+  // A width alone takes epsilon along in proportion.
+  for (const auto& [info, text] : line.settings) {
+    if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
+  }
+  parameters = knit::agreed(parameters, session.timeline->input());
+  if (!epsilon_given && parameters.stitch_width != width)
+    parameters.epsilon = band_share * parameters.stitch_width;
+  const std::size_t notices = session.notices.size();
+  apply(session, Tune{parameters});
+  if (session.notices.size() > notices && session.notices.back().kind == Notice::Kind::error) {
+    return session.notices.back().text;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
+  const bool saved = !line.session.empty();
+  app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
+  if (!saved || line.side_given) apply(session, ShowSide{line.side});
+  if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
+  apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
+  if (line.knit_along) apply(session, KnitAlong{line.knit_along});
+  if (!session.timeline)
+    return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
+  if (!line.breaks.empty()) {
+    std::vector<knit::BreakCondition> breaks = session.travel.breaks;  // a session file may have some
+    for (const knit::BreakCondition& condition : breaks_of(line.breaks)) breaks.push_back(condition);
+    apply(session, SetBreaks{std::move(breaks)});
+  }
+  auto error = set_parameters(session, line);
+  session.changes = {};  // what was asked for at the start is where undoing ends
+  return error;
+}
+
+std::optional<std::string> go_to(Session& session, const At& at) {
+  knit::Timeline& timeline = *session.timeline;
+  if (std::holds_alternative<AtEnd>(at)) {
+    apply(session, ToLast{});
+    return std::nullopt;
+  }
+  if (const auto* steps = std::get_if<std::size_t>(&at)) {
+    apply(session, SeekTo{*steps});
+    if (timeline.position() == *steps) return std::nullopt;
+    return "the run has only " + std::to_string(timeline.known()) + " steps; showing the last.";
+  }
+  if (const auto* stage = std::get_if<AtStage>(&at)) {
+    // A stage's first row differs: 0, 1 or 2. Its first step is the one after all that stands before it.
+    apply(session, SeekPlace{{stage->stage, -1, 0}});
+    apply(session, StepBy{Unit::item, 1});
+    if (timeline.place().stage == stage->stage) return std::nullopt;
+    return "the run does not reach the stage " + std::string(knit::name_of(stage->stage)) +
+           "; showing the last step.";
+  }
+  const auto& place = std::get<knit::Place>(at);
+  apply(session, SeekPlace{place});
+  if (timeline.place() == place) return std::nullopt;
+  return "the run has no place " + place_text(place) + "; showing the nearest before it, " +
+         place_text(timeline.place()) + ".";
+}
+
+}  // namespace app

@@ -1,0 +1,178 @@
+// Reading what session_json.cpp writes. Fields that are not known are left alone: a later program may have more.
+#include <limits>
+
+#include "app/core/json_fields.h"
+#include "app/core/session_json.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::int64_t most_rows = std::numeric_limits<std::int32_t>::max() - 1;
+constexpr double farthest = 1e12;
+constexpr std::size_t most_edits = 10000;
+
+knit::Place read_place(JsonFields fields) {
+  knit::Place place;
+  const std::string name = fields.text("stage");
+  if (const auto stage = knit::stage_named(name)) {
+    place.stage = *stage;
+  } else if (name == knit::name_of(knit::Stage::done)) {
+    place.stage = knit::Stage::done;  // a run on its way to its end
+  } else {
+    fields.set_fault("stage", "must be one of timing, cast-on, rows, stitches, faces, pattern, done.");
+  }
+  place.row = static_cast<std::int32_t>(fields.whole("row", 0, most_rows));
+  place.item = static_cast<std::int32_t>(fields.whole("item", 0, most_rows));
+  return place;
+}
+
+// Parameters that are not there keep their value in a new program.
+knit::Parameters read_parameters(JsonFields fields) {
+  knit::Parameters parameters;
+  if (!fields.json().is_object()) return parameters;
+  for (const auto& [key, value] : fields.json().items()) {
+    const knit::ParameterInfo* info = knit::find_parameter(key);
+    if (info == nullptr) {
+      fields.set_fault(key, "is no parameter; remove it, or see knit-mesh --list-parameters.");
+      continue;
+    }
+    const bool is_value = value.is_string() || value.is_number();
+    const std::string text = value.is_string() ? value.get<std::string>() : is_value ? value.dump() : "";
+    if (!is_value || knit::set_value(*info, parameters, text))
+      fields.set_fault(key, "must be " + knit::range_text(*info) + ".");
+  }
+  return parameters;
+}
+
+Knobs read_knobs(JsonFields fields) {
+  Knobs knobs;
+  knobs.base = read_parameters(fields.object("parameters"));
+  const std::size_t count = fields.array("edits").size();
+  if (count > most_edits) fields.set_fault("edits", "are more than 10000; remove some.");
+  for (std::size_t i = 0; i < count && fields.fault().empty(); ++i) {
+    JsonFields edit = fields.entry("edits", i);
+    const knit::Place at = read_place(edit.object("at"));
+    knobs.edits.push_back({at, read_parameters(edit.object("parameters"))});
+    if (i > 0 && !(knobs.edits[i - 1].at < at))
+      edit.set_fault("at", "does not come after the edit before it; bring the edits into their order.");
+  }
+  return knobs;
+}
+
+void read_source(JsonFields fields, SavedSession& saved) {
+  if (fields.has("file")) {
+    saved.source.file = fields.text("file");
+    if (saved.source.file.empty()) fields.set_fault("file", "is empty; name the mesh's file.");
+  } else if (fields.has("example")) {
+    saved.source.example = fields.text("example");
+  } else {
+    fields.set_fault("file", "is missing; name the mesh's \"file\", or an \"example\".");
+  }
+  if (fields.has("hash")) saved.mesh_hash = fields.text("hash");
+}
+
+Camera read_camera(JsonFields fields) {
+  Camera camera;
+  const Json& target = fields.array("target");
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (target.size() == 3 && target[i].is_number()) {
+      camera.target[static_cast<int>(i)] = target[i].get<double>();
+    } else {
+      fields.set_fault("target", "must be three numbers, [x, y, z].");
+    }
+  }
+  camera.distance = fields.number("distance", 1e-12, farthest);
+  camera.yaw = fields.number("yaw", -1e6, 1e6);
+  camera.pitch = fields.number("pitch", -1.57, 1.57);
+  camera.field_of_view = fields.number("field-of-view", 0.01, 3.0);
+  return camera;
+}
+
+void read_playback(JsonFields fields, SavedSession& saved) {
+  saved.steps_per_second =
+      fields.number("steps-per-second", slowest_steps_per_second, fastest_steps_per_second);
+  saved.slow_motion = fields.flag("slow-motion");
+  if (!fields.has("loop")) return;
+  JsonFields loop = fields.object("loop");
+  constexpr std::int64_t most_steps = std::int64_t{1} << 40;
+  saved.loop = Stretch{static_cast<std::size_t>(loop.whole("begin", 0, most_steps)),
+                       static_cast<std::size_t>(loop.whole("end", 0, most_steps))};
+  if (saved.loop->begin >= saved.loop->end) loop.set_fault("end", "must come after the loop's begin.");
+}
+
+void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
+  pattern.title = fields.text("title");
+  pattern.yarn = fields.text("yarn");
+  pattern.colour = fields.text("colour");
+  pattern.markers = fields.flag("markers");
+  pattern.stars = fields.flag("stars");
+  if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
+}
+
+void read_breaks(JsonFields& fields, SavedSession& saved) {
+  const Json& list = fields.array("breaks");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string name = "breaks[" + std::to_string(i) + "]";
+    if (!list[i].is_string()) {
+      fields.set_fault(name, "must be text in quotes.");
+      return;
+    }
+    auto condition = knit::parse_break(list[i].get<std::string>());
+    if (const auto* fault = std::get_if<std::string>(&condition))
+      return fields.set_fault(name, "is wrong: " + *fault);
+    saved.breaks.push_back(std::get<knit::BreakCondition>(std::move(condition)));
+  }
+}
+
+void read_view(JsonFields& fields, SavedSession& saved) {
+  saved.camera = read_camera(fields.object("camera"));
+  JsonFields layers = fields.object("layers");
+  saved.layers = Session{}.layers;
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    const std::string key(key_of(static_cast<Layer>(i)));
+    if (layers.has(key)) saved.layers[i] = layers.flag(key);
+  }
+  saved.side = static_cast<SidePanel>(fields.choice("side", side_keys));
+  saved.centre = static_cast<CentrePanel>(fields.choice("centre", centre_keys));
+}
+
+std::string fault_of_version(const Json& json) {
+  const std::string mark(session_mark);
+  if (!json.is_object() || !json.contains(mark))
+    return "it is no session of knit-mesh: \"" + mark +
+           "\" is missing; give a file that --save-session wrote.";
+  const Json& version = json[mark];
+  if (version.is_number_integer() && version == session_version) return "";
+  return "it is of version " + (version.is_number() ? version.dump() : std::string("unknown")) +
+         ", and this program reads version " + std::to_string(session_version) +
+         "; open it with the knit-mesh that wrote it.";
+}
+
+}  // namespace
+
+std::variant<SavedSession, std::string> read_saved(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return std::string("it is no JSON; give a file that --save-session wrote.");
+  if (auto fault = fault_of_version(json); !fault.empty()) return fault;
+  JsonFields fields(json);
+  SavedSession saved;
+  read_source(fields.object("source"), saved);
+  saved.knobs = read_knobs(fields);
+  const bool at_start = fields.has("at") && json["at"] == "start";
+  if (!at_start) saved.at = read_place(fields.object("at"));
+  read_view(fields, saved);
+  read_playback(fields.object("playback"), saved);
+  read_breaks(fields, saved);
+  if (fields.has("pinned")) saved.pinned = read_knobs(fields.object("pinned"));
+  JsonFields along = fields.object("knit-along");
+  saved.knitting_along = along.flag("on");
+  saved.round = static_cast<std::int32_t>(along.whole("round", 1, most_rows));
+  read_pattern(fields.object("pattern"), saved.pattern);
+  if (!fields.fault().empty()) return fields.fault();
+  return saved;
+}
+
+}  // namespace app

@@ -1,0 +1,95 @@
+#include "knit/chart_text.h"
+
+#include <algorithm>
+
+namespace knit {
+
+namespace {
+
+constexpr const char* how_to_read =
+    "Read from the bottom up, every round from right to left. At the right stands the round's\n"
+    "number, at the left how many stitches there are after it.\n";
+
+bool has(const Chart& chart, ChartSymbol symbol) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(), [&](const ChartRow& row) {
+    return std::any_of(row.squares.begin(), row.squares.end(),
+                       [&](const ChartSquare& square) { return square.symbol == symbol; });
+  });
+}
+
+// Each on a line too short to be joined with the next by whoever reads the file by machine.
+std::string key_of(const Chart& chart) {
+  std::string text;
+  for (const ChartSign& sign : chart_signs) {
+    if (!has(chart, sign.symbol)) continue;
+    text += sign.sign == ' ' ? "  (blank)  " : std::string("     ") + sign.sign + "     ";
+    text.append(sign.meaning).append("\n");
+  }
+  return text;
+}
+
+std::string right_aligned(const std::string& words, std::size_t width) {
+  return std::string(width - std::min(width, words.size()), ' ') + words;
+}
+
+// The squares of a row as they lie on paper: the first worked at the right.
+std::string squares_of(const ChartRow& row) {
+  std::string text;
+  for (std::size_t column = row.squares.size(); column-- > 0;)
+    text += sign_of(row.squares[column].symbol).sign;
+  return text;
+}
+
+// The number of every tenth column, counted from the right as rounds are worked.
+std::string ruler_of(const Chart& chart) {
+  std::string line(static_cast<std::size_t>(chart.columns), ' ');
+  for (std::int32_t column = 10; column <= chart.columns; column += 10) {
+    const std::string number = std::to_string(column);
+    const auto at = static_cast<std::size_t>(chart.columns - column);
+    for (std::size_t i = 0; i < number.size() && at + i < line.size(); ++i) line[at + i] = number[i];
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+std::string grid_of(const Chart& chart) {
+  std::size_t counts = 0;
+  for (const ChartRow& row : chart.rows) counts = std::max(counts, std::to_string(row.stitches).size());
+  std::string text;
+  for (std::size_t i = chart.rows.size(); i-- > 0;) {
+    const ChartRow& row = chart.rows[i];
+    const bool ends = row.stitches == 0;  // the bind off: no round, and nothing is left
+    text += right_aligned(ends ? "" : std::to_string(row.stitches), counts) + " |" + squares_of(row) + "|" +
+            (ends ? "" : " " + std::to_string(row.number)) + "\n";
+  }
+  const std::string ruler = ruler_of(chart);
+  return ruler.empty() ? text : text + std::string(counts + 2, ' ') + ruler + "\n";
+}
+
+std::string too_wide(const Chart& chart) {
+  return "The chart is " + std::to_string(chart.columns) +
+         " squares wide, too wide for text. Save it as a drawing: in the menu\n"
+         "File, Save the chart, or on the command line --save-chart chart.svg.\n";
+}
+
+}  // namespace
+
+const ChartSign& sign_of(ChartSymbol symbol) {
+  return *std::find_if(chart_signs.begin(), chart_signs.end(),
+                       [&](const ChartSign& sign) { return sign.symbol == symbol; });
+}
+
+std::string chart_as_text(const Chart& chart) {
+  if (chart.rows.empty()) return "";
+  if (chart.columns > widest_text_chart) return "\nCHART\n" + too_wide(chart);
+  return "\nCHART\n" + std::string(how_to_read) + "\n" + key_of(chart) + "\n" + grid_of(chart);
+}
+
+std::string chart_as_markdown(const Chart& chart) {
+  if (chart.rows.empty()) return "";
+  if (chart.columns > widest_text_chart) return "\n## Chart\n\n" + too_wide(chart);
+  return "\n## Chart\n\n" + std::string(how_to_read) + "\n```text\n" + key_of(chart) + "\n" + grid_of(chart) +
+         "```\n";
+}
+
+}  // namespace knit

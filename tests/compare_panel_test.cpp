@@ -1,0 +1,119 @@
+// The sides Compare and Sweep of the right column, without a window.
+#include "tests/support/desk.h"
+
+#include "app/panels/sweep_plot.h"
+
+using namespace desk;
+
+namespace {
+
+void tune_epsilon(Desk& desk, double epsilon) {
+  knit::Parameters parameters = desk.session.timeline->parameters();
+  parameters.epsilon = epsilon;
+  apply(desk.session, Tune{parameters});
+  desk.session.timeline->extend_to_end();
+}
+
+bool shows(const Desk& desk, const std::string& control) { return desk.ui.controls.count(control) == 1; }
+
+}  // namespace
+
+TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::compare;
+  desk.settle();
+  desk.open();
+  desk.act({only<PinRun>(desk.click("compare/pin"))});
+  tune_epsilon(desk, 0.1);
+  desk.settle();
+  CHECK(shows(desk, "compare/setting/epsilon"));
+  CHECK(shows(desk, "compare/figure/course-cv"));
+  CHECK(shows(desk, "compare/stitches"));
+  CHECK(count_of<SeekPlace>(desk.click("compare/first-row")) == 1);
+  CHECK(count_of<SeekPlace>(desk.click("compare/stitches")) == 1);
+  const std::size_t times = desk.ui.compare.times_compared();
+  desk.settle();
+  CHECK(desk.ui.compare.times_compared() == times);
+  desk.act({only<SwapPinned>(desk.click("compare/swap"))});
+  CHECK(desk.session.timeline->parameters().epsilon == wide_band().epsilon);
+  desk.session.timeline->extend_to_end();
+  desk.settle();
+  CHECK(desk.ui.compare.times_compared() == times + 1);
+  desk.act({only<Unpin>(desk.click("compare/unpin"))});
+  desk.settle();
+  CHECK(shows(desk, "compare/pin"));
+  CHECK_FALSE(shows(desk, "compare/swap"));
+}
+
+TEST_CASE("sweep side: start, point, take", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::sweep;
+  desk.settle();
+  desk.open();
+  CHECK(desk.ui.sweep_form.axis.key == "epsilon");
+  CHECK_FALSE(shows(desk, "sweep/problems"));
+  desk.ui.sweep_form.axis = {"epsilon", 0.05, 0.25, 5};
+  desk.act({only<StartSweep>(desk.click("sweep/start"))});
+  REQUIRE(desk.session.sweep);
+  desk.settle();
+  for (const char* plot : {"sweep/problems", "sweep/stitches", "sweep/course-cv"}) {
+    CAPTURE(plot);
+    CHECK(shows(desk, plot));
+  }
+  const auto taken = only<TakeSweepValue>(desk.click("sweep/stitches", 0.97f));
+  CHECK(taken.run == 4);
+  desk.act({taken});
+  CHECK(desk.session.timeline->parameters().epsilon == 0.25);
+}
+
+TEST_CASE("sweep side: two parameters make a map", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::sweep;
+  desk.open();
+  desk.click("sweep/grid");
+  desk.settle();
+  REQUIRE(desk.ui.sweep_form.grid);
+  CHECK(desk.ui.sweep_form.second.key == "stitch-width");
+  desk.ui.sweep_form.axis = {"epsilon", 0.05, 0.25, 4};
+  desk.ui.sweep_form.second = {"stitch-width", 0.3, 0.5, 3};
+  desk.act({only<StartSweep>(desk.click("sweep/start"))});
+  desk.settle();
+  REQUIRE(shows(desk, "sweep/map"));
+  const auto taken = only<TakeSweepValue>(desk.click("sweep/map", 0.97f));
+  CHECK(taken.run == 10);  // the last column, the middle row
+  desk.act({taken});
+  CHECK(desk.session.timeline->parameters().epsilon == 0.25);
+  CHECK(desk.session.timeline->parameters().stitch_width == 0.4);
+}
+
+TEST_CASE("sweep side: the usual range of every parameter can be swept, one that cannot is told",
+          "[panels]") {
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    if (!can_be_swept(info)) continue;
+    CAPTURE(info.key);
+    const SweepAxis axis = usual_axis(info, wide_band(), 200);
+    CHECK_FALSE(fault_of(SweepPlan{axis, std::nullopt}));
+    const auto value = present_value(info, wide_band());
+    REQUIRE(value);
+    CHECK(axis.from <= *value);
+    CHECK(axis.to >= *value);
+  }
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::sweep;
+  desk.open();
+  desk.ui.sweep_form.axis.from = 9.0;
+  CHECK(desk.click("sweep/start").empty());
+}
+
+TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the form", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::sweep;
+  desk.open();
+  CHECK(desk.ui.sweep_form.axis.key == "epsilon");
+  knit::Parameters parameters = desk.session.timeline->parameters();
+  parameters.rows = knit::RowSource::contours;
+  apply(desk.session, Tune{parameters});
+  desk.settle();
+  CHECK(desk.ui.sweep_form.axis.key == "stitch-width");
+  CHECK_FALSE(fault_of(SweepPlan{desk.ui.sweep_form.axis, std::nullopt}));
+}

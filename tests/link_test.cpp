@@ -1,0 +1,175 @@
+// The copied command line opens exactly the state it was copied from.
+#include "app/core/link.h"
+
+#include "app/core/command_line.h"
+#include "app/core/session_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using namespace test_support;
+
+namespace {
+
+void tune(Session& session, const char* key, const std::string& value) {
+  knit::Parameters parameters = session.timeline->parameters();
+  REQUIRE_FALSE(knit::set_value(*knit::find_parameter(key), parameters, value));
+  knit::give_size_by(key, parameters);
+  apply(session, Tune{parameters});
+}
+
+// As a shell would take it apart: words, and single quotes.
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\'') {
+      quoted = !quoted;
+    } else if (line[i] == '\\' && !quoted) {
+      words.back() += line[++i];
+    } else if (line[i] == ' ' && !quoted) {
+      words.emplace_back();
+    } else {
+      words.back() += line[i];
+    }
+  }
+  return words;
+}
+
+std::string copied(Session& session) {
+  session.clipboard_wanted.reset();
+  const std::size_t told = session.notices.size();
+  apply(session, CopyLink{});
+  for (std::size_t i = told; i < session.notices.size(); ++i) UNSCOPED_INFO(session.notices[i].text);
+  return session.clipboard_wanted.value_or("");
+}
+
+Session opened_by(const std::string& link) {
+  CAPTURE(link);
+  std::vector<std::string> words = words_of(link);
+  REQUIRE(words.front() == "knit-mesh");
+  words.erase(words.begin());
+  const auto parsed = parse_command_line(words, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<CommandLine>(parsed));
+  const auto& line = std::get<CommandLine>(parsed);
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  CHECK(open_as_asked(session, line) == std::nullopt);
+  REQUIRE(session.timeline);
+  if (line.at) CHECK(go_to(session, *line.at) == std::nullopt);
+  return session;
+}
+
+void check_same(const Session& session, const Session& other) {
+  CHECK(knobs_of(*other.timeline) == knobs_of(*session.timeline));
+  CHECK(other.timeline->position() == session.timeline->position());
+  CHECK(knit::hash_of(other.timeline->state()) == knit::hash_of(session.timeline->state()));
+  CHECK(other.side == session.side);
+  CHECK(other.centre == session.centre);
+}
+
+}  // namespace
+
+TEST_CASE("a link by options opens the same state at the same position") {
+  struct Change {
+    const char *key, *value;
+  };
+  const std::vector<std::vector<Change>> lists{
+      {},
+      {{"epsilon", "0.0613"}},
+      {{"stitch-width", "0.1300001"}},
+      {{"gauge", "19,27"}},
+      {{"gauge", "19.3,27"}, {"height-cm", "17"}, {"axis", "-1,0.2,0.1"}},
+      {{"close", "thesis"}, {"placement", "nearest"}, {"stacking-penalty", "0.25"}},
+      {{"weld", "on"}, {"start-direction", "-1,0,0"}},
+      {{"rows", "contours"}, {"stitch-height", "0.09"}, {"timing", "arc-length"}},
+  };
+  for (const char* example : {"sphere", "thesis-sphere"}) {
+    for (const auto& list : lists) {
+      Session session = example_session(example);
+      for (const Change& change : list) tune(session, change.key, change.value);
+      for (const knit::Place& place :
+           {knit::Place{knit::Stage::rows, 9, 4}, knit::Place{knit::Stage::timing, 0, 3}}) {
+        apply(session, SeekPlace{place});
+        const std::string link = copied(session);
+        CAPTURE(link);
+        CHECK(contains(link, "--example " + std::string(example)));
+        check_same(session, opened_by(link));
+      }
+    }
+  }
+}
+
+TEST_CASE("a link says what is shown, and quotes what a shell would take apart") {
+  const Folder folder;
+  const auto mesh = folder.path() / "it's a $ball & more.obj";
+  std::filesystem::copy_file(std::filesystem::path(KNIT_ASSETS_DIR) / "sphere" / "mesh.obj", mesh);
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  apply(session, OpenFile{mesh});
+  REQUIRE(session.timeline);
+  apply(session, ShowSide{SidePanel::report});
+  apply(session, ShowCentre{CentrePanel::chart});
+  apply(session, KnitAlong{5});
+  knit::PatternOptions options;
+  options.title = "- a \"b\" 'c' $(d) -";
+  options.needle_mm = 3.5;
+  options.markers = true;
+  apply(session, SetPatternOptions{options});
+  const std::string link = copied(session);
+  CHECK(contains(link, "--at 0"));
+  const Session other = opened_by(link);
+  check_same(session, other);
+  CHECK(other.knit_along == 5);
+  CHECK(other.pattern.title == options.title);
+  CHECK(other.pattern.needle_mm == 3.5);
+  CHECK(other.pattern.markers);
+  CHECK(shell_quoted("") == "''");
+  CHECK(shell_quoted("a'b") == "'a'\\''b'");
+  CHECK(shell_quoted("--at=rows:1:2") == "--at=rows:1:2");
+}
+
+TEST_CASE("with edits the link names the session file, while that says what is shown") {
+  const Folder folder;
+  Session session = example_session("sphere");
+  apply(session, SeekPlace{{knit::Stage::rows, 9, 4}});
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.close = parameters.close == knit::Closing::arc ? knit::Closing::thesis : knit::Closing::arc;
+  apply(session, EditFromHere{parameters});
+  CHECK(copied(session) == "");
+  REQUIRE_FALSE(session.notices.empty());
+  CHECK(contains(session.notices.back().text, "save the session first"));
+
+  const auto path = folder.path() / "my session.json";
+  apply(session, Export{ExportKind::session, path});
+  const std::string link = copied(session);
+  CHECK(link == "knit-mesh --session '" + path.string() + "'");
+  Session other = opened_by(link);
+  check_same(session, other);
+  CHECK(other.camera == session.camera);
+  CHECK(copied(other) == link);
+
+  apply(session, Orbit{0.3, 0.0});
+  CHECK(copied(session) == "");
+  apply(session, Orbit{-0.3, 0.0});
+  std::filesystem::remove(path);
+  CHECK(copied(session) == "");
+}
+
+TEST_CASE("a parameter, a place and a side beside --session go over what it says") {
+  const Folder folder;
+  Session session = example_session("sphere");
+  apply(session, SeekPlace{{knit::Stage::rows, 9, 4}});
+  apply(session, ShowSide{SidePanel::report});
+  const auto path = (folder.path() / "s.json").string();
+  REQUIRE_FALSE(save_session(session, path));
+  const Session plain = opened_by("knit-mesh " + path);
+  check_same(session, plain);
+  const Session tuned = opened_by("knit-mesh --session " + path + " --close none --at rows:5:1 --side step");
+  CHECK(tuned.timeline->base_parameters().close == knit::Closing::none);
+  CHECK(tuned.timeline->place() == knit::Place{knit::Stage::rows, 5, 1});
+  CHECK(tuned.side == SidePanel::step);
+  CHECK(tuned.changes.undo.empty());
+  const auto both = parse_command_line({"--session", path, "--example", "sphere"}, KNIT_ASSETS_DIR);
+  CHECK(std::holds_alternative<Answer>(both));
+}

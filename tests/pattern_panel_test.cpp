@@ -1,0 +1,263 @@
+// The written pattern in its panel: what is lit, what is hovered, what is typed.
+#include "app/core/pattern_file.h"
+#include "app/panels/pattern_lines.h"
+#include "app/panels/track.h"
+#include "tests/support/desk.h"
+
+using namespace desk;
+
+namespace {
+
+// A desk with a finished run and its pattern at the side.
+void show_pattern(Desk& desk) {
+  desk.open();
+  desk.act({ShowSide{SidePanel::pattern}});
+  desk.settle();
+}
+
+// The first round whose line stands on the screen, counted from `from`.
+std::int32_t seen_round(const Desk& desk, std::int32_t from = 1) {
+  for (std::int32_t round = from; round <= desk.ui.chart.rounds(); ++round) {
+    if (desk.ui.controls.count("pattern/round/" + std::to_string(round)) > 0) return round;
+  }
+  FAIL("no round is seen");
+  return 0;
+}
+
+bool is_seen(const Desk& desk, std::int32_t round) {
+  const auto line = desk.ui.pattern_view.layout.line_of(round);
+  REQUIRE(line);
+  const auto& rounds = desk.ui.pattern_view.layout.lines()[*line].line.rounds;
+  return desk.ui.controls.count("pattern/round/" + std::to_string(rounds->first)) > 0;
+}
+
+Actions type_into(Desk& desk, const std::string& field, const std::string& words) {
+  desk.act(desk.frames(
+      {desk.over(field), MouseClick{MouseButton::Left, true}, MouseClick{MouseButton::Left, false}}));
+  Actions all;
+  for (const char c : words) {
+    const Actions wishes = desk.frames({Text{static_cast<char32_t>(c)}});
+    desk.act(wishes);
+    all.insert(all.end(), wishes.begin(), wishes.end());
+  }
+  return all;
+}
+
+void leave_field(Desk& desk) {
+  desk.act(desk.click("pattern/text", 0.02f));
+  desk.settle();
+}
+
+void open_fields(Desk& desk) {
+  desk.act(desk.click("pattern/fields", 0.3f));
+  desk.settle();
+}
+
+}  // namespace
+
+TEST_CASE("the pattern's lines are the document, in its order") {
+  Desk desk;
+  show_pattern(desk);
+  const knit::WrittenPattern& pattern = desk.ui.chart.pattern();
+  const std::vector<PatternLine> lines = lines_of(pattern);
+  CHECK(lines.front().words == pattern.title);
+  CHECK(lines.back().words == pattern.finishing.back());
+  std::vector<std::string> headings;
+  std::int32_t next = 1;
+  for (const PatternLine& line : lines) {
+    if (line.kind == PatternLine::Kind::heading) headings.push_back(line.words);
+    if (!line.rounds) continue;
+    CHECK(line.rounds->first == next);
+    next = line.rounds->last + 1;
+  }
+  CHECK(next == desk.ui.chart.rounds() + 1);
+  CHECK(headings == std::vector<std::string>{"Finished size", "Materials", "Gauge", "Abbreviations", "Notes",
+                                             "Instructions", "Finishing"});
+}
+
+TEST_CASE("lines stand one below the other, and a round finds its own") {
+  Desk desk;
+  show_pattern(desk);
+  const PatternLayout& layout = desk.ui.pattern_view.layout;
+  float bottom = 0.0f;
+  for (std::size_t i = 0; i < layout.lines().size(); ++i) {
+    const auto& placed = layout.lines()[i];
+    CHECK(placed.top >= bottom);
+    CHECK(placed.height > 10.0f);
+    bottom = placed.top + placed.height;
+    CHECK(layout.line_below(placed.top) == i);
+  }
+  CHECK(bottom <= layout.height());
+  for (std::int32_t round = 1; round <= desk.ui.chart.rounds(); ++round) {
+    const auto line = layout.line_of(round);
+    REQUIRE(line);
+    CHECK(layout.lines()[*line].line.rounds->holds(round));
+  }
+  CHECK_FALSE(layout.line_of(0));
+  CHECK_FALSE(layout.line_of(desk.ui.chart.rounds() + 1));
+}
+
+TEST_CASE("a line under the pointer lights its rounds in the view, and a click goes there") {
+  Desk desk;
+  show_pattern(desk);
+  desk.act({ToLast{}});
+  desk.settle();
+  Describer describer;
+  const std::size_t before = describer.describe(desk.session).lines.size();
+  const std::int32_t round = seen_round(desk, 2);
+  const std::string line = "pattern/round/" + std::to_string(round);
+  const Actions hovered = desk.frames({desk.over(line)});
+  REQUIRE(count_of<HoverRounds>(hovered) == 1);
+  desk.act(hovered);
+  REQUIRE(desk.session.hovered_rounds);
+  const RoundSpan rounds = *desk.session.hovered_rounds;
+  CHECK(rounds.first == round);
+  std::size_t stitches = 0;
+  for (std::int32_t r = rounds.first; r <= rounds.last; ++r)
+    stitches += desk.session.timeline->state().rows[static_cast<std::size_t>(r) - 1]->stitches.size();
+  CHECK(describer.describe(desk.session).lines.size() == before + stitches);
+  const Actions clicked = desk.click(line);
+  REQUIRE(count_of<SeekPlace>(clicked) == 1);
+  for (const Action& wish : clicked) {
+    if (const auto* seek = std::get_if<SeekPlace>(&wish)) CHECK(seek->place.row == round);
+  }
+  desk.act(desk.frames({MouseLeave{}}));
+  CHECK_FALSE(desk.session.hovered_rounds);
+}
+
+TEST_CASE("rounds meant before they are made stand where they are going to be") {
+  Desk desk;
+  show_pattern(desk);
+  desk.act({ToFirst{}, HoverRounds{RoundSpan{3, 4}}});
+  REQUIRE(desk.session.timeline->state().rows.empty());
+  Describer describer;
+  const auto& rows = desk.session.timeline->furthest().rows;
+  const std::size_t lit = describer.describe(desk.session).lines.size();
+  desk.act({HoverRounds{std::nullopt}});
+  CHECK(lit ==
+        describer.describe(desk.session).lines.size() + rows[2]->stitches.size() + rows[3]->stitches.size());
+  desk.act({HoverRounds{RoundSpan{-5, 100000}}});
+  CHECK(describer.describe(desk.session).lines.size() > lit);
+}
+
+TEST_CASE("the round at hand is kept in sight while the run plays") {
+  Desk desk(1280, 520);
+  show_pattern(desk);
+  desk.act({ToFirst{}});
+  desk.settle();
+  const std::int32_t last = desk.ui.chart.rounds();
+  CHECK_FALSE(is_seen(desk, last));
+  for (const std::int32_t round : {2, last / 2, last, 3}) {
+    CAPTURE(round);
+    desk.act({SeekPlace{{knit::Stage::rows, round, INT32_MAX}}});
+    desk.settle();
+    CHECK(is_seen(desk, round));
+  }
+  // A stitch that is pointed at in the view brings its line too.
+  desk.act({HoverStitch{StitchAt{last, 0}}});
+  desk.settle();
+  CHECK(is_seen(desk, last));
+}
+
+TEST_CASE("another side leaves no round lit") {
+  Desk desk;
+  show_pattern(desk);
+  desk.act({ToLast{}});
+  desk.settle();
+  desk.act(desk.frames({desk.over("pattern/round/" + std::to_string(seen_round(desk)))}));
+  REQUIRE(desk.session.hovered_rounds);
+  desk.act({ShowSide{SidePanel::step}});
+  desk.act(desk.frame());
+  CHECK_FALSE(desk.session.hovered_rounds);
+}
+
+TEST_CASE("the round under the pointer on the timeline is meant everywhere") {
+  Desk desk;
+  show_pattern(desk);
+  const knit::Timeline& timeline = *desk.session.timeline;
+  const knit::Place wanted{knit::Stage::stitches, desk.ui.chart.rounds() / 2, INT32_MAX};
+  const Box box = desk.ui.controls.at("track");
+  const float margin = desk.layout.scale * 6.0f;
+  const Track track{box.x + margin, box.right() - margin, box.y, box.bottom(), timeline.known()};
+  const float x = track.x_of(timeline.position_of(wanted));
+  const Actions hovered = desk.frames({MouseMove{x, box.y + 0.5f * box.height}});
+  const std::size_t position = track.position_at(x);
+  const std::int32_t row = timeline.step(position - 1).place.row;
+  CHECK(only<HoverRounds>(hovered).rounds == RoundSpan{row, row});
+  desk.act(hovered);
+  desk.settle();
+  CHECK(is_seen(desk, row));
+  desk.act(desk.frames({MouseMove{track.x_of(1), box.y + 0.5f * box.height}}));
+  CHECK_FALSE(desk.session.hovered_rounds);  // no rows there
+}
+
+TEST_CASE("who knits along goes on from the line that is clicked") {
+  Desk desk;
+  show_pattern(desk);
+  desk.act({KnitAlong{2}});
+  desk.settle();
+  const std::int32_t round = seen_round(desk, 3);
+  const Actions clicked = desk.click("pattern/round/" + std::to_string(round));
+  CHECK(count_of<KnitAlong>(clicked) == 1);
+}
+
+TEST_CASE("the pattern's own words are folded away, and taken as they are typed") {
+  Desk desk;
+  show_pattern(desk);
+  CHECK(desk.ui.controls.count("pattern/Title") == 0);
+  open_fields(desk);
+  CHECK(count_of<SetPatternOptions>(type_into(desk, "pattern/Title", "My ball")) == 7);
+  CHECK(desk.session.pattern.title == "My ball");
+  type_into(desk, "pattern/Yarn", "Wool");
+  type_into(desk, "pattern/Colour", "moss");
+  leave_field(desk);
+  CHECK(desk.session.pattern.title == "My ball");
+  CHECK(desk.session.pattern.yarn == "Wool");
+  CHECK(desk.session.pattern.colour == "moss");
+  CHECK(desk.ui.chart.pattern().title == "My ball");
+  CHECK(desk.ui.chart.pattern().materials.front().find("Wool, in moss") != std::string::npos);
+  for (const char* box : {"pattern/markers", "pattern/stars"}) desk.act(desk.click(box, 0.1f));
+  CHECK(desk.session.pattern.markers);
+  CHECK(desk.session.pattern.stars);
+}
+
+TEST_CASE("options that come from elsewhere fill the fields") {
+  Desk desk;
+  show_pattern(desk);
+  open_fields(desk);
+  type_into(desk, "pattern/Title", "Mine");
+  knit::PatternOptions options;
+  options.title = "From a file";
+  options.needle_mm = 3.25;
+  leave_field(desk);
+  desk.act({SetPatternOptions{options}});
+  desk.settle();
+  CHECK(desk.ui.pattern_fields.title.text() == "From a file");
+  CHECK(desk.ui.pattern_fields.needle.text() == "3.25");
+}
+
+TEST_CASE("a needle is a number from 0.5 to 50, another is refused with a sentence, and stays to be mended") {
+  Desk desk;
+  show_pattern(desk);
+  open_fields(desk);
+  type_into(desk, "pattern/Needle", "3.5x");
+  CHECK(desk.session.pattern.needle_mm == 3.5);
+  CHECK(desk.ui.pattern_fields.trouble.empty());  // not while it is typed
+  leave_field(desk);
+  CHECK(desk.ui.pattern_fields.trouble == "The needle cannot be \"3.5x\" mm; give a number from 0.5 to 50.");
+  CHECK(desk.ui.pattern_fields.needle.text() == "3.5x");
+  CHECK(desk.session.pattern.needle_mm == 3.5);  // the last that could be
+  for (const char* bad : {"0", "0.4", "51", "nan", "3,5", "-2", "4 mm"}) CHECK_FALSE(needle_mm_of(bad));
+  CHECK(needle_mm_of("0.5") == 0.5);
+  CHECK(needle_mm_of("50") == 50.0);
+}
+
+TEST_CASE("before there are labels the panel says so, and saving is at hand after") {
+  Desk desk;
+  desk.act({ShowSide{SidePanel::pattern}});
+  desk.settle();
+  CHECK(desk.ui.controls.count("pattern/text") == 0);
+  show_pattern(desk);
+  desk.click("pattern/save");
+  CHECK(desk.ui.save.wanted == ExportKind::pattern);
+}

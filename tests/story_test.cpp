@@ -1,0 +1,112 @@
+// The debugging story of docs/debugging.md, played as a script of actions: an epsilon that is too small, seen,
+// understood and mended.
+#include <algorithm>
+
+#include "app/core/apply_parts.h"
+#include "app/core/run_figures.h"
+#include "app/core/sweep_work.h"
+#include "knit/candidates.h"
+#include "knit/narrate.h"
+#include "knit/problems.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+
+namespace {
+
+knit::ProblemRanking problems_of(const knit::Timeline& timeline) {
+  knit::ProblemRanking ranking;
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    if (const auto problem = knit::problem_of(timeline.step(i), i, timeline.parameters_of_step(i)))
+      ranking.take(*problem);
+  }
+  ranking.finish();
+  return ranking;
+}
+
+// The first value from which on no run has a problem.
+std::size_t first_sound_run(const SweepWork& work) {
+  std::size_t first = work.total();
+  while (first > 0 && work.run(first - 1)->figures.problems == 0 && work.run(first - 1)->figures.finished)
+    --first;
+  return first;
+}
+
+}  // namespace
+
+TEST_CASE("the story: from a stall to an epsilon without one, at the same place") {
+  Session session = test_support::example_session("thesis-sphere");
+  const auto act = [&](const Action& action) { app::apply(session, action); };
+  knit::Parameters narrow = session.timeline->parameters();
+  narrow.epsilon = 0.012;
+  act(Tune{narrow});
+  act(ToLast{});
+
+  // Something is wrong: the list says what, worst first.
+  const knit::ProblemRanking problems = problems_of(*session.timeline);
+  REQUIRE(problems.size() > 0);
+  for (std::size_t i = 1; i < problems.size(); ++i) CHECK(problems[i - 1].kind <= problems[i].kind);
+
+  // To the first stall.
+  act(ToFirst{});
+  act(SetBreaks{{std::get<knit::BreakCondition>(knit::parse_break("stall"))}});
+  act(RunToBreak{1});
+  const knit::Step* step = last_step(session);
+  REQUIRE(step != nullptr);
+  const auto* stall = std::get_if<knit::BandMissed>(&step->what);
+  REQUIRE(stall != nullptr);
+  const knit::Place place = step->place;
+  INFO(sentence(session));
+
+  // The candidates show the gap: the band lies between two neighbours.
+  const knit::CandidateTable table = knit::candidates_of(*session.timeline, place.row);
+  CHECK(table.band.low == Approx(0.1 - 0.012));
+  const auto& taken = table.candidates.at(static_cast<std::size_t>(stall->taken_order));
+  CHECK(taken.verdict == knit::CandidateVerdict::taken);
+  CHECK((taken.distance < table.band.low || taken.distance > table.band.high));
+  const auto in_the_band = [&](const knit::Candidate& c) {
+    return c.stitch == stall->stitch && c.distance >= table.band.low && c.distance <= table.band.high;
+  };
+  CHECK(std::none_of(table.candidates.begin(), table.candidates.end(), in_the_band));
+
+  // Why not the one on the other side of the band? What decided on it comes later; the step that touched it
+  // before is the one that found it too far. And back again.
+  const knit::Step& before = session.timeline->step(session.timeline->position() - 2);
+  const auto refused = std::get<knit::CandidateMeasured>(before.what);
+  CHECK(refused.verdict == knit::Verdict::too_far);
+  CHECK(refused.distance > table.band.high);
+  act(ShowWhy{knit::VertexThing{refused.candidate}});
+  CHECK(session.timeline->place() > place);
+  act(ToTouch{-1});
+  while (session.timeline->place() > before.place) act(ToTouch{-1});
+  CHECK(session.timeline->place() == before.place);
+  while (session.timeline->place() != place && !session.travel.history.behind.empty()) act(GoBack{});
+  CHECK(session.timeline->place() == place);
+
+  // From which epsilon on is there none?
+  act(StartSweep{{{"epsilon", 0.005, 0.05, 46}, std::nullopt}});
+  REQUIRE(session.sweep);
+  session.sweep->work->wait();
+  const std::size_t sound = first_sound_run(*session.sweep->work);
+  REQUIRE(sound > 0);
+  REQUIRE(sound < session.sweep->work->total());
+  const double epsilon = session.sweep->work->run(sound)->values.front();
+  CHECK(epsilon > 0.012);
+  CHECK(session.sweep->work->run(sound - 1)->figures.problems > 0);
+
+  // Take it: the same place is shown, and no problem is left.
+  act(TakeSweepValue{sound});
+  act(PassTime{});
+  CHECK(session.timeline->parameters().epsilon == Approx(epsilon));
+  CHECK(session.timeline->place().row == place.row);
+  CHECK(session.timeline->place().stage == place.stage);
+  act(ToLast{});
+  CHECK(session.timeline->furthest().finished());
+  CHECK(problems_of(*session.timeline).size() == 0);
+  CHECK(stop_shown(session) == nullptr);
+
+  // And back: undo leads to the run with the stall.
+  act(Undo{});
+  CHECK(session.timeline->parameters().epsilon == 0.012);
+}
