@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "app/core/action.h"
+#include "app/core/describe.h"
+#include "app/panels/style.h"
+#include "app/panels/ui.h"
 #include "app/render/headless_gl.h"
 #include "app/window/frame.h"
 #include "knit/shapes.h"
@@ -57,98 +60,135 @@ app::FrameShape shape_of(int width, int height) {
   return shape;
 }
 
-// As in the window: what changes is worked out in the next tick, then drawn.
-struct Desk {
-  app::Session session;
-  app::FrameDrawer drawer;
-  app::FrameShape shape = shape_of(1280, 720);
-
-  explicit Desk(const std::filesystem::path& assets) : drawer(assets) {
+// The program's own part of a frame: what is shown, and the panels, without OpenGL.
+class Desk {
+ public:
+  explicit Desk(const std::filesystem::path& assets)
+      : fonts_(glue_.load_fonts((assets / "fonts").string(), 1.0f, app::style::text_size)),
+        layout_(app::layout_of(1280.0f, 720.0f, 1.0f)) {
+    app::style::apply(1.0f);
     session.assets = assets;
     session.beside = true;
   }
   void act(const app::Action& action) { app::apply(session, action); }
-  void draw() { drawer.draw(session, shape, {}); }
+  void describe() { scene_ = describer_.describe(session); }
+  void panels() {
+    glue_.begin_frame({1280.0f, 720.0f, 1.0f, 1.0f, 1.0f / 60.0f}, {});
+    app::draw_ui(session, ui_, scene_, layout_, fonts_);
+    glue_.end_frame();
+  }
+  void frame() {
+    describe();
+    panels();
+  }
   void finish() {
     while (!session.timeline->complete()) act(app::PassTime{0.0});
     act(app::ToLast{});
-    for (int i = 0; i < 3; ++i) draw();
+    for (int i = 0; i < 3; ++i) frame();
   }
+
+  app::Session session;
+
+ private:
+  app::ImGuiGlue glue_;
+  app::Fonts fonts_;
+  app::Layout layout_;
+  app::UiState ui_;
+  app::Describer describer_;
+  app::Scene scene_;
 };
+
+Json sums_of(const std::vector<std::vector<Cost>>& parts, double Cost::*part) {
+  std::vector<Cost> sums(parts.front().size());
+  for (const auto& costs : parts) {
+    for (std::size_t i = 0; i < costs.size(); ++i) sums[i].*part += costs[i].*part;
+  }
+  return summary_of(sums, part);
+}
 
 }  // namespace
 
 Json measure_tuning_to_picture(const std::filesystem::path& assets) {
-  auto opened = app::HeadlessGl::open();
-  if (const auto* error = std::get_if<std::string>(&opened)) return {{"left_out", *error}};
-  Desk desk(assets);
-  desk.act(app::OpenExample{"thesis-sphere"});
-  desk.finish();
-  std::vector<Cost> change;
-  std::vector<Cost> picture;
-  const knit::Parameters first = desk.session.timeline->parameters();
-  for (int i = 0; i < 200; ++i) {
-    knit::Parameters tuned = first;
-    tuned.epsilon *= 0.7 + 0.002 * i;
-    change.push_back(cost_of([&] {
-      desk.act(app::Tune{tuned});
-      desk.act(app::PassTime{1.0 / 60.0});
-    }));
-    picture.push_back(cost_of([&] { desk.draw(); }));
-  }
-  std::vector<Cost> both;
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    both.push_back({change[i].thread_ms + picture[i].thread_ms, change[i].all_ms + picture[i].all_ms,
-                    change[i].wall_ms + picture[i].wall_ms});
-  }
   Json json;
   json["third_of_a_frame_ms"] = 1000.0 / 60.0 / 3.0;
-  json["change_ms"] = summary_of(change, &Cost::thread_ms);
-  json["picture_ms"] = summary_of(picture, &Cost::thread_ms);
-  json["change_to_picture_ms"] = summary_of(both, &Cost::thread_ms);
-  json["with_software_rasteriser_ms"] = summary_of(both, &Cost::all_ms);
+  app::Session finished;
+  {
+    Desk desk(assets);
+    desk.act(app::OpenExample{"thesis-sphere"});
+    desk.finish();
+    std::vector<Cost> change;
+    std::vector<Cost> described;
+    std::vector<Cost> panels;
+    const knit::Parameters first = desk.session.timeline->parameters();
+    for (int i = 0; i < 200; ++i) {
+      knit::Parameters tuned = first;
+      tuned.epsilon *= 0.7 + 0.002 * i;
+      change.push_back(cost_of([&] {
+        desk.act(app::Tune{tuned, true});
+        desk.act(app::PassTime{1.0 / 60.0});
+      }));
+      described.push_back(cost_of([&] { desk.describe(); }));
+      panels.push_back(cost_of([&] { desk.panels(); }));
+    }
+    json["change_ms"] = summary_of(change, &Cost::thread_ms);
+    json["describe_ms"] = summary_of(described, &Cost::thread_ms);
+    json["panels_ms"] = summary_of(panels, &Cost::thread_ms);
+    json["change_to_picture_ms"] = sums_of({change, described, panels}, &Cost::thread_ms);
+    finished = desk.session;
+  }
+  auto opened = app::HeadlessGl::open();
+  if (const auto* error = std::get_if<std::string>(&opened)) {
+    json["drawing_left_out"] = *error;
+    return json;
+  }
+  app::FrameDrawer drawer(assets);
+  std::vector<Cost> drawn;
+  for (int i = 0; i < 30; ++i)
+    drawn.push_back(cost_of([&] { drawer.draw(finished, shape_of(1280, 720), {}); }));
+  json["drawing_by_this_driver_ms"] = summary_of(drawn, &Cost::thread_ms);
   return json;
 }
 
 Json measure_long_scrubbing(const std::filesystem::path& assets) {
-  auto opened = app::HeadlessGl::open();
-  if (const auto* error = std::get_if<std::string>(&opened)) return {{"left_out", *error}};
   Desk desk(assets);
   desk.act(app::OpenExample{"sphere"});
   knit::Parameters fine = desk.session.timeline->parameters();
   fine.rows = knit::RowSource::contours;
   fine.placement = knit::PlacementPolicy::even;
-  fine.stitch_width = 0.0066;
-  fine.stitch_height = 0.0066;
+  fine.stitch_width = 0.0055;
+  fine.stitch_height = 0.0055;
   desk.act(app::Tune{fine});
   std::vector<Cost> slices;
   while (!desk.session.timeline->complete()) {
-    slices.push_back(cost_of([&] { desk.act(app::PassTime{0.0}); }));
+    slices.push_back(cost_of([&] {
+      desk.act(app::PassTime{0.0});
+      desk.frame();
+    }));
   }
   desk.finish();
   const std::size_t steps = desk.session.timeline->known();
-  constexpr int frames = 400;
+  constexpr std::size_t frames = 400;
   std::vector<Cost> seeks;
-  std::vector<Cost> whole;
-  for (int i = 0; i <= frames; ++i) {
-    const std::size_t position = steps * static_cast<std::size_t>(i % 2 == 0 ? i : frames - i) / frames;
-    Cost seek;
-    whole.push_back(cost_of([&] {
-      seek = cost_of([&] {
-        desk.act(app::SeekTo{position});
-        desk.act(app::PassTime{1.0 / 60.0});
-      });
-      desk.draw();
+  std::vector<Cost> described;
+  std::vector<Cost> panels;
+  for (std::size_t i = 0; i <= frames; ++i) {
+    // There and back in ever other places, as a hand does that cannot make up its mind.
+    const std::size_t position = steps * (i % 2 == 0 ? i : frames - i) / frames;
+    seeks.push_back(cost_of([&] {
+      desk.act(app::SeekTo{position});
+      desk.act(app::PassTime{1.0 / 60.0});
     }));
-    seeks.push_back(seek);
+    described.push_back(cost_of([&] { desk.describe(); }));
+    panels.push_back(cost_of([&] { desk.panels(); }));
   }
   const knit::Timeline& timeline = *desk.session.timeline;
   Json json;
   json["steps"] = steps;
-  json["stitches_of_last_row"] = timeline.furthest().rows.back()->stitches.size();
-  json["work_slice_ms"] = summary_of(slices, &Cost::wall_ms);
+  json["working_out_frame_ms"] = summary_of(slices, &Cost::wall_ms);
   json["seek_ms"] = summary_of(seeks, &Cost::wall_ms);
-  json["frame_thread_ms"] = summary_of(whole, &Cost::thread_ms);
+  json["describe_ms"] = summary_of(described, &Cost::wall_ms);
+  json["panels_ms"] = summary_of(panels, &Cost::wall_ms);
+  json["frame_ms"] = sums_of({seeks, described, panels}, &Cost::wall_ms);
   json["step_bytes"] = sizeof(knit::Step);
   json["keyframe_bytes"] = timeline.keyframe_bytes();
   json["keyframe_budget_bytes"] = knit::Timeline::default_budget_bytes;
