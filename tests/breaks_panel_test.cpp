@@ -7,7 +7,7 @@ namespace {
 
 void open_breaks(Desk& desk, const std::vector<std::string>& texts) {
   desk.open();
-  desk.ui.list = RunList::breaks;
+  desk.session.list = RunList::breaks;
   std::vector<knit::BreakCondition> conditions;
   for (const std::string& text : texts)
     conditions.push_back(std::get<knit::BreakCondition>(knit::parse_break(text)));

@@ -8,7 +8,7 @@ namespace {
 // In the middle of a row that is picked from the mesh's vertices.
 void go_into_row(Desk& desk, std::int32_t row) {
   desk.act({SeekPlace{{knit::Stage::rows, row, 8}}});
-  desk.ui.list = RunList::candidates;
+  desk.session.list = RunList::candidates;
   desk.settle();
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("candidates: sorted by what is clicked, both ways") {
 
 TEST_CASE("candidates: where there are none it says so, and nothing breaks") {
   Desk desk;
-  desk.ui.list = RunList::candidates;
+  desk.session.list = RunList::candidates;
   desk.settle();
   desk.open();
   desk.act({ToFirst{}});

@@ -1,6 +1,7 @@
 // A monkey at the desk: thousands of actions drawn at random from a seed, on each example. Nothing may break, and
 // the same actions replayed on a fresh session must lead to the same state.
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <random>
 #include <span>
@@ -273,8 +274,20 @@ Fingerprint fingerprint_of(const Session& session) {
           timeline.edits()};
 }
 
-constexpr int actions_in_all = 10000;
 constexpr int actions_between_looks = 250;
+
+// KNIT_MONKEY_ACTIONS says how many; under sanitizers fewer by default, because each is ten times as dear there.
+int actions_in_all() {
+  if (const char* wish = std::getenv("KNIT_MONKEY_ACTIONS")) return std::atoi(wish);
+#if defined(__SANITIZE_ADDRESS__)
+  return 1500;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+  return 1500;
+#endif
+#endif
+  return 10000;
+}
 
 void play_with(const std::string& example, unsigned seed) {
   const test_support::Folder folder;
@@ -282,7 +295,8 @@ void play_with(const std::string& example, unsigned seed) {
   Session replayed = test_support::example_session(example);
   Monkey monkey(seed, folder.path());
   Describer describer;
-  for (int i = 0; i < actions_in_all; ++i) {
+  const int count = actions_in_all();
+  for (int i = 0; i < count; ++i) {
     const Action action = monkey.next(session);
     INFO("seed " << seed << ", action " << i << ", kind " << action.index());
     apply(session, action);

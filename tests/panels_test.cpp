@@ -88,7 +88,7 @@ TEST_CASE("overlays are drawn without a wish of their own") {
   desk.session.help_open = true;
   desk.session.picking = Picking::end;
   desk.session.notices = {{Notice::Kind::info, "Saved."}, {Notice::Kind::error, "Something is wrong."}};
-  desk.ui.list = RunList::problems;
+  desk.session.list = RunList::problems;
   for (int i = 0; i < 3; ++i) CHECK(desk.frame().empty());
   CHECK(desk.ui.controls.count("notice/0") == 1);
   CHECK(only<DismissNotice>(desk.click("notice/1")).index == 1);
@@ -238,7 +238,7 @@ TEST_CASE("layers, rows and problems are clicked") {
   knit::Parameters narrow = wide_band();
   narrow.epsilon = 0.001;
   desk.open(narrow);
-  desk.ui.list = RunList::problems;
+  desk.session.list = RunList::problems;
   desk.settle();
   REQUIRE_FALSE(desk.ui.run.problems().empty());
   CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.ranked()[0].step + 1);

@@ -282,6 +282,7 @@ TEST_CASE("a welded run and a pinned one come back with the session") {
   CHECK(saved_text(opened, folder.path() / "a.json") == text);
   CHECK(knit::hash_of(opened.timeline->state()) == knit::hash_of(session.timeline->state()));
   REQUIRE(opened.pinned);
+  finish_pin(opened);
   CHECK(knit::hash_of(opened.pinned->end) == knit::hash_of(session.pinned->end));
   CHECK(opened.pinned->knobs == session.pinned->knobs);
   CHECK(opened.changes.undo.empty());

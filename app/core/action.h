@@ -146,6 +146,9 @@ struct SetAspect {
 struct ShowSide {
   SidePanel side = SidePanel::step;
 };
+struct ShowList {
+  RunList list = RunList::rows;
+};
 
 // Files. A failure is a notice in the session.
 enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, pattern, chart, picture, session };
@@ -187,9 +190,9 @@ using Action =
                  Settle, Undo, Redo, CopyParameters, PasteParameters, Select, ShowWhy, ToTouch, GoBack,
                  GoForward, StepDeep, SetBreaks, RunToBreak, SetLoop, SetSlowMotion, PinRun, SwapPinned,
                  Unpin, StartSweep, CancelSweep, TakeSweepValue, OpenSession, CopyLink, TakeRescued,
-                 DropRescued, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, SetPatternOptions,
-                 ShowCentre, HoverStitch, HoverRounds, KnitAlong, Export, ShowHelp, ShowOpenDialog,
-                 DismissNotice, Quit>;
+                 DropRescued, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, ShowList,
+                 SetPatternOptions, ShowCentre, HoverStitch, HoverRounds, KnitAlong, Export, ShowHelp,
+                 ShowOpenDialog, DismissNotice, Quit>;
 using Actions = std::vector<Action>;
 
 void apply(Session& session, const Action& action);

@@ -261,6 +261,7 @@ struct Apply {
   }
 
   void operator()(const ShowSide& a) { session.side = a.side; }
+  void operator()(const ShowList& a) { session.list = a.list; }
 
   void operator()(const Export& a) {
     if (!open()) return;

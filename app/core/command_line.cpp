@@ -22,7 +22,7 @@ struct Words {
   std::string session, diff, why;
   std::vector<std::string> breaks, sweep;
   std::string save_session;
-  std::string mesh, example, preset, at, side, centre, knit_along;
+  std::string mesh, example, preset, at, side, list, centre, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
       size;
@@ -69,6 +69,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
   app.add_option("--side", words.side,
                  "what the right column shows: step, report, pattern, compare or sweep");
+  app.add_option("--list", words.list,
+                 "which list stands below the step: rows, candidates, problems or breaks");
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
@@ -151,13 +153,28 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
          " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
 }
 
+// The index of a word among those that an option takes; a sentence where it is none of them.
+template <std::size_t count>
+std::optional<std::string> choose(const std::string& option, const std::string& word,
+                                  const std::array<std::string_view, count>& names, std::size_t& index) {
+  const auto name = std::find(names.begin(), names.end(), word);
+  index = static_cast<std::size_t>(name - names.begin());
+  if (name != names.end()) return std::nullopt;
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i)
+    all += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(names[i]);
+  return option + " cannot be \"" + word + "\"; give " + all + ".";
+}
+
 std::optional<std::string> read_side(const Words& words, CommandLine& line) {
-  constexpr std::array<std::string_view, 5> names{"step", "report", "pattern", "compare", "sweep"};
+  std::size_t index = 0;
+  if (!words.list.empty()) {
+    if (auto trouble = choose("--list", words.list, list_keys, index)) return trouble;
+    line.list = static_cast<RunList>(index);
+  }
   if (words.side.empty()) return std::nullopt;
-  const auto name = std::find(names.begin(), names.end(), words.side);
-  if (name == names.end())
-    return "--side cannot be \"" + words.side + "\"; give step, report, pattern, compare or sweep.";
-  line.side = static_cast<SidePanel>(name - names.begin());
+  if (auto trouble = choose("--side", words.side, side_keys, index)) return trouble;
+  line.side = static_cast<SidePanel>(index);
   line.side_given = true;
   return std::nullopt;
 }

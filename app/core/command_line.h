@@ -28,6 +28,7 @@ struct CommandLine {
   bool headless = false;
   knit::PatternOptions pattern;
   SidePanel side = SidePanel::step;        // what the right column shows
+  std::optional<RunList> list;             // below the step
   CentrePanel centre = CentrePanel::view;  // what the centre shows
   std::optional<std::int32_t> knit_along;  // the round to begin with
   std::filesystem::path session;           // instead of a mesh; empty: none

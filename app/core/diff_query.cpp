@@ -36,6 +36,13 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const RunFigures here_figures = figures_of(here, here_knobs);
   const RunDifference difference = difference_of(
       {input, knobs, run.state, figures}, {session.timeline->input(), here_knobs, here.state, here_figures});
+  Pin pin;
+  pin.input = std::get<Loaded>(loaded).input;
+  pin.knobs = knobs;
+  pin.end = run.state;
+  pin.figures = figures;
+  pin.known = true;
+  session.pinned = std::move(pin);
   return {exit_done, text_of(difference, other.filename().string(), "this run"), ""};
 }
 

@@ -57,6 +57,7 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   const bool saved = !line.session.empty();
   app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
   if (!saved || line.side_given) apply(session, ShowSide{line.side});
+  if (line.list) apply(session, ShowList{*line.list});
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
   apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});

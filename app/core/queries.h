@@ -25,9 +25,10 @@ Answer break_answer(Session& session);
 
 // --sweep PARAM=FROM:TO:N, once or twice: CSV, a header and a line a run. sweep_query.cpp
 std::optional<std::string> fault_of_sweep(const std::vector<std::string>& axes);
-Answer sweep_answer(const Session& session, const std::vector<std::string>& axes);
+// The session keeps the sweep, so that a picture shows it; in a window it goes on beside it and nothing is written.
+Answer sweep_answer(Session& session, const std::vector<std::string>& axes);
 
-// --diff OTHER.json: what differs from the run of another session. diff_query.cpp
+// --diff OTHER.json: what differs from the run of another session, which is pinned. diff_query.cpp
 Answer diff_answer(Session& session, const std::filesystem::path& other);
 
 }  // namespace app

@@ -81,6 +81,13 @@ struct RoundSpan {
 // What the right column shows.
 enum class SidePanel : std::uint8_t { step, report, pattern, compare, sweep };
 
+// Which list stands below the step.
+enum class RunList : std::uint8_t { rows, candidates, problems, breaks };
+
+// By index: what scripts and session files call them.
+inline constexpr std::array<std::string_view, 5> side_keys{"step", "report", "pattern", "compare", "sweep"};
+inline constexpr std::array<std::string_view, 4> list_keys{"rows", "candidates", "problems", "breaks"};
+
 enum class Picking : std::uint8_t { nothing, start, end };
 
 // What a worker does for the session, so that a window stays responsive.
@@ -139,6 +146,7 @@ struct Session {
   Playback playback;
   Picking picking = Picking::nothing;
   SidePanel side = SidePanel::step;
+  RunList list = RunList::rows;
   CentrePanel centre = CentrePanel::view;
   std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
   // By their line in the text or their place on the timeline: likewise, and in both of these.

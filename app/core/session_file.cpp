@@ -103,12 +103,14 @@ std::variant<Prepared, std::string> prepare(const Loaded& loaded, const Knobs& k
   return prepared;
 }
 
-// The run that is compared with is kept whole, so it is worked out here.
+// Its end is worked out when it is wanted.
 Pin pin_of(const Prepared& prepared, const Knobs& knobs) {
   knit::Timeline timeline(prepared.input, knobs.base);
   timeline.set_knobs(knobs.base, knobs.edits);
-  timeline.extend_to_end();
-  return {prepared.input, knobs_of(timeline), timeline.furthest()};
+  Pin pin;
+  pin.input = prepared.input;
+  pin.knobs = knobs_of(timeline);
+  return pin;
 }
 
 void show_the_view(Session& session, const SavedSession& saved) {
@@ -116,6 +118,7 @@ void show_the_view(Session& session, const SavedSession& saved) {
   session.camera_kept = true;
   session.layers = saved.layers;
   session.side = saved.side;
+  session.list = saved.list;
   session.centre = saved.centre;
   session.playback = {false, 1, saved.steps_per_second, 0.0};
   session.travel = {};

@@ -76,6 +76,7 @@ SavedSession saved_of(const Session& session) {
   saved.camera = session.camera;
   saved.layers = session.layers;
   saved.side = session.side;
+  saved.list = session.list;
   saved.centre = session.centre;
   saved.steps_per_second = session.playback.steps_per_second;
   saved.slow_motion = session.travel.slow_motion;
@@ -101,6 +102,7 @@ Json to_json(const SavedSession& saved) {
   for (std::size_t i = 0; i < layer_count; ++i)
     json["layers"][std::string(key_of(static_cast<Layer>(i)))] = saved.layers[i];
   json["side"] = side_keys[static_cast<std::size_t>(saved.side)];
+  json["list"] = list_keys[static_cast<std::size_t>(saved.list)];
   json["centre"] = centre_keys[static_cast<std::size_t>(saved.centre)];
   json["playback"] = {{"steps-per-second", saved.steps_per_second}, {"slow-motion", saved.slow_motion}};
   if (saved.loop) json["playback"]["loop"] = {{"begin", saved.loop->begin}, {"end", saved.loop->end}};

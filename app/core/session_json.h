@@ -18,7 +18,6 @@ namespace app {
 inline constexpr std::int64_t session_version = 1;
 inline constexpr std::string_view session_mark = "knit-mesh-session";  // the first field: the version
 
-inline constexpr std::array<std::string_view, 5> side_keys{"step", "report", "pattern", "compare", "sweep"};
 inline constexpr std::array<std::string_view, 2> centre_keys{"view", "chart"};
 
 struct SavedSession {
@@ -29,6 +28,7 @@ struct SavedSession {
   Camera camera;
   std::array<bool, layer_count> layers{};
   SidePanel side = SidePanel::step;
+  RunList list = RunList::rows;
   CentrePanel centre = CentrePanel::view;
   double steps_per_second = 300.0;
   bool slow_motion = false;

@@ -136,6 +136,7 @@ void read_view(JsonFields& fields, SavedSession& saved) {
     if (layers.has(key)) saved.layers[i] = layers.flag(key);
   }
   saved.side = static_cast<SidePanel>(fields.choice("side", side_keys));
+  saved.list = static_cast<RunList>(fields.choice("list", list_keys));
   saved.centre = static_cast<CentrePanel>(fields.choice("centre", centre_keys));
 }
 

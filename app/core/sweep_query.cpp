@@ -1,3 +1,4 @@
+#include "app/core/action.h"
 #include "app/core/queries.h"
 #include "app/core/sweep_work.h"
 
@@ -52,11 +53,12 @@ std::optional<std::string> fault_of_sweep(const std::vector<std::string>& axes) 
   return fault != nullptr ? std::optional(*fault) : std::nullopt;
 }
 
-Answer sweep_answer(const Session& session, const std::vector<std::string>& axes) {
+Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
   const auto plan = plan_of(axes);
   if (const auto* fault = std::get_if<std::string>(&plan)) return {exit_usage, "", *fault};
-  SweepWork work(sweep_base_of(*session.timeline), std::get<SweepPlan>(plan));
-  work.wait();
+  app::apply(session, StartSweep{std::get<SweepPlan>(plan)});
+  if (session.beside) return {};
+  const SweepWork& work = *session.sweep->work;
   std::string text = work.plan().axis.key + ",";
   if (work.plan().second) text += work.plan().second->key + ",";
   text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why\n";

@@ -139,9 +139,10 @@ void draw_lists(PanelFrame& frame) {
   const std::string problems_name = counted("Problems", count_problems(frame));
   const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
   const std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
-  const int clicked = segmented("list", names, static_cast<int>(frame.ui.list), 0.0f);
-  if (clicked >= 0) frame.ui.list = static_cast<RunList>(clicked);
-  switch (frame.ui.list) {
+  const int clicked = segmented("list", names, static_cast<int>(frame.session.list), 0.0f);
+  if (clicked >= 0 && clicked != static_cast<int>(frame.session.list))
+    frame.wish(ShowList{static_cast<RunList>(clicked)});
+  switch (frame.session.list) {
     case RunList::rows:
       return draw_rows(frame);
     case RunList::candidates:
@@ -163,8 +164,28 @@ void draw_last_step(PanelFrame& frame) {
   if (step != nullptr) draw_numbers(frame, *step);
 }
 
+namespace {
+
+// Lists that explain need room: in a low window what there is to see folds away for them, unless a person has
+// said how it should be.
+bool shows_legend(const PanelFrame& frame) {
+  const bool low = frame.layout.explanation.height < frame.units(760.0f);
+  return frame.ui.legend_open.value_or(!low || frame.session.list == RunList::rows);
+}
+
+bool draw_fold(PanelFrame& frame) {
+  const bool open = shows_legend(frame);
+  if (folding_heading(frame, open ? "Show" : "Show, labels", open)) frame.ui.legend_open = !open;
+  frame.mark("legend");
+  tooltip(frame, open ? "Fold layers and labels away."
+                      : "Layers to show or hide, and how often each label was placed.");
+  return open;
+}
+
+}  // namespace
+
 void draw_layers(PanelFrame& frame) {
-  heading(frame, "Show");
+  if (!draw_fold(frame)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(3.0f), frame.units(1.0f)));
   const float line = ImGui::GetFrameHeight() + frame.units(2.0f);
   // The first column has the longer names.
@@ -211,7 +232,7 @@ void draw_step_side(PanelFrame& frame) {
   ImGui::EndChild();
   frame.mark("step");
   draw_layers(frame);
-  draw_legend(frame);
+  if (shows_legend(frame)) draw_legend(frame);
   draw_selected(frame);
   draw_lists(frame);
 }

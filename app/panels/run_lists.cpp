@@ -102,24 +102,35 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
+  std::string line;                     // in the list; empty: the words, cut
 };
+
+// What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
+std::string short_line(const knit::Step& step) {
+  const auto* missed = std::get_if<knit::BandMissed>(&step.what);
+  if (missed == nullptr) return "";
+  return "Row " + std::to_string(step.place.row) + ", stitch " + std::to_string(missed->stitch) +
+         ": nothing in the band, " + knit::short_number(missed->distance) + " taken";
+}
 
 Problem problem_at(const PanelFrame& frame, std::size_t i) {
   const knit::Timeline& timeline = *frame.timeline();
   if (const knit::Step* stop = timeline.stop()) {
-    if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known()};
+    if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
     --i;
   }
   const auto& findings = frame.session.findings;
-  if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt};
+  if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
-  return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1};
+  return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
+          short_line(timeline.step(step))};
 }
 
 void draw_problem(PanelFrame& frame, std::size_t i) {
   const Problem problem = problem_at(frame, i);
   ImGui::PushID(static_cast<int>(i));
-  const std::string line = cut_to_width(problem.words, ImGui::GetContentRegionAvail().x);
+  const std::string line =
+      cut_to_width(problem.line.empty() ? problem.words : problem.line, ImGui::GetContentRegionAvail().x);
   const bool here = problem.position && frame.timeline()->position() == *problem.position;
   if (ImGui::Selectable("##problem", here) && problem.position) frame.wish(SeekTo{*problem.position});
   frame.mark("problem/" + std::to_string(i));

@@ -1,4 +1,4 @@
-// What is selected, in words, with ways on from there: two lines, because the lists below need the room.
+// What is selected, in words, with ways on from there: few lines, because the lists below need the room.
 #include <string>
 
 #include "app/core/why_words.h"
@@ -53,7 +53,7 @@ void draw_selected(PanelFrame& frame) {
   ImGui::PopStyleVar();
   push_font(frame.fonts.small);
   const std::string words = why_words(*frame.timeline(), *selected);
-  faint_text(cut_to_width(words, ImGui::GetContentRegionAvail().x));
+  wrapped_text(words, palette::faint_text);
   pop_font();
   frame.mark("selected/words");
   tooltip(frame, words);

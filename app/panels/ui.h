@@ -100,8 +100,6 @@ struct LoopDrag {
   bool moved = false;    // far enough to be no click
 };
 
-enum class RunList : std::uint8_t { rows, candidates, problems, breaks };
-
 // What is typed about the pattern; follows the session's options unless they are what was typed.
 struct PatternFields {
   bool open = false;
@@ -125,9 +123,9 @@ struct ChartView {
 
 // Only what is the panels' own: nothing of the algorithm, and nothing that a script would need.
 struct UiState {
-  Unit unit = Unit::item;  // of the step buttons
-  bool from_here = false;  // a changed parameter counts from here on, not from the start
-  RunList list = RunList::rows;
+  std::optional<bool> legend_open;  // as a person has folded it; none: as there is room
+  Unit unit = Unit::item;           // of the step buttons
+  bool from_here = false;           // a changed parameter counts from here on, not from the start
   ViewDrag drag;
   std::optional<PendingClick> click;
   CandidateList candidates;

@@ -32,6 +32,34 @@ void heading(const PanelFrame& frame, const char* words) {
                                       style::packed(style::outline), frame.units(1.0f));
 }
 
+bool folding_heading(const PanelFrame& frame, const char* words, bool open) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight();
+  const bool clicked = ImGui::InvisibleButton(words, ImVec2(ImGui::GetContentRegionAvail().x, line));
+  const bool lit = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = style::packed(lit ? palette::text : palette::faint_text);
+  const ImVec2 middle(at.x + 0.3f * line, at.y + 0.52f * line);
+  const float r = 0.2f * line;
+  if (open) {
+    list.AddTriangleFilled(ImVec2(middle.x - r, middle.y - 0.6f * r), ImVec2(middle.x, middle.y + 0.9f * r),
+                           ImVec2(middle.x + r, middle.y - 0.6f * r), colour);
+  } else {
+    list.AddTriangleFilled(ImVec2(middle.x - 0.6f * r, middle.y - r),
+                           ImVec2(middle.x - 0.6f * r, middle.y + r), ImVec2(middle.x + 0.9f * r, middle.y),
+                           colour);
+  }
+  push_font(frame.fonts.strong);
+  const float left = at.x + 0.75f * line;
+  list.AddText(ImVec2(left, at.y), colour, words);
+  const float high = left + ImGui::CalcTextSize(words).x + frame.units(8.0f);
+  pop_font();
+  const float y = at.y + 0.5f * line;
+  list.AddLine(ImVec2(high, y), ImVec2(ImGui::GetItemRectMax().x, y), style::packed(style::outline),
+               frame.units(1.0f));
+  return clicked;
+}
+
 int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width) {
   const ImGuiStyle& look = ImGui::GetStyle();
   const float gap = 1.0f;

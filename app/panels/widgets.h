@@ -27,6 +27,8 @@ void pop_raised_look();
 
 // A section's title with a thin line.
 void heading(const PanelFrame& frame, const char* words);
+// One that folds its section away; true when it was clicked.
+bool folding_heading(const PanelFrame& frame, const char* words, bool open);
 
 enum class Icon : std::uint8_t {
   first,

@@ -130,6 +130,16 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   return seconds;
 }
 
+// What is asked on the command line is answered there, and shown.
+void answer_in_window(Session& session, const CommandLine& line) {
+  const auto give = [&](const Answer& answer) {
+    std::fputs(answer.out.c_str(), stdout);
+    if (!answer.error.empty()) session.notices.push_back({Notice::Kind::warning, answer.error});
+  };
+  if (!line.why.empty()) give(why_answer(session, line.why));
+  if (!line.diff.empty()) give(diff_answer(session, line.diff));
+}
+
 int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer& drawer) {
   int code = exit_done;
   for (const Export& wish : line.saves) {
@@ -160,14 +170,11 @@ int run_window(Session& session, const CommandLine& line) {
       if (const auto nearest = go_to(session, *line.at))
         session.notices.push_back({Notice::Kind::warning, *nearest});
     }
-    if (!line.why.empty()) {
-      const Answer answer = why_answer(session, line.why);
-      std::fputs(answer.out.c_str(), stdout);
-      if (!answer.error.empty()) session.notices.push_back({Notice::Kind::warning, answer.error});
-    }
+    answer_in_window(session, line);
     const auto folder = rescue_folder();
     if (folder) session.rescued = find_rescued(*folder);
     session.beside = true;
+    if (!line.sweep.empty()) sweep_answer(session, line.sweep);
     drawer.draw(session, shape_of(window, 0.0, 1), {});
     if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
     RescueKeeper keeper(session, folder);
