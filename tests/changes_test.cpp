@@ -26,7 +26,6 @@ struct Mark {
   Knobs knobs;
   knit::Place place;
   std::uint64_t end = 0;
-  friend bool operator==(const Mark&, const Mark&) = default;
 };
 Mark mark(Session session) {
   session.timeline->extend_to_end();  // and back to its place

@@ -189,9 +189,9 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.diff = words.diff;
   line.why = words.why;
   for (const std::string& text : line.breaks) {
-    if (const auto fault = fault_of_break(text)) return fault;
+    if (auto fault = fault_of_break(text)) return fault;
   }
-  if (const auto fault = fault_of_sweep(line.sweep)) return fault;
+  if (auto fault = fault_of_sweep(line.sweep)) return fault;
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
 }
 
