@@ -66,6 +66,20 @@ TEST_CASE("sweep side: start, point, take", "[panels]") {
   CHECK(desk.session.timeline->parameters().epsilon == 0.25);
 }
 
+TEST_CASE("sweep side: the form shows the plan of a sweep that a script began", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.side = SidePanel::sweep;
+  desk.open();
+  desk.act({StartSweep{{{"epsilon", 0.06, 0.2, 4}, SweepAxis{"stitch-width", 0.4, 0.6, 3}}}});
+  desk.settle();
+  CHECK(desk.ui.sweep_form.axis == SweepAxis{"epsilon", 0.06, 0.2, 4});
+  CHECK(desk.ui.sweep_form.grid);
+  CHECK(desk.ui.sweep_form.second == SweepAxis{"stitch-width", 0.4, 0.6, 3});
+  desk.ui.sweep_form.axis.to = 0.1;  // a hand may change it afterwards
+  desk.settle();
+  CHECK(desk.ui.sweep_form.axis.to == 0.1);
+}
+
 TEST_CASE("sweep side: two parameters make a map", "[panels]") {
   Desk desk(1280, 720);
   desk.session.side = SidePanel::sweep;

@@ -13,9 +13,10 @@ namespace app {
 struct SweepForm {
   std::shared_ptr<const knit::Input> input;  // of the mesh that the axes' ranges were made for
   SweepAxis axis, second;
-  bool grid = false;                   // the second one counts
-  int figure = 0;                      // of the heat map
-  std::optional<std::size_t> hovered;  // the run under the pointer in the last frame
+  bool grid = false;                     // the second one counts
+  int figure = 0;                        // of the heat map
+  std::optional<std::size_t> hovered;    // the run under the pointer in the last frame
+  std::weak_ptr<const SweepWork> shown;  // the sweep whose plan was taken over, started here or by a script
 };
 
 // Around the present value, within what the parameter takes.

@@ -36,8 +36,16 @@ void refresh_form(PanelFrame& frame) {
   SweepForm& form = frame.ui.sweep_form;
   const knit::Parameters& parameters = frame.timeline()->parameters();
   const auto input = frame.timeline()->input_pointer();
-  const bool other_mesh = form.input != input;
+  bool other_mesh = form.input != input;
   form.input = input;
+  const auto& sweep = frame.session.sweep;
+  if (sweep && form.shown.lock() != sweep->work) {
+    form.shown = sweep->work;
+    form.axis = sweep->plan.axis;
+    form.grid = sweep->plan.second.has_value();
+    if (form.grid) form.second = *sweep->plan.second;
+    other_mesh = false;
+  }
   const auto refresh = [&](SweepAxis& axis, std::string_view other) {
     const knit::ParameterInfo* info = knit::find_parameter(axis.key);
     if (!other_mesh && info != nullptr && axis.key != other && is_offered(*info, parameters)) return;
