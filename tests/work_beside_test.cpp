@@ -64,6 +64,20 @@ TEST_CASE(
   CHECK_FALSE(is_working(session));
 }
 
+TEST_CASE("where each step is dear, a tick works out fewer") {
+  Session session = small_session();
+  session.beside = true;
+  knit::Parameters geodesic = session.timeline->parameters();
+  geodesic.metric = knit::Metric::geodesic;
+  apply(session, Tune{geodesic});
+  CHECK(steps_of_slice(*session.timeline) < 200);
+  apply(session, PassTime{});
+  CHECK(session.timeline->known() < 200);
+  tick_until(session, run_is_complete);
+  CHECK(steps_of_slice(*session.timeline) > 10000);  // past the rows no step is
+  CHECK(session.timeline->furthest().finished());
+}
+
 TEST_CASE("without a window nothing is left to a worker") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   session.beside = false;

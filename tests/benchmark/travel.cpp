@@ -149,7 +149,9 @@ Json measure_tuning_to_picture(const std::filesystem::path& assets) {
   return json;
 }
 
-Json measure_long_scrubbing(const std::filesystem::path& assets) {
+namespace {
+
+app::Session scrub_without_drawing(Json& json, const std::filesystem::path& assets) {
   Desk desk(assets);
   desk.act(app::OpenExample{"sphere"});
   knit::Parameters fine = desk.session.timeline->parameters();
@@ -182,7 +184,6 @@ Json measure_long_scrubbing(const std::filesystem::path& assets) {
     panels.push_back(cost_of([&] { desk.panels(); }));
   }
   const knit::Timeline& timeline = *desk.session.timeline;
-  Json json;
   json["steps"] = steps;
   json["working_out_frame_ms"] = summary_of(slices, &Cost::wall_ms);
   json["seek_ms"] = summary_of(seeks, &Cost::wall_ms);
@@ -192,6 +193,33 @@ Json measure_long_scrubbing(const std::filesystem::path& assets) {
   json["step_bytes"] = sizeof(knit::Step);
   json["keyframe_bytes"] = timeline.keyframe_bytes();
   json["keyframe_budget_bytes"] = knit::Timeline::default_budget_bytes;
+  return desk.session;
+}
+
+// The same frames as a window draws them, by whatever OpenGL there is.
+void add_drawn_scrubbing(Json& json, app::Session session, const std::filesystem::path& assets) {
+  auto opened = app::HeadlessGl::open();
+  if (const auto* error = std::get_if<std::string>(&opened)) {
+    json["drawing_left_out"] = *error;
+    return;
+  }
+  app::FrameDrawer drawer(assets);
+  const std::size_t steps = session.timeline->known();
+  constexpr std::size_t frames = 20;
+  std::vector<Cost> drawn;
+  for (std::size_t i = 0; i <= frames; ++i) {
+    app::apply(session, app::SeekTo{steps * (i % 2 == 0 ? i : frames - i) / frames});
+    drawn.push_back(cost_of([&] { drawer.draw(session, shape_of(1280, 720), {}); }));
+  }
+  json["drawing_by_this_driver_ms"] = summary_of(drawn, &Cost::thread_ms);
+}
+
+}  // namespace
+
+Json measure_long_scrubbing(const std::filesystem::path& assets) {
+  Json json;
+  app::Session finished = scrub_without_drawing(json, assets);
+  add_drawn_scrubbing(json, std::move(finished), assets);
   return json;
 }
 
