@@ -1,6 +1,8 @@
 # ctest knows every test case of tests/*_test.cpp and every script tests/*_test.sh.
 
-our_program(knit_tests "tests/*_test.cpp" "tests/support/*.cpp")
+# While one works on a part: cmake --preset dev -DKNIT_TEST_FILES="tests/lesson*_test.cpp"
+set(KNIT_TEST_FILES "tests/*_test.cpp" CACHE STRING "Which test files to build, as a pattern")
+our_program(knit_tests ${KNIT_TEST_FILES} "tests/support/*.cpp")
 if(TARGET knit_tests)
   target_link_libraries(knit_tests PRIVATE app_window knit_catch2_main knit_stb)
   target_compile_definitions(knit_tests PRIVATE

@@ -1,4 +1,4 @@
-// One instance is one line: a rectangle around it on the screen, with room for round ends and a soft edge.
+// Four vertices are one line: a rectangle around it on the screen, with room for round ends and a soft edge.
 layout(location = 0) in vec3 a_from;
 layout(location = 1) in vec3 a_to;
 layout(location = 2) in vec4 a_colour;
@@ -16,16 +16,19 @@ const float nearest = 1e-4;
 
 void main() {
   float long_end = float(gl_VertexID & 1);
-  float side = float(gl_VertexID >> 1) * 2.0 - 1.0;
+  float side = float((gl_VertexID >> 1) & 1) * 2.0 - 1.0;
   float span = distance(a_from, a_to);
   float width = a_width * u_scale;
-  float middle_w = (u_projection * u_view * vec4(0.5 * (a_from + a_to), 1.0)).w;
+  vec3 eye_from = to_eye(a_from);
+  vec3 eye_to = to_eye(a_to);
+  vec3 middle = 0.5 * (eye_from + eye_to);
+  float middle_w = clip_w_of(middle);
   float half_world = 0.5 * width * world_per_pixel(max(middle_w, 0.0));
   float toward = u_toward + min(u_chord * span * span, u_deepest) + half_world;
-  vec4 a = project(a_from, toward);
-  vec4 b = project(a_to, toward);
+  vec4 a = project_eye(eye_from, toward);
+  vec4 b = project_eye(eye_to, toward);
   v_half = 0.5 * max(width, 1.0);
-  float alpha = a_colour.a * min(width, 1.0) * paled(0.5 * (a_from + a_to));
+  float alpha = a_colour.a * min(width, 1.0) * paled(middle.z);
   v_colour = vec4(a_colour.rgb, alpha);
   v_length = 0.0;
   v_place = vec2(0.0);
@@ -44,7 +47,7 @@ void main() {
   v_length = distance(start, end);
   vec2 along = v_length > 1e-4 ? (end - start) / v_length : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
-  float room = v_half + 1.0;
+  float room = v_half + 0.5;
   v_place = vec2(mix(-room, v_length + room, long_end), side * room);
   vec4 here = long_end > 0.5 ? b : a;
   vec2 shift = across * side * room + along * (long_end * 2.0 - 1.0) * room;

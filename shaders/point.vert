@@ -1,4 +1,4 @@
-// One instance is one disc that faces the eye.
+// Four vertices are one disc that faces the eye.
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec4 a_colour;
 layout(location = 2) in float a_diameter;
@@ -6,16 +6,19 @@ uniform float u_scale;
 uniform float u_toward;
 noperspective out vec2 v_place;  // pixels from the middle
 flat out float v_radius;
+flat out float v_rim;
 flat out vec4 v_colour;
 
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1) * 2.0 - 1.0;
   v_radius = 0.5 * a_diameter * u_scale;
-  v_colour = vec4(a_colour.rgb, a_colour.a * paled(a_position));
-  float room = v_radius + 1.5 * u_scale + 1.0;
+  vec3 eye = to_eye(a_position);
+  v_colour = vec4(a_colour.rgb, a_colour.a * paled(eye.z));
+  v_rim = min(1.1 * u_scale, 0.5 * v_radius + 0.4);
+  float room = v_radius + v_rim + 0.5;
   v_place = corner * room;
-  float clip_w = (u_projection * u_view * vec4(a_position, 1.0)).w;
+  float clip_w = clip_w_of(eye);
   // As much nearer as it is wide, or a slanting surface would cut it.
-  gl_Position = project(a_position, u_toward + v_radius * world_per_pixel(max(clip_w, 0.0)));
+  gl_Position = project_eye(eye, u_toward + v_radius * world_per_pixel(max(clip_w, 0.0)));
   gl_Position.xy += v_place / (0.5 * u_viewport) * gl_Position.w;
 }

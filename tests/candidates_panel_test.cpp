@@ -24,7 +24,7 @@ Actions wait_for_click(Desk& desk) {
 }  // namespace
 
 TEST_CASE("candidates: a line each, and a click goes to the step that decided") {
-  Desk desk;
+  Desk desk(1280, 1200);
   desk.open();
   go_into_row(desk, 4);
   const auto& table = desk.ui.candidates.table();
@@ -137,12 +137,12 @@ TEST_CASE("a double click on a row's cell leads to what begins, counts or change
   };
   const Actions begins = twice(0.1f);
   REQUIRE(count_of<SeekPlace>(begins) == 2);
-  CHECK(std::get<SeekPlace>(begins.back()).place == knit::Place{knit::Stage::rows, 3, 0});
+  CHECK(begins.back().get<SeekPlace>().place == knit::Place{knit::Stage::rows, 3, 0});
   const Actions counts = twice(0.5f);
   const auto decided = knit::count_decided_by(*desk.session.timeline, 3);
   REQUIRE(decided);
-  CHECK(std::get<SeekPlace>(counts.back()).place == desk.session.timeline->step(*decided).place);
-  CHECK(std::get<SeekPlace>(twice(0.9f).back()).place == knit::Place{knit::Stage::stitches, 3, 0});
+  CHECK(counts.back().get<SeekPlace>().place == desk.session.timeline->step(*decided).place);
+  CHECK(twice(0.9f).back().get<SeekPlace>().place == knit::Place{knit::Stage::stitches, 3, 0});
 }
 
 TEST_CASE("a click on a square of the chart selects its label or stitch and goes there") {

@@ -53,7 +53,7 @@ TEST_CASE("a square under the pointer is shown everywhere, and a click goes to i
       desk.frames({MouseClick{MouseButton::Left, true}, MouseClick{MouseButton::Left, false}});
   REQUIRE(count_of<SeekPlace>(clicked) == 1);
   for (const Action& wish : clicked) {
-    if (const auto* seek = std::get_if<SeekPlace>(&wish)) CHECK(seek->place.row == row);
+    if (const auto* seek = wish.get_if<SeekPlace>()) CHECK(seek->place.row == row);
   }
   desk.act(desk.frames({MouseLeave{}}));
   CHECK_FALSE(desk.session.hovered_stitch);

@@ -6,7 +6,7 @@ program=$(realpath "${KNIT_MESH:?the path of the program}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset DISPLAY WAYLAND_DISPLAY XAUTHORITY
-export XDG_STATE_HOME=$folder/state
+export XDG_STATE_HOME=$folder/state XDG_CONFIG_HOME=$folder/config
 cd "$folder"
 
 checks=0

@@ -91,7 +91,7 @@ TEST_CASE("parse_at refuses everything else") {
 
 TEST_CASE("without words the thesis sphere is opened, in a window, at the start") {
   const CommandLine line = understood({});
-  CHECK(std::get<OpenExample>(line.open).name == "thesis-sphere");
+  CHECK(line.open.get<OpenExample>().name == "thesis-sphere");
   CHECK_FALSE(line.headless);
   CHECK_FALSE(line.at);
   CHECK(line.settings.empty());
@@ -99,10 +99,10 @@ TEST_CASE("without words the thesis sphere is opened, in a window, at the start"
 }
 
 TEST_CASE("a mesh or an example is opened, spaces and all") {
-  CHECK(std::get<OpenFile>(understood({"a mesh.obj"}).open).path == "a mesh.obj");
-  CHECK(std::get<OpenFile>(understood({"--headless", "x.obj"}).open).path == "x.obj");
-  CHECK(std::get<OpenExample>(understood({"--example", "egg"}).open).name == "egg");
-  CHECK(std::get<OpenExample>(understood({"--example=egg"}).open).name == "egg");
+  CHECK(understood({"a mesh.obj"}).open.get<OpenFile>().path == "a mesh.obj");
+  CHECK(understood({"--headless", "x.obj"}).open.get<OpenFile>().path == "x.obj");
+  CHECK(understood({"--example", "egg"}).open.get<OpenExample>().name == "egg");
+  CHECK(understood({"--example=egg"}).open.get<OpenExample>().name == "egg");
 }
 
 TEST_CASE("every parameter has its option") {

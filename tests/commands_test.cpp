@@ -18,10 +18,10 @@ TEST_CASE("every key of the table gives its action, and no key is nameless") {
       const auto made = info.make(desk.session);
       REQUIRE(made);
       CHECK(wishes[0].index() == made->index());
-      if (info.layer) CHECK(std::get<SetLayer>(wishes[0]).layer == *info.layer);
-      if (const auto* step = std::get_if<StepBy>(&wishes[0])) {
-        CHECK(step->unit == std::get<StepBy>(*made).unit);
-        CHECK(step->direction == std::get<StepBy>(*made).direction);
+      if (info.layer) CHECK(wishes[0].get<SetLayer>().layer == *info.layer);
+      if (const auto* step = wishes[0].get_if<StepBy>()) {
+        CHECK(step->unit == made->get<StepBy>().unit);
+        CHECK(step->direction == made->get<StepBy>().direction);
       }
       CHECK((text_of(chord).back() != '?' || chord.character == '?'));
     }

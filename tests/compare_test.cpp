@@ -44,7 +44,7 @@ using LineSets = std::set<const std::vector<Line>*>;
 LineSets ghosts_of(const Scene& scene) {
   LineSets sets;
   for (const auto& lines : scene.line_sets) {
-    if (!lines->empty() && lines->front().colour == palette::ghost) sets.insert(lines.get());
+    if (!lines->empty() && lines->front().colour == dark_theme.ghost) sets.insert(lines.get());
   }
   return sets;
 }

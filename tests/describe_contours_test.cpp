@@ -79,7 +79,7 @@ bool has_point(const Scene& scene, const glm::dvec3& at, Colour colour) {
 std::size_t isoline_segments(const Scene& scene) {
   std::size_t count = 0;
   for (const auto& set : scene.line_sets)
-    count += !set->empty() && set->front().colour == palette::isoline ? set->size() : 0U;
+    count += !set->empty() && set->front().colour == dark_theme.isoline ? set->size() : 0U;
   return count;
 }
 std::vector<std::string> captions_of(const Scene& scene) {
@@ -103,11 +103,11 @@ TEST_CASE("a loop is drawn through all its points and closed") {
   knit::Ring ring;
   ring.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}};
   std::vector<Line> lines;
-  add_loop(ring, palette::anchor, 2.0F, lines);
+  add_loop(ring, dark_theme.anchor, 2.0F, lines);
   REQUIRE(lines.size() == 3);
   CHECK(lines[0].from == glm::vec3(0, 0, 0));
   for (std::size_t i = 0; i < 3; ++i) CHECK(lines[i].to == lines[(i + 1) % 3].from);
-  CHECK(lines[2].colour == palette::anchor);
+  CHECK(lines[2].colour == dark_theme.anchor);
 }
 
 TEST_CASE("the plan of the rows shows every cut, once") {
@@ -117,9 +117,9 @@ TEST_CASE("the plan of the rows shows every cut, once") {
   for (const knit::Cut& cut : work_of(session).plan->cuts) {
     for (const auto& loop : cut.loops) points += loop->points.size();
   }
-  CHECK(lines_of(scene_of(session), palette::ring) == points);
+  CHECK(lines_of(scene_of(session), dark_theme.ring) == points);
   apply(session, StepBy{});
-  CHECK(lines_of(scene_of(session), palette::ring) == 0);
+  CHECK(lines_of(scene_of(session), dark_theme.ring) == 0);
 }
 
 TEST_CASE("a row from a contour: crossings, the loop with its start, its length, its count, its stitches") {
@@ -127,17 +127,17 @@ TEST_CASE("a row from a contour: crossings, the loop with its start, its length,
   const knit::Place row{Stage::rows, 5, 0};
   seek_to<knit::CutFound>(session, row);
   Scene scene = scene_of(session);
-  CHECK(points_of(scene, palette::ring) == ring_of(session).points.size());
-  for (const glm::dvec3& point : ring_of(session).points) CHECK(has_point(scene, point, palette::ring));
-  CHECK(lines_of(scene, palette::anchor) == 0);
+  CHECK(points_of(scene, dark_theme.ring) == ring_of(session).points.size());
+  for (const glm::dvec3& point : ring_of(session).points) CHECK(has_point(scene, point, dark_theme.ring));
+  CHECK(lines_of(scene, dark_theme.anchor) == 0);
   CHECK(scene.captions.empty());
 
   const auto closed = seek_to<knit::LoopClosed>(session, row);
   scene = scene_of(session);
-  CHECK(points_of(scene, palette::ring) == 0);
-  CHECK(lines_of(scene, palette::anchor) == static_cast<std::size_t>(closed.points));
-  CHECK(has_point(scene, ring_of(session).points.front(), palette::anchor));
-  CHECK(points_of(scene, palette::anchor) == 1);
+  CHECK(points_of(scene, dark_theme.ring) == 0);
+  CHECK(lines_of(scene, dark_theme.anchor) == static_cast<std::size_t>(closed.points));
+  CHECK(has_point(scene, ring_of(session).points.front(), dark_theme.anchor));
+  CHECK(points_of(scene, dark_theme.anchor) == 1);
   CHECK(scene.captions.empty());
 
   const auto measured = seek_to<knit::LengthMeasured>(session, row);
@@ -148,16 +148,16 @@ TEST_CASE("a row from a contour: crossings, the loop with its start, its length,
   const auto chosen = seek_to<knit::CountChosen>(session, row);
   scene = scene_of(session);
   CHECK(captions_of(scene) == Texts{std::to_string(chosen.count) + " stitches"});
-  CHECK(points_of(scene, palette::stitch) == 0);
-  CHECK(lines_of(scene, palette::anchor) == static_cast<std::size_t>(closed.points));
+  CHECK(points_of(scene, dark_theme.stitch) == 0);
+  CHECK(lines_of(scene, dark_theme.anchor) == static_cast<std::size_t>(closed.points));
 
   for (int stitch = 1; stitch < chosen.count; ++stitch) {
     apply(session, StepBy{});
     scene = scene_of(session);
     REQUIRE(work_of(session).stitches.size() == static_cast<std::size_t>(stitch));
-    CHECK(points_of(scene, palette::stitch) == static_cast<std::size_t>(stitch));
-    CHECK(points_of(scene, palette::accepted) == 1);
-    CHECK(has_point(scene, work_of(session).stitches.back().position, palette::accepted));
+    CHECK(points_of(scene, dark_theme.stitch) == static_cast<std::size_t>(stitch));
+    CHECK(points_of(scene, dark_theme.accepted) == 1);
+    CHECK(has_point(scene, work_of(session).stitches.back().position, dark_theme.accepted));
     CHECK(scene.captions.empty());
   }
 }
@@ -169,8 +169,8 @@ TEST_CASE("the stitches of the first row from a contour have the colour of the c
   apply(session, StepBy{});
   apply(session, StepBy{});
   const Scene scene = scene_of(session);
-  CHECK(points_of(scene, palette::of(knit::Label::cast)) == 2);
-  CHECK(points_of(scene, palette::stitch) == 0);
+  CHECK(points_of(scene, dark_theme.of(knit::Label::cast)) == 2);
+  CHECK(points_of(scene, dark_theme.stitch) == 0);
 }
 
 TEST_CASE("without the cycle's layer only the stitches are left, without theirs only the cycle") {
@@ -187,18 +187,18 @@ TEST_CASE("without the cycle's layer only the stitches are left, without theirs 
   CHECK((scene.lines.empty() && scene.points.empty() && scene.captions.empty()));
   apply(session, SetLayer{Layer::cycle, true});
   scene = scene_of(session);
-  CHECK(points_of(scene, palette::stitch) == 0);
-  CHECK(lines_of(scene, palette::anchor) > 0);
+  CHECK(points_of(scene, dark_theme.stitch) == 0);
+  CHECK(lines_of(scene, dark_theme.anchor) > 0);
 }
 
 TEST_CASE("isolines lie at equal steps of the time, by height or along the surface") {
   const auto timing = GENERATE(knit::TimingKind::linear, knit::TimingKind::arc_length);
   Session session = contour_session(timing);
-  const auto lines = isolines_of(session.timeline->input(), *session.timeline->state().timing);
+  const auto lines = isolines_of(dark_theme, session.timeline->input(), *session.timeline->state().timing);
   std::array<std::size_t, 20> met{};
   std::size_t off = 0;
   for (const Line& line : *lines) {
-    CHECK(line.colour == palette::isoline);
+    CHECK(line.colour == dark_theme.isoline);
     const double y = line.from.y;
     const double time = timing == knit::TimingKind::linear ? (y + 1.0) / 2.0 : share_of_profile(y);
     const double which = std::round(20.0 * time);
@@ -242,15 +242,15 @@ TEST_CASE("critical points are marked from where they are found, and named there
   Session session = contour_session();
   apply(session, SeekTo{100});
   const auto count_marks = [](const Scene& scene) {
-    return points_of(scene, palette::time_low) + points_of(scene, palette::time_high) +
-           points_of(scene, palette::problem);
+    return points_of(scene, dark_theme.time_low) + points_of(scene, dark_theme.time_high) +
+           points_of(scene, dark_theme.problem);
   };
   CHECK(count_marks(scene_of(session)) == 0);
   seek_to<knit::CriticalsFound>(session, {});
   const auto& mesh = session.timeline->input().mesh;
   Scene scene = scene_of(session);
-  CHECK(has_point(scene, mesh.positions.front(), palette::time_low));
-  CHECK(has_point(scene, mesh.positions.back(), palette::time_high));
+  CHECK(has_point(scene, mesh.positions.front(), dark_theme.time_low));
+  CHECK(has_point(scene, mesh.positions.back(), dark_theme.time_high));
   CHECK(count_marks(scene) == 2);
   CHECK(captions_of(scene) == Texts{"minimum", "maximum"});
   apply(session, StepBy{});
@@ -273,7 +273,7 @@ TEST_CASE("where a run stops at a split the loops and the saddle to blame are sh
   Scene scene = scene_of(session);
   CHECK(captions_of(scene) == Texts{"saddle"});
   CHECK(scene.captions[0].position == glm::vec3(place));
-  CHECK(scene.captions[0].colour == palette::problem);
+  CHECK(scene.captions[0].colour == dark_theme.problem);
   CHECK(scene.points.size() == criticals.points.size());
   const auto blamed = std::find_if(scene.points.begin(), scene.points.end(),
                                    [](const Point& p) { return p.diameter_px > 10.0F; });
@@ -281,11 +281,11 @@ TEST_CASE("where a run stops at a split the loops and the saddle to blame are sh
   CHECK(blamed->position == glm::vec3(place));
   const knit::Cut& cut = work_of(session).plan->cuts.back();
   REQUIRE(cut.loops.size() == 2);
-  CHECK(lines_of(scene, palette::problem) == cut.loops[0]->points.size() + cut.loops[1]->points.size());
+  CHECK(lines_of(scene, dark_theme.problem) == cut.loops[0]->points.size() + cut.loops[1]->points.size());
 
   apply(session, StepBy{Unit::item, -1});
   CHECK(scene_of(session).captions.empty());
-  CHECK(lines_of(scene_of(session), palette::problem) == 0);
+  CHECK(lines_of(scene_of(session), dark_theme.problem) == 0);
   apply(session, ToLast{});
   apply(session, SetLayer{Layer::criticals, false});
   CHECK(scene_of(session).captions.empty());

@@ -87,7 +87,7 @@ Session uneven_session() {
 TEST_CASE("with nothing open there is a background and no mesh") {
   const Scene scene = scene_of(Session{});
   CHECK(scene.mesh == nullptr);
-  CHECK(scene.background == palette::background);
+  CHECK(scene.background == dark_theme.background);
   CHECK(scene.points.empty());
 }
 
@@ -105,8 +105,8 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
     CHECK(glm::dot(scene.mesh->normals[v], scene.mesh->positions[v]) > 0.95F);  // a sphere about the origin
   }
   CHECK(scene.timed_vertices == 0);
-  CHECK(scene.time_low == palette::time_low);
-  CHECK(scene.time_high == palette::time_high);
+  CHECK(scene.time_low == dark_theme.time_low);
+  CHECK(scene.time_high == dark_theme.time_high);
 
   apply(session, ToLast{});
   apply(session, SeekTo{51});
@@ -114,7 +114,7 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
   CHECK(scene.timed_vertices == 50);
   const auto& timed = std::get<knit::VertexTimed>(last_step(session)->what);
   CHECK(timed.vertex == 49);
-  CHECK(has_point(scene, vertex_place(session, 49), palette::accepted));
+  CHECK(has_point(scene, vertex_place(session, 49), dark_theme.accepted));
   CHECK(scene.mesh->times[49] == static_cast<float>(timed.time));
 
   apply(session, ToLast{});
@@ -139,8 +139,8 @@ TEST_CASE("the first step shows start and end by name") {
   apply(session, ToFirst{});
   const auto ends = seek_to_step<knit::EndsFound>(session);
   const Scene scene = scene_of(session);
-  CHECK(has_point(scene, vertex_place(session, ends.start), palette::time_low));
-  CHECK(has_point(scene, vertex_place(session, ends.end), palette::time_high));
+  CHECK(has_point(scene, vertex_place(session, ends.start), dark_theme.time_low));
+  CHECK(has_point(scene, vertex_place(session, ends.end), dark_theme.time_high));
   REQUIRE(scene.captions.size() == 2);
   CHECK(scene.captions[0].text == "start");
   CHECK(scene.captions[0].position == vertex_place(session, ends.start));
@@ -151,9 +151,9 @@ TEST_CASE("cast on: the cycle, and the stitches placed so far in the colour of t
   Session session = finished_small_session();
   apply(session, ToFirst{});
   const auto found = seek_to_step<knit::CycleFound>(session);
-  CHECK(count_points(scene_of(session), palette::ring) == static_cast<std::size_t>(found.vertices));
+  CHECK(count_points(scene_of(session), dark_theme.ring) == static_cast<std::size_t>(found.vertices));
   seek_to_step<knit::StitchCastOn>(session, [](const auto& s) { return s.stitch == 4; });
-  CHECK(count_points(scene_of(session), palette::of(knit::Label::cast)) == 4);
+  CHECK(count_points(scene_of(session), dark_theme.of(knit::Label::cast)) == 4);
 }
 
 TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as a caption") {
@@ -170,8 +170,8 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     CHECK(scene.band->centre == vertex_place(session, anchor));
     CHECK(scene.band->inner == Approx(0.15));
     CHECK(scene.band->outer == Approx(0.45));
-    CHECK(scene.band->colour == palette::band);
-    CHECK(has_point(scene, vertex_place(session, anchor), palette::anchor));
+    CHECK(scene.band->colour == dark_theme.band);
+    CHECK(has_point(scene, vertex_place(session, anchor), dark_theme.anchor));
 
     REQUIRE(scene.captions.size() == 1);
     CHECK(scene.captions[0].text == knit::short_number(measured.distance));
@@ -181,11 +181,11 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     const bool drawn = std::any_of(scene.lines.begin(), scene.lines.end(),
                                    [&](const Line& line) { return line.from == from && line.to == to; });
     CHECK(drawn);
-    const Colour colour = verdict == knit::Verdict::accepted ? palette::accepted : palette::ring;
+    const Colour colour = verdict == knit::Verdict::accepted ? dark_theme.accepted : dark_theme.ring;
     CHECK(has_point(scene, to, colour));
     // The whole cycle is there: measured or not yet.
     const auto ring = std::get<knit::RowWork>(session.timeline->state().work).ring;
-    CHECK(count_points(scene, palette::ring) + count_points(scene, palette::too_near) >=
+    CHECK(count_points(scene, dark_theme.ring) + count_points(scene, dark_theme.too_near) >=
           ring->vertices.size());
   }
 }
@@ -198,7 +198,7 @@ TEST_CASE("a row that closes shows its gap with its length") {
   CHECK_FALSE(scene.band);
   REQUIRE(scene.captions.size() == 1);
   CHECK(scene.captions[0].text == knit::short_number(closed.gap));
-  CHECK(count_lines(scene, palette::anchor) == 1);
+  CHECK(count_lines(scene, dark_theme.anchor) == 1);
   CHECK(scene.points.size() >= static_cast<std::size_t>(closed.stitches));
 }
 
@@ -207,8 +207,8 @@ TEST_CASE("a stall that was mended shows as a problem, with its distance") {
   apply(session, ToFirst{});
   const auto missed = seek_to_step<knit::BandMissed>(session);
   const Scene scene = scene_of(session);
-  CHECK(has_point(scene, vertex_place(session, missed.taken), palette::problem));
-  CHECK(count_lines(scene, palette::problem) == 1);
+  CHECK(has_point(scene, vertex_place(session, missed.taken), dark_theme.problem));
+  CHECK(count_lines(scene, dark_theme.problem) == 1);
   const bool said = std::any_of(scene.captions.begin(), scene.captions.end(), [&](const Caption& caption) {
     return caption.text == knit::short_number(missed.distance);
   });
@@ -222,13 +222,13 @@ TEST_CASE("finished rows: an edge and a point a stitch, first and last row in th
   std::size_t stitches = 0;
   for (const auto& row : rows) stitches += row->stitches.size();
   const std::size_t ends = rows.front()->stitches.size() + rows.back()->stitches.size();
-  CHECK(count_points(scene, palette::of(knit::Label::cast)) == ends);
-  CHECK(count_points(scene, palette::stitch) == stitches - ends);
-  CHECK(count_lines(scene, palette::of(knit::Label::cast)) == ends);
-  CHECK(count_lines(scene, palette::row_edge) == stitches - ends);
+  CHECK(count_points(scene, dark_theme.of(knit::Label::cast)) == ends);
+  CHECK(count_points(scene, dark_theme.stitch) == stitches - ends);
+  CHECK(count_lines(scene, dark_theme.of(knit::Label::cast)) == ends);
+  CHECK(count_lines(scene, dark_theme.row_edge) == stitches - ends);
   std::size_t columns = 0;
   for (const auto& strip : session.timeline->state().strips) columns += strip->column_edges.size();
-  CHECK(count_lines(scene, palette::column_edge) == columns);
+  CHECK(count_lines(scene, dark_theme.column_edge) == columns);
 }
 
 TEST_CASE("labels are placed as coloured stitches, each with its name as it is placed, the last one too") {
@@ -244,8 +244,8 @@ TEST_CASE("labels are placed as coloured stitches, each with its name as it is p
       const knit::Label label = main ? knit::Label::main : shaping->label;
       REQUIRE(scene.captions.size() == 1);
       const Caption& caption = scene.captions[0];
-      wrong += caption.text == knit::name_of(label) && caption.colour == palette::of(label) &&
-                       has_point(scene, caption.position, palette::of(label))
+      wrong += caption.text == knit::name_of(label) && caption.colour == dark_theme.of(label) &&
+                       has_point(scene, caption.position, dark_theme.of(label))
                    ? 0U
                    : 1U;
       seen.insert(caption.text);
@@ -272,7 +272,7 @@ TEST_CASE("faces carry the palette's colour of their label") {
   CHECK(labels.size() >= 6);
   for (const int label : labels) {
     CAPTURE(label);
-    CHECK(count_triangles(scene, palette::of(static_cast<knit::Label>(label))) ==
+    CHECK(count_triangles(scene, dark_theme.of(static_cast<knit::Label>(label))) ==
           triangles.at(static_cast<std::size_t>(label)));
   }
   for (const auto& shape : scene.faces) {
@@ -299,7 +299,7 @@ TEST_CASE("faces appear one by one, the newest outlined, the last of a row too")
     const Scene scene = scene_of(session);
     const auto corners = static_cast<std::size_t>(made.corner_count);
     wrong += triangles_in(scene) == before + corners - 2 ? 0U : 1U;
-    wrong += count_lines(scene, palette::accepted) == corners ? 0U : 1U;
+    wrong += count_lines(scene, dark_theme.accepted) == corners ? 0U : 1U;
     before = triangles_in(scene);
   }
   CHECK(wrong == 0);
@@ -309,8 +309,8 @@ TEST_CASE("faces appear one by one, the newest outlined, the last of a row too")
 TEST_CASE("the four shaping colours, knit, main and cast on differ clearly from each other") {
   for (int a = 0; a < 7; ++a) {
     for (int b = 0; b < a; ++b) {
-      const Colour x = palette::of(static_cast<knit::Label>(a));
-      const Colour y = palette::of(static_cast<knit::Label>(b));
+      const Colour x = dark_theme.of(static_cast<knit::Label>(a));
+      const Colour y = dark_theme.of(static_cast<knit::Label>(b));
       CAPTURE(a, b);
       CHECK(std::abs(x.r - y.r) + std::abs(x.g - y.g) + std::abs(x.b - y.b) > 60);
     }
@@ -374,17 +374,17 @@ TEST_CASE("layers by name: surface, times, mesh edges, faces, edges, stitches, b
   CHECK_FALSE(without(Layer::times).show_times);
   CHECK_FALSE(without(Layer::wire).show_wire);
   CHECK(without(Layer::faces).faces.empty());
-  CHECK(count_lines(without(Layer::column_edges), palette::column_edge) == 0);
-  CHECK(count_lines(without(Layer::column_edges), palette::row_edge) > 0);
-  CHECK(count_lines(without(Layer::row_edges), palette::row_edge) == 0);
-  CHECK(count_lines(without(Layer::row_edges), palette::column_edge) > 0);
+  CHECK(count_lines(without(Layer::column_edges), dark_theme.column_edge) == 0);
+  CHECK(count_lines(without(Layer::column_edges), dark_theme.row_edge) > 0);
+  CHECK(count_lines(without(Layer::row_edges), dark_theme.row_edge) == 0);
+  CHECK(count_lines(without(Layer::row_edges), dark_theme.column_edge) > 0);
   CHECK(without(Layer::stitches).point_sets.empty());
 
   apply(session, SeekPlace{{Stage::rows, 5, 9}});
   CHECK(without(Layer::stitches).band);
   CHECK_FALSE(without(Layer::band).band);
-  CHECK(count_points(without(Layer::band), palette::anchor) == 0);
-  CHECK(count_points(without(Layer::cycle), palette::ring) == 0);
+  CHECK(count_points(without(Layer::band), dark_theme.anchor) == 0);
+  CHECK(count_points(without(Layer::cycle), dark_theme.ring) == 0);
   CHECK(without(Layer::cycle).captions.empty());
 }
 

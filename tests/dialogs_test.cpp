@@ -34,7 +34,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
     const Actions wishes = desk.press({Key::Enter, {}, 0});
     CHECK(count_of<OpenFile>(wishes) == 1);
     CHECK(count_of<ShowOpenDialog>(wishes) == 1);
-    CHECK(std::filesystem::equivalent(std::get<OpenFile>(wishes[0]).path, folder / "ball.OBJ"));
+    CHECK(std::filesystem::equivalent(wishes[0].get<OpenFile>().path, folder / "ball.OBJ"));
   }
   SECTION("arrow keys: past .. and inner to the file") {
     for (int i = 0; i < 3; ++i) CHECK(desk.press({Key::Down, {}, 0}).empty());

@@ -190,14 +190,14 @@ TEST_CASE("drags, wheel and clicks in the view") {
   };
   const Actions turned = drag(MouseButton::Left, {});
   REQUIRE(count_of<Orbit>(turned) == 2);
-  CHECK(std::get<Orbit>(turned[0]).yaw < 0.0);
-  CHECK(std::get<Orbit>(turned[0]).pitch > 0.0);
+  CHECK(turned[0].get<Orbit>().yaw < 0.0);
+  CHECK(turned[0].get<Orbit>().pitch > 0.0);
   CHECK(count_of<Pan>(drag(MouseButton::Right, {})) == 2);
   CHECK(count_of<Pan>(drag(MouseButton::Middle, {})) == 2);
   const Actions panned = drag(MouseButton::Left, {.shift = true});
   REQUIRE(count_of<Pan>(panned) == 2);
-  CHECK(std::get<Pan>(panned[0]).move.x == Approx(2.0 * 20.0 / static_cast<double>(desk.layout.view.width)));
-  CHECK(std::get<Pan>(panned[0]).move.y < 0.0);
+  CHECK(panned[0].get<Pan>().move.x == Approx(2.0 * 20.0 / static_cast<double>(desk.layout.view.width)));
+  CHECK(panned[0].get<Pan>().move.y < 0.0);
   const Zoom zoomed = only<Zoom>(desk.frames({centre, Wheel{0, 1}}));
   CHECK(zoomed.factor < 1.0);
   CHECK(zoomed.cursor.x == Approx(0.0).margin(1e-6));

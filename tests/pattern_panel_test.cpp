@@ -119,7 +119,7 @@ TEST_CASE("a line under the pointer lights its rounds in the view, and a click g
   const Actions clicked = desk.click(line);
   REQUIRE(count_of<SeekPlace>(clicked) == 1);
   for (const Action& wish : clicked) {
-    if (const auto* seek = std::get_if<SeekPlace>(&wish)) CHECK(seek->place.row == round);
+    if (const auto* seek = wish.get_if<SeekPlace>()) CHECK(seek->place.row == round);
   }
   desk.act(desk.frames({MouseLeave{}}));
   CHECK_FALSE(desk.session.hovered_rounds);

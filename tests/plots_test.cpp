@@ -45,7 +45,7 @@ class Stage {
     Box box{1e9f, 1e9f, -1e9f, -1e9f};
     float right = -1e9f;
     float bottom = -1e9f;
-    const ImU32 panel = style::packed(style::panel);
+    const ImU32 panel = style::packed(dark_theme.panel);
     for (const ImDrawVert& vertex : list.VtxBuffer) {
       if (vertex.col == panel) continue;
       box.x = std::min(box.x, vertex.pos.x);

@@ -324,10 +324,10 @@ TEST_CASE("a file is known as a session by its ending or by what it begins with"
   std::filesystem::copy_file(folder.path() / "saved.JSON", folder.path() / "saved.knit");
   write_text(folder.path() / "ball.obj", "v 0 0 0\n");
   write_text(folder.path() / "ball", "v 0 0 0\n");
-  CHECK(std::holds_alternative<OpenSession>(opening_of(folder.path() / "saved.JSON")));
-  CHECK(std::holds_alternative<OpenSession>(opening_of(folder.path() / "saved.knit")));
-  CHECK(std::holds_alternative<OpenFile>(opening_of(folder.path() / "ball.obj")));
-  CHECK(std::holds_alternative<OpenFile>(opening_of(folder.path() / "ball")));
-  CHECK(std::holds_alternative<OpenFile>(opening_of(folder.path() / "none")));
-  CHECK(std::holds_alternative<OpenFile>(opening_of(folder.path())));
+  CHECK(opening_of(folder.path() / "saved.JSON").is<OpenSession>());
+  CHECK(opening_of(folder.path() / "saved.knit").is<OpenSession>());
+  CHECK(opening_of(folder.path() / "ball.obj").is<OpenFile>());
+  CHECK(opening_of(folder.path() / "ball").is<OpenFile>());
+  CHECK(opening_of(folder.path() / "none").is<OpenFile>());
+  CHECK(opening_of(folder.path()).is<OpenFile>());
 }

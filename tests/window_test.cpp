@@ -68,7 +68,7 @@ for _ in $(seq 300); do
   sleep 0.1
 done
 export DISPLAY=:$(cat display)
-export XDG_STATE_HOME=$PWD/state  # never the person's own
+export XDG_STATE_HOME=$PWD/state XDG_CONFIG_HOME=$PWD/config  # never the person's own
 fail() {
   echo "window test: $1"
   [ -z "${pid:-}" ] || kill -KILL "$pid" 2>/dev/null || true
@@ -217,16 +217,16 @@ close
   for (const Colour& pixel : picture.pixels) ++colours[{pixel.r, pixel.g, pixel.b}];
   CHECK(colours.size() > 500);
   for (int label = 0; label < 7; ++label) {
-    const Colour colour = palette::of(static_cast<knit::Label>(label));
+    const Colour colour = dark_theme.of(static_cast<knit::Label>(label));
     CAPTURE(label);
     CHECK(colours[{colour.r, colour.g, colour.b}] > 20);  // in the legend
   }
   const auto in_view = [&](Colour colour) {
     return count_in_view(picture, [&](const Colour& pixel) { return looks_like(pixel, colour); });
   };
-  CHECK(in_view(palette::of(knit::Label::knit)) > 20000);
-  CHECK(in_view(palette::of(knit::Label::main)) > 2000);
-  CHECK(count_in_view(picture, [](const Colour& pixel) { return pixel == palette::background; }) > 20000);
+  CHECK(in_view(dark_theme.of(knit::Label::knit)) > 20000);
+  CHECK(in_view(dark_theme.of(knit::Label::main)) > 2000);
+  CHECK(count_in_view(picture, [](const Colour& pixel) { return pixel == dark_theme.background; }) > 20000);
 }
 
 TEST_CASE("two clicks and four keys that come within one long frame all count") {
@@ -285,6 +285,29 @@ close
   CHECK(steps_in(folder, "rescued.json") > 0);
 }
 
+TEST_CASE("the real window remembers theme and panels, but not what the command line said for one start") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string trouble = run_on_screen(folder, R"(
+file=config/knit-mesh/preferences.json
+start
+close
+[ ! -e $file ] || fail "it was written though nothing had changed"
+start
+xdotool key F8 F9
+close
+grep -q '"theme": "light"' $file || fail "the theme is not remembered"
+grep -q '"timeline": false' $file || fail "the panels are not remembered"
+start --theme dark --scale 1.5
+xdotool key F9
+close
+grep -q '"theme": "light"' $file || fail "--theme was saved"
+grep -q '"scale": 1.0' $file || fail "--scale was saved"
+grep -q '"timeline": true' $file || fail "the panels did not come back"
+)");
+  REQUIRE(trouble == "");
+}
+
 TEST_CASE("in the real window a drag turns the view, keys hide layers, and the play button plays") {
   if (!can_run()) return;
   const Folder folder;
@@ -317,8 +340,8 @@ close
   CHECK(steps_in(folder, "turned.json") == session.timeline->position());  // dragging is no stepping
 
   const Picture bare = read_picture(folder, "bare.png");
-  const Colour main = palette::of(knit::Label::main);
+  const Colour main = dark_theme.of(knit::Label::main);
   CHECK(count_in_view(bare, [&](const Colour& pixel) { return looks_like(pixel, main); }) < 200);
-  CHECK(count_in_view(bare, [](const Colour& pixel) { return pixel == palette::background; }) > 20000);
+  CHECK(count_in_view(bare, [](const Colour& pixel) { return pixel == dark_theme.background; }) > 20000);
   CHECK(steps_in(folder, "button.json") > 0);
 }

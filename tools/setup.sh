@@ -9,7 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libglm-dev libeigen3-dev libtinyobjloader-dev nlohmann-json3-dev libcli11-dev
-  libimgui-dev libglfw3-dev libstb-dev python3-glad libegl-dev libopengl-dev catch2
+  libimgui-dev libglfw3-dev libstb-dev python3-glad libegl-dev libopengl-dev libgif-dev catch2
   libgl1-mesa-dri fonts-inter fonts-jetbrains-mono
 )
 # shellcheck disable=SC2034

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <variant>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "app/core/kind_list.h"
 #include "app/core/session.h"
 
 namespace app {
@@ -151,13 +154,84 @@ struct ShowList {
 };
 
 // Files. A failure is a notice in the session.
-enum class ExportKind : std::uint8_t { mesh, map, report, card, steps, pattern, chart, picture, session };
+enum class ExportKind : std::uint8_t {
+  // clang-format off
+  mesh, map, report, card, steps, pattern, chart, picture, session, gltf, plots
+  // clang-format on
+};
 struct Export {
   ExportKind kind = ExportKind::mesh;
   std::filesystem::path path;
 };
 
+// The program itself, for every mesh: preferences.h.
+struct SetTheme {
+  ThemeKind theme = ThemeKind::dark;
+};
+struct SetScale {
+  double scale = 1.0;
+};
+struct SetMotion {
+  bool on = true;
+};
+struct ShowPanel {
+  Panel panel = Panel::side;
+  bool open = true;
+};
+struct SetSplit {
+  Split split = Split::left;
+  double size = 0.0;  // plain units; 0: as there is room
+};
+struct ResetLayout {};
+struct ForgetRecent {};
+
+// Learning: lesson.h, predict.h.
+struct StartLesson {
+  std::string key;
+};
+struct LeaveLesson {};
+struct TurnLesson {
+  int direction = 1;  // to the next page, or the one before
+};
+struct AnswerLesson {
+  std::string answer;  // what was chosen, typed or clicked, as the lesson's page asks
+};
+struct SetPredicting {
+  bool on = true;
+};
+struct Guess {
+  knit::Verdict verdict = knit::Verdict::accepted;
+};
+// A variable of the pseudo-code is pointed at: shown in the view.
+struct PointAt {
+  std::string variable;  // its name; empty: none
+};
+
+// Figures: figures.h. Any size, alone or with the panels, with or without a ground.
+struct SavePicture {
+  std::filesystem::path path;
+  int width = 1600, height = 1200;  // pixels
+  bool panels = false;
+  bool transparent = false;  // alone only
+};
+struct SaveAnimation {
+  std::filesystem::path path;  // .gif, .png (animated), or a folder for numbered PNG
+  Stretch stretch;
+  int frames = 120;  // most
+  double frames_per_second = 20.0;
+  int width = 960, height = 720;
+  bool panels = false;
+};
+struct CancelAnimation {};
+
 // The program.
+struct ShowActionPalette {
+  bool open = true;
+};
+struct ShowGlossary {
+  bool open = true;
+  std::string term;  // to begin with; empty: the first
+};
 struct ShowHelp {
   bool open = true;
 };
@@ -184,15 +258,48 @@ struct DismissNotice {
 };
 struct Quit {};
 
-using Action =
-    std::variant<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
-                 PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork, SetPicking, PickVertex,
-                 Settle, Undo, Redo, CopyParameters, PasteParameters, Select, ShowWhy, ToTouch, GoBack,
-                 GoForward, StepDeep, SetBreaks, RunToBreak, SetLoop, SetSlowMotion, PinRun, SwapPinned,
-                 Unpin, StartSweep, CancelSweep, TakeSweepValue, OpenSession, CopyLink, TakeRescued,
-                 DropRescued, SetLayer, Orbit, Pan, Zoom, FrameAll, SetAspect, ShowSide, ShowList,
-                 SetPatternOptions, ShowCentre, HoverStitch, HoverRounds, KnitAlong, Export, ShowHelp,
-                 ShowOpenDialog, DismissNotice, Quit>;
+// All of them, in the order of their numbers.
+using ActionKinds =
+    KindList<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
+             PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork, SetPicking, PickVertex,
+             Settle, Undo, Redo, CopyParameters, PasteParameters, Select, ShowWhy, ToTouch, GoBack, GoForward,
+             StepDeep, SetBreaks, RunToBreak, SetLoop, SetSlowMotion, PinRun, SwapPinned, Unpin, StartSweep,
+             CancelSweep, TakeSweepValue, OpenSession, CopyLink, TakeRescued, DropRescued, SetLayer, Orbit,
+             Pan, Zoom, FrameAll, SetAspect, ShowSide, ShowList, SetPatternOptions, ShowCentre, HoverStitch,
+             HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
+             ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
+             SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
+             ShowOpenDialog, DismissNotice, Quit>;
+
+// One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
+// each file that makes one some seconds of compiling.
+class Action {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): an action is what it says
+  template <class What, std::enable_if_t<ActionKinds::has<What>, int> = 0>
+  Action(What what)
+      : what_(std::make_shared<const What>(std::move(what))), index_(ActionKinds::index_of<What>) {}
+
+  [[nodiscard]] std::size_t index() const { return index_; }
+  template <class What>
+  [[nodiscard]] bool is() const {
+    return index_ == ActionKinds::index_of<What>;
+  }
+  // Null: it is another.
+  template <class What>
+  [[nodiscard]] const What* get_if() const {
+    return is<What>() ? static_cast<const What*>(what_.get()) : nullptr;
+  }
+  // Requires is<What>().
+  template <class What>
+  [[nodiscard]] const What& get() const {
+    return *static_cast<const What*>(what_.get());
+  }
+
+ private:
+  std::shared_ptr<const void> what_;
+  std::size_t index_;
+};
 using Actions = std::vector<Action>;
 
 void apply(Session& session, const Action& action);

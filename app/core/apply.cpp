@@ -14,6 +14,7 @@
 #include "app/core/pattern_file.h"
 #include "app/core/playing.h"
 #include "app/core/presets.h"
+#include "app/core/recent.h"
 #include "app/core/session_file.h"
 #include "app/core/work_beside.h"
 #include "knit/gauge.h"
@@ -43,6 +44,7 @@ struct Apply {
                    std::chrono::steady_clock::time_point start) {
     if (const auto* error = std::get_if<std::string>(&result)) {
       notify(session, Notice::Kind::error, *error);
+      note_not_opened(session, source);
       return;
     }
     auto& loaded = std::get<Loaded>(result);
@@ -74,6 +76,7 @@ struct Apply {
     stop_playing(session);
     session.camera = Camera{};
     session.camera.frame(session.timeline->input().bounds, session.aspect);
+    note_opened(session);
   }
 
   void operator()(const OpenExample& a) {
@@ -277,7 +280,10 @@ struct Apply {
     if (const auto error = export_to_file(session, a.kind, a.path)) {
       notify(session, Notice::Kind::error, *error);
     } else if (a.path != "-") {
-      if (a.kind == ExportKind::session) note_saved(session, a.path);
+      if (a.kind == ExportKind::session) {
+        note_saved(session, a.path);
+        note_recent(session.preferences, recent_name(a.path));
+      }
       notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");
     }
   }
@@ -289,6 +295,12 @@ struct Apply {
   void operator()(const KnitAlong& a) {
     session.knit_along = a.round;
     if (a.round) session.knit_along_round = *a.round;
+  }
+  void operator()(const PointAt& a) { session.pointed_variable = a.variable; }
+  void operator()(const ShowActionPalette& a) { session.action_palette_open = a.open; }
+  void operator()(const ShowGlossary& a) {
+    session.glossary_open = a.open;
+    session.glossary_term = a.term;
   }
   void operator()(const ShowHelp& a) { session.help_open = a.open; }
   void operator()(const ShowOpenDialog& a) { session.open_dialog_open = a.open; }
@@ -310,14 +322,15 @@ struct Apply {
 
 void apply(Session& session, const Action& action) {
   const Whereabouts before = before_action(session, action);
-  std::visit(Apply{session}, action);
+  ActionKinds::visit(Apply{session}, action);
   if (session.changes.before) {
-    const auto* tune = std::get_if<Tune>(&action);
-    const auto* edit = std::get_if<EditFromHere>(&action);
+    const auto* tune = action.get_if<Tune>();
+    const auto* edit = action.get_if<EditFromHere>();
     const bool held = tune != nullptr ? tune->held : edit != nullptr && edit->held;
     note_change(session.changes, knobs_of(*session.timeline), held);
   }
   after_action(session, before);
+  tend_lesson(session, action);
 }
 
 void show_loaded(Session& session, Loaded loaded, Source source,

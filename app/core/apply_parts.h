@@ -57,4 +57,36 @@ void take(Session& session, const CopyLink& action);
 void take(Session& session, const TakeRescued& action);
 void take(Session& session, const DropRescued& action);
 
+// apply_preferences.cpp
+void take(Session& session, const SetTheme& action);
+void take(Session& session, const SetScale& action);
+void take(Session& session, const SetMotion& action);
+void take(Session& session, const ShowPanel& action);
+void take(Session& session, const SetSplit& action);
+void take(Session& session, const ResetLayout& action);
+void take(Session& session, const ForgetRecent& action);
+// After something was opened: it comes first among the recent ones.
+void note_opened(Session& session);
+// After it could not be: a file that has gone is not offered again.
+void note_not_opened(Session& session, const Source& source);
+
+// apply_lesson.cpp
+void take(Session& session, const StartLesson& action);
+void take(Session& session, const LeaveLesson& action);
+void take(Session& session, const TurnLesson& action);
+void take(Session& session, const AnswerLesson& action);
+// After every action: what the lesson waits for may have been done.
+void tend_lesson(Session& session, const Action& action);
+
+// apply_predict.cpp
+void take(Session& session, const SetPredicting& action);
+void take(Session& session, const Guess& action);
+// After every action: a verdict that comes next is known, and what was told about the last one fits the place.
+void tend_prediction(Session& session);
+
+// apply_figures.cpp
+void take(Session& session, const SavePicture& action);
+void take(Session& session, const SaveAnimation& action);
+void take(Session& session, const CancelAnimation& action);
+
 }  // namespace app

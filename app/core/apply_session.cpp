@@ -1,13 +1,21 @@
 #include "app/core/apply_parts.h"
 #include "app/core/link.h"
+#include "app/core/recent.h"
 #include "app/core/rescue.h"
 #include "app/core/session_file.h"
 
 namespace app {
 
+// Among the recent ones the session stands for itself, not its mesh.
 void take(Session& session, const OpenSession& action) {
-  if (auto error = open_session(session, action.path))
+  const std::vector<std::string> recent = session.preferences.recent;
+  if (auto error = open_session(session, action.path)) {
     session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    note_not_opened(session, {{}, action.path});
+    return;
+  }
+  session.preferences.recent = recent;
+  note_recent(session.preferences, recent_name(action.path));
 }
 
 void take(Session& session, const CopyLink& /*action*/) {

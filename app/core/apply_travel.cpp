@@ -5,6 +5,7 @@
 #include "app/core/keep_place.h"
 #include "app/core/navigate.h"
 #include "app/core/playing.h"
+#include "app/core/predict.h"
 
 namespace app {
 
@@ -69,13 +70,17 @@ void play(Session& session, double seconds) {
   session.playback.owed = due.owed;
   const int direction = session.playback.direction;
   const bool loops = travel.loop && travel.loop->end <= end;
-  const Played now =
-      played({end, direction, loops ? travel.loop : std::nullopt}, travel.hits, position, due.steps);
+  Played now = played({end, direction, loops ? travel.loop : std::nullopt}, travel.hits, position, due.steps);
+  const auto asked =
+      direction > 0 ? verdict_ahead(session, std::min(end, position + due.steps)) : std::nullopt;
+  const bool to_be_guessed = asked && (!now.broke || *asked < now.position);
+  if (to_be_guessed) now = {*asked, false};
   if (now.position != position) forget_place(session);
   timeline.seek(now.position);
   const bool at_end =
       direction > 0 ? timeline.complete() && now.position == timeline.known() : now.position == 0;
-  if (now.broke || (at_end && !loops)) stop_playing(session);
+  if (now.broke || to_be_guessed || (at_end && !loops)) stop_playing(session);
+  if (to_be_guessed) wait_for_guess(session);
   if (now.broke) stop_at(session, now.position);
 }
 

@@ -6,8 +6,12 @@
 #include <charconv>
 
 #include "app/core/check_command.h"
+#include "app/core/figure_words.h"
+#include "app/core/gltf.h"
 #include "app/core/index_command.h"
+#include "app/core/lesson.h"
 #include "app/core/pattern_file.h"
+#include "app/core/plots_file.h"
 #include "app/core/presets.h"
 #include "app/core/queries.h"
 #include "app/core/session_file.h"
@@ -19,17 +23,22 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string session, diff, why;
+  std::string session, diff, why, point;
   std::vector<std::string> breaks, sweep;
   std::string save_session;
   std::string mesh, example, preset, at, side, list, centre, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
       size;
+  std::string save_gltf, save_plots;
+  FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
+  std::string theme, scale;
+  std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   bool markers = false, stars = false;
-  bool headless = false, list_examples = false, list_parameters = false;
+  bool explain = false;
+  bool headless = false, list_examples = false, list_parameters = false, list_lessons = false;
 };
 
 std::string list_parameters_text() {
@@ -42,6 +51,15 @@ std::string list_parameters_text() {
     text += "--" + std::string(info.key) + "\t" + knit::range_text(info);
     if (!info.unit.empty()) text += " (" + std::string(info.unit) + ")";
     text += "; default " + fallback + "\t" + std::string(info.help) + "\n";
+  }
+  return text;
+}
+
+std::string lessons_text(const std::filesystem::path& assets) {
+  std::string text;
+  for (const LessonEntry& entry : list_lessons(assets)) {
+    const std::string key = entry.key.empty() ? "(" + entry.title + " cannot be read)" : entry.key;
+    text += key + "\t" + (entry.key.empty() ? "" : entry.title + "\t") + entry.about + "\n";
   }
   return text;
 }
@@ -72,10 +90,17 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--list", words.list,
                  "which list stands below the step: rows, candidates, problems or breaks");
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
+  app.add_option("--theme", words.theme, "dark or light");
+  app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
+  app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
+  app.add_option("--lesson-page", words.lesson_page, "the lesson's page to begin with, from 1");
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
       ->allow_extra_args(false);
   app.add_option("--why", words.why, "say which step made stitch:ROW:ITEM or refused vertex:ID, and why");
+  app.add_flag("--explain", words.explain,
+               "print the pseudo-code with the line that just ran, and the values");
+  app.add_option("--point", words.point, "light this variable of the pseudo-code in the view");
   app.add_option("--sweep", words.sweep, "run for PARAM=FROM:TO:N and write a table as CSV; twice: a grid")
       ->allow_extra_args(false);
   app.add_option("--diff", words.diff, "say what differs from the run of another session file");
@@ -95,9 +120,15 @@ void declare(CLI::App& app, Words& words) {
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
   app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
+  app.add_option("--save-gltf", words.save_gltf,
+                 std::string("write the knit mesh as glTF; a name that ends in ") + gltf_endings);
+  app.add_option("--save-plots", words.save_plots,
+                 std::string("write the report's plots; a name that ends in ") + plots_endings);
+  declare_figures(app, words.figures);
   app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
+  app.add_flag("--list-lessons", words.list_lessons, "list the lessons");
   app.add_flag("--list-parameters", words.list_parameters,
                "list the parameters with range, unit and default");
   CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
@@ -135,6 +166,8 @@ void add_saves(const Words& words, CommandLine& line) {
   add(words.save_pattern, ExportKind::pattern);
   add(words.save_chart, ExportKind::chart);
   add(words.save_steps, ExportKind::steps);
+  add(words.save_gltf, ExportKind::gltf);
+  add(words.save_plots, ExportKind::plots);
   add(words.save_session, ExportKind::session);
   add(words.screenshot, ExportKind::picture);
 }
@@ -179,6 +212,22 @@ std::optional<std::string> read_side(const Words& words, CommandLine& line) {
   return std::nullopt;
 }
 
+std::optional<std::string> read_look(const Words& words, CommandLine& line) {
+  if (!words.theme.empty()) {
+    std::size_t index = 0;
+    if (auto trouble = choose("--theme", words.theme, theme_keys, index)) return trouble;
+    line.theme = static_cast<ThemeKind>(index);
+  }
+  if (words.scale.empty()) return std::nullopt;
+  double scale = 0.0;
+  const char* end = words.scale.data() + words.scale.size();
+  const auto result = std::from_chars(words.scale.data(), end, scale);
+  if (result.ec != std::errc() || result.ptr != end || !(scale >= smallest_scale && scale <= largest_scale))
+    return "--scale cannot be \"" + words.scale + "\"; give a number from 0.75 to 2.5.";
+  line.scale = scale;
+  return std::nullopt;
+}
+
 std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   if (!words.session.empty() && (!words.mesh.empty() || !words.example.empty()))
     return "give either a session or a mesh, not both.";
@@ -188,10 +237,13 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.sweep = words.sweep;
   line.diff = words.diff;
   line.why = words.why;
+  line.explain = words.explain;
+  line.point = words.point;
   for (const std::string& text : line.breaks) {
     if (auto fault = fault_of_break(text)) return fault;
   }
   if (auto fault = fault_of_sweep(line.sweep)) return fault;
+  if (auto fault = fault_of_point(line.point)) return fault;
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
 }
 
@@ -210,6 +262,16 @@ std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
   return std::nullopt;
 }
 
+std::optional<std::string> read_lesson_words(const Words& words, CommandLine& line) {
+  line.lesson = words.lesson;
+  if (words.lesson_page.empty()) return std::nullopt;
+  line.lesson_page = whole_number<std::int32_t>(words.lesson_page);
+  if (!line.lesson_page || *line.lesson_page < 1)
+    return "--lesson-page cannot be \"" + words.lesson_page + "\"; give a page from 1.";
+  if (words.lesson.empty()) return "--lesson-page needs a lesson; give --lesson too.";
+  return std::nullopt;
+}
+
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
   line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
@@ -221,6 +283,17 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
   line.pattern.needle_mm = needle_mm_of(words.needle);
   if (!line.pattern.needle_mm)
     return "--needle-mm cannot be \"" + words.needle + "\"; give " + needle_range + ".";
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_endings(const Words& words) {
+  const auto fault = [](const char* option, const std::string& path, const char* endings) {
+    return std::string(option) + " cannot be \"" + path + "\"; give a name that ends in " + endings + ".";
+  };
+  if (!words.save_gltf.empty() && !gltf_format_of(words.save_gltf))
+    return fault("--save-gltf", words.save_gltf, gltf_endings);
+  if (!words.save_plots.empty() && !plots_format_of(words.save_plots))
+    return fault("--save-plots", words.save_plots, plots_endings);
   return std::nullopt;
 }
 
@@ -254,11 +327,15 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
     }
   }
   if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
   }
+  if (const auto trouble = fault_of_endings(words)) return bad_usage(*trouble);
+  if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
   line.headless = words.headless;
   add_saves(words, line);
   return line;
@@ -283,6 +360,7 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
   if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
   if (!words.check_file.empty()) return check_file(words.check_file);
   if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
+  if (words.list_lessons) return Answer{exit_done, lessons_text(assets), ""};
   if (words.list_examples) {
     std::string names;
     for (const std::string& name : list_examples(assets)) names += name + "\n";
@@ -290,6 +368,8 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
   }
   return understand(words);
 }
+
+std::string_view program_version() { return KNIT_MESH_VERSION; }
 
 std::optional<At> parse_at(const std::string& text) {
   if (text == "end") return AtEnd{};

@@ -30,11 +30,20 @@ struct CommandLine {
   SidePanel side = SidePanel::step;        // what the right column shows
   std::optional<RunList> list;             // below the step
   CentrePanel centre = CentrePanel::view;  // what the centre shows
+  std::optional<ThemeKind> theme;          // none: as the preferences have it
+  std::optional<double> scale;             // likewise
   std::optional<std::int32_t> knit_along;  // the round to begin with
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h
   std::string diff, why;
+  bool explain = false;
+  std::string point;                        // a variable of the pseudo-code
+  std::string lesson;                       // its key or file; empty: none
+  std::optional<std::int32_t> lesson_page;  // from 1
   std::vector<Export> saves;
+  std::optional<SavePicture> picture;
+  std::optional<SaveAnimation> animation;  // its stretch: from and to
+  At from = std::size_t{0}, to = AtEnd{};
   int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
 
   bool side_given = false, centre_given = false;  // beside a session only what is given counts
@@ -51,6 +60,8 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_stopped = 1;   // the algorithm stopped on this mesh
 inline constexpr int exit_usage = 2;     // bad usage, or an unreadable or unfit file
 inline constexpr int exit_no_break = 4;  // no condition of --break holds
+
+std::string_view program_version();  // "0.1.0"
 
 // `arguments` without the program's name.
 std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,

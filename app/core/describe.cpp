@@ -5,8 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "app/core/describe_contours.h"
+#include "app/core/describe_motion.h"
+#include "app/core/describe_quantity.h"
 #include "app/core/describe_selected.h"
 #include "app/core/describe_step.h"
+#include "app/core/describe_symbols.h"
+#include "app/core/describe_variable.h"
 #include "app/core/palette.h"
 
 namespace app {
@@ -44,9 +48,9 @@ std::shared_ptr<const MeshShape> shape_of(const knit::Input& input, const knit::
   return std::make_shared<const MeshShape>(std::move(shape));
 }
 
-Colour stitch_colour(const knit::Row& row, std::size_t rows_in_run, bool finished) {
+Colour stitch_colour(const Theme& theme, const knit::Row& row, std::size_t rows_in_run, bool finished) {
   const bool cast = row.number == 1 || (finished && row.number == static_cast<std::int32_t>(rows_in_run));
-  return cast ? palette::of(knit::Label::cast) : palette::stitch;
+  return cast ? theme.of(knit::Label::cast) : theme.stitch;
 }
 
 std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
@@ -66,6 +70,13 @@ std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colo
   return std::make_shared<const std::vector<Point>>(std::move(points));
 }
 
+// A row is being picked, placed or labelled: it shall be the one bright thing.
+bool in_the_making(const knit::State& state) {
+  return std::holds_alternative<knit::RowWork>(state.work) ||
+         std::holds_alternative<knit::ContourWork>(state.work) ||
+         std::holds_alternative<knit::IndexWork>(state.work);
+}
+
 }  // namespace
 
 void Describer::refresh_mesh(const Session& session) {
@@ -79,6 +90,15 @@ void Describer::refresh_mesh(const Session& session) {
   mesh_ = shape_of(*input, timing.get());
 }
 
+// Shapes have their colours in them.
+void Describer::take_theme(const Theme& theme) {
+  if (theme_ == &theme) return;
+  theme_ = &theme;
+  isolines_timing_.reset();
+  rows_.clear();
+  strips_.clear();
+}
+
 void Describer::add_rows(const Session& session, Scene& scene) {
   const knit::State& state = session.timeline->state();
   rows_.resize(std::max(rows_.size(), state.rows.size()));
@@ -86,9 +106,9 @@ void Describer::add_rows(const Session& session, Scene& scene) {
     RowShapes& kept = rows_[i];
     const auto row = state.rows[i].pointer();
     const bool ends_here = state.stage() > knit::Stage::rows;
-    const Colour colour = stitch_colour(*row, state.rows.size(), ends_here);
+    const Colour colour = stitch_colour(*scene.theme, *row, state.rows.size(), ends_here);
     if (kept.row != row || kept.colour != colour) {
-      const Colour edge = colour == palette::stitch ? palette::row_edge : colour;
+      const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
       kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
     }
     if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
@@ -106,23 +126,25 @@ void Describer::add_strips(const Session& session, Scene& scene) {
     const auto above = state.rows[i + 1].pointer();
     if (kept.strip != strip || kept.below != below || kept.above != above) {
       const StripPlaces places = places_of(state, i);
-      kept = {
-          strip, below, above,
-          std::make_shared<const FaceShape>(faces_of(*strip, strip->faces.size(), places)),
-          std::make_shared<const std::vector<Line>>(columns_of(*strip, strip->column_edges.size(), places))};
+      kept = {strip, below, above,
+              std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), places)),
+              std::make_shared<const std::vector<Line>>(
+                  columns_of(*scene.theme, *strip, strip->column_edges.size(), places))};
     }
     if (session.shows(Layer::faces)) scene.faces.push_back(kept.faces);
     if (session.shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
   }
 }
 
-Scene Describer::describe(const Session& session) {
+Scene Describer::describe(const Session& session, const Showing& showing) {
   Scene scene;
-  scene.background = palette::background;
-  scene.ground = palette::ground;
-  scene.time_low = palette::time_low;
-  scene.time_middle = palette::time_middle;
-  scene.time_high = palette::time_high;
+  scene.theme = &theme_of(session.preferences.theme);
+  take_theme(*scene.theme);
+  scene.background = scene.theme->background;
+  scene.ground = scene.theme->ground;
+  scene.time_low = scene.theme->time_low;
+  scene.time_middle = scene.theme->time_middle;
+  scene.time_high = scene.theme->time_high;
   scene.view = session.camera.view(session.aspect);
   if (!session.timeline) return scene;
 
@@ -140,15 +162,25 @@ Scene Describer::describe(const Session& session) {
   if (state.timing && session.shows(Layer::isolines) && state.strips.empty()) {
     if (isolines_timing_ != state.timing.pointer()) {
       isolines_timing_ = state.timing.pointer();
-      isolines_ = isolines_of(session.timeline->input(), *state.timing);
+      isolines_ = isolines_of(*scene.theme, session.timeline->input(), *state.timing);
     }
     scene.line_sets.push_back(isolines_);
   }
-  add_rows(session, scene);
-  add_strips(session, scene);
+  scene.coarse = coarseness(session, showing.height_px);
+  scene.calm = in_the_making(state);
+  if (scene.coarse > 1) {
+    coarse_.describe(session, scene.coarse, scene);
+  } else {
+    add_rows(session, scene);
+    add_strips(session, scene);
+  }
   ghost_.describe(session, scene);
   describe_step(session, scene);
+  describe_quantity(session, scene);
+  describe_symbols(session, showing.height_px, scene);
   describe_selected(session, scene);
+  describe_variable(session, scene);
+  describe_motion(session, showing.appeared, scene);
   return scene;
 }
 

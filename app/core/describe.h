@@ -6,16 +6,23 @@
 #include <memory>
 #include <vector>
 
+#include "app/core/describe_coarse.h"
 #include "app/core/describe_ghost.h"
 #include "app/core/scene.h"
 #include "app/core/session.h"
 
 namespace app {
 
+// What a picture depends on beside the session.
+struct Showing {
+  double height_px = 600.0;  // of the view, in pixels of a plain screen
+  double appeared = 1.0;     // of the last step's movement: describe_motion.h
+};
+
 // Keeps the shapes of finished products, by the products' pointers, so that a renderer uploads each once.
 class Describer {
  public:
-  [[nodiscard]] Scene describe(const Session& session);
+  [[nodiscard]] Scene describe(const Session& session, const Showing& showing = {});
 
  private:
   struct RowShapes {
@@ -31,10 +38,12 @@ class Describer {
     std::shared_ptr<const std::vector<Line>> columns;
   };
 
+  void take_theme(const Theme& theme);
   void refresh_mesh(const Session& session);
   void add_rows(const Session& session, Scene& scene);
   void add_strips(const Session& session, Scene& scene);
 
+  const Theme* theme_ = nullptr;  // of the shapes kept
   std::shared_ptr<const knit::Input> input_;
   std::shared_ptr<const knit::Timing> timing_;
   std::shared_ptr<const MeshShape> mesh_;
@@ -42,6 +51,7 @@ class Describer {
   std::shared_ptr<const std::vector<Line>> isolines_;
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
+  Coarse coarse_;
   Ghost ghost_;
 };
 

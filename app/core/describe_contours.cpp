@@ -12,6 +12,7 @@ namespace app {
 namespace {
 
 constexpr int isoline_count = 20;
+constexpr std::size_t most_cuts_shown = 150;
 constexpr std::size_t most_names = 24;  // more would only cover each other
 
 const knit::Step* step_shown(const Session& session) {
@@ -19,9 +20,11 @@ const knit::Step* step_shown(const Session& session) {
   return stop != nullptr ? stop : last_step(session);
 }
 
+// So many that they can be told apart.
 void add_plan(const knit::CutPlan& plan, Scene& scene) {
-  for (const knit::Cut& cut : plan.cuts) {
-    for (const auto& loop : cut.loops) add_loop(*loop, palette::ring, 1.2F, scene.lines);
+  const std::size_t stride = 1 + plan.cuts.size() / most_cuts_shown;
+  for (std::size_t i = 0; i < plan.cuts.size(); i += stride) {
+    for (const auto& loop : plan.cuts[i].loops) add_loop(*loop, scene.theme->ring, 1.2F, scene.lines);
   }
 }
 
@@ -34,7 +37,7 @@ void add_crossings(const knit::Cut& cut, Colour colour, Scene& scene) {
 void add_stitches(const Session& session, const knit::ContourWork& work, Scene& scene) {
   if (!session.shows(Layer::stitches)) return;
   const bool cast_on = session.timeline->state().rows.empty();
-  const Colour colour = cast_on ? palette::of(knit::Label::cast) : palette::stitch;
+  const Colour colour = cast_on ? scene.theme->of(knit::Label::cast) : scene.theme->stitch;
   for (const knit::Stitch& stitch : work.stitches)
     scene.points.push_back({glm::vec3(stitch.position), colour, 7.0F});
 }
@@ -51,16 +54,16 @@ std::string_view word_of(knit::CriticalKind kind) {
   return "";
 }
 
-Colour colour_of(knit::CriticalKind kind) {
+Colour colour_of(const Theme& theme, knit::CriticalKind kind) {
   switch (kind) {
     case knit::CriticalKind::minimum:
-      return palette::time_low;
+      return theme.time_low;
     case knit::CriticalKind::saddle:
-      return palette::problem;
+      return theme.problem;
     case knit::CriticalKind::maximum:
-      return palette::time_high;
+      return theme.time_high;
   }
-  return palette::ring;
+  return theme.ring;
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
   const knit::Cut& cut = work.plan->cuts[static_cast<std::size_t>(work.cut)];
   if (std::holds_alternative<knit::RowsPlanned>(step->what)) add_plan(*work.plan, scene);
   if (knit::is_stop(*step)) {
-    for (const auto& loop : cut.loops) add_loop(*loop, palette::problem, 3.0F, scene.lines);
+    for (const auto& loop : cut.loops) add_loop(*loop, scene.theme->problem, 3.0F, scene.lines);
     return;
   }
   switch (work.phase) {
@@ -87,26 +90,27 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
     case knit::ContourPhase::cut:
       return;
     case knit::ContourPhase::loop:
-      return add_crossings(cut, palette::ring, scene);
+      return add_crossings(cut, scene.theme->ring, scene);
     case knit::ContourPhase::measure:
     case knit::ContourPhase::count:
     case knit::ContourPhase::place:
       break;
   }
   const knit::Ring& ring = *cut.loops.front();
-  add_loop(ring, palette::anchor, work.phase == knit::ContourPhase::place ? 1.6F : 2.6F, scene.lines);
+  add_loop(ring, scene.theme->anchor, work.phase == knit::ContourPhase::place ? 1.6F : 2.6F, scene.lines);
   const glm::vec3 start(ring.points.front());
-  scene.points.push_back({start, palette::anchor, 10.0F});
+  scene.points.push_back({start, scene.theme->anchor, 10.0F});
   if (const auto* measured = std::get_if<knit::LengthMeasured>(&step->what))
-    scene.captions.push_back({start, "L = " + knit::short_number(measured->length), palette::anchor});
+    scene.captions.push_back({start, "L = " + knit::short_number(measured->length), scene.theme->anchor});
   if (const auto* chosen = std::get_if<knit::CountChosen>(&step->what))
-    scene.captions.push_back({start, std::to_string(chosen->count) + " stitches", palette::anchor});
+    scene.captions.push_back({start, std::to_string(chosen->count) + " stitches", scene.theme->anchor});
   add_stitches(session, work, scene);
   if (std::holds_alternative<knit::StitchPlaced>(step->what) && !work.stitches.empty())
-    scene.points.push_back({glm::vec3(work.stitches.back().position), palette::accepted, 10.0F});
+    scene.points.push_back({glm::vec3(work.stitches.back().position), scene.theme->accepted, 10.0F});
 }
 
-std::shared_ptr<const std::vector<Line>> isolines_of(const knit::Input& input, const knit::Timing& timing) {
+std::shared_ptr<const std::vector<Line>> isolines_of(const Theme& theme, const knit::Input& input,
+                                                     const knit::Timing& timing) {
   std::vector<double> times;
   std::vector<double> values;
   for (int i = 1; i < isoline_count; ++i) {
@@ -117,7 +121,7 @@ std::shared_ptr<const std::vector<Line>> isolines_of(const knit::Input& input, c
   const knit::RowFrame frame = knit::row_frame(timing.ends.direction, std::nullopt);
   std::vector<Line> lines;
   for (const knit::Cut& cut : knit::cut_surface(input, timing.cut_field(), values, times, frame)) {
-    for (const auto& loop : cut.loops) add_loop(*loop, palette::isoline, 1.0F, lines);
+    for (const auto& loop : cut.loops) add_loop(*loop, theme.isoline, 1.0F, lines);
   }
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
@@ -137,7 +141,7 @@ void describe_criticals(const Session& session, Scene& scene) {
     const bool to_blame = stopped != nullptr && stopped->reason == knit::StopReason::splits &&
                           stopped->vertex == point.vertex && point.kind == knit::CriticalKind::saddle;
     const glm::vec3 at(session.timeline->input().mesh.positions[point.vertex]);
-    const Colour colour = colour_of(point.kind);
+    const Colour colour = colour_of(*scene.theme, point.kind);
     scene.points.push_back({at, colour, to_blame ? 14.0F : 8.0F});
     if (!to_blame && !(news && names < most_names)) continue;
     ++names;

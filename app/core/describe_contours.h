@@ -15,7 +15,8 @@ void add_loop(const knit::Ring& ring, Colour colour, float width_px, std::vector
 void describe_contours(const Session& session, const knit::ContourWork& work, Scene& scene);
 
 // Level sets at equal steps of time.
-std::shared_ptr<const std::vector<Line>> isolines_of(const knit::Input& input, const knit::Timing& timing);
+std::shared_ptr<const std::vector<Line>> isolines_of(const Theme& theme, const knit::Input& input,
+                                                     const knit::Timing& timing);
 
 // Minima, saddles and maxima; with their names while they are news or why the run stopped.
 void describe_criticals(const Session& session, Scene& scene);

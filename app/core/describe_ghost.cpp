@@ -9,21 +9,22 @@ namespace {
 
 constexpr float thin_px = 1.0F;
 
-std::shared_ptr<const std::vector<Line>> row_lines(const knit::Row& row) {
+std::shared_ptr<const std::vector<Line>> row_lines(const Theme& theme, const knit::Row& row) {
   std::vector<Line> lines;
   const std::size_t n = row.stitches.size();
   for (std::size_t i = 0; i < n; ++i) {
     lines.push_back({glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position),
-                     palette::ghost, thin_px});
+                     theme.ghost, thin_px});
   }
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
-std::shared_ptr<const std::vector<Line>> column_lines(const knit::State& state, std::size_t strip) {
+std::shared_ptr<const std::vector<Line>> column_lines(const Theme& theme, const knit::State& state,
+                                                      std::size_t strip) {
   const knit::Strip& made = *state.strips[strip];
-  std::vector<Line> lines = columns_of(made, made.column_edges.size(), places_of(state, strip));
+  std::vector<Line> lines = columns_of(theme, made, made.column_edges.size(), places_of(state, strip));
   for (Line& line : lines) {
-    line.colour = palette::ghost;
+    line.colour = theme.ghost;
     line.width_px = thin_px;
   }
   return std::make_shared<const std::vector<Line>>(std::move(lines));
@@ -37,19 +38,20 @@ bool has_row(const knit::State& here, const knit::State& pinned, std::size_t i) 
 
 }  // namespace
 
-void Ghost::refresh(const Session& session, const Pin& pin) {
+void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) {
   const auto here = session.timeline->input_pointer();
   if (here != here_ || pin.input != input_) same_mesh_ = is_of_this_mesh(session, pin);
   const std::uint64_t end = knit::hash_of(pin.end);
-  const bool same_run = end == end_ && pin.input == input_;
+  const bool same_run = end == end_ && pin.input == input_ && theme_ == &theme;
+  theme_ = &theme;
   here_ = here;
   input_ = pin.input;
   end_ = end;
   if (same_run) return;
   rows_.clear();
   columns_.clear();
-  for (const auto& row : pin.end.rows) rows_.push_back(row_lines(*row));
-  for (std::size_t i = 0; i < pin.end.strips.size(); ++i) columns_.push_back(column_lines(pin.end, i));
+  for (const auto& row : pin.end.rows) rows_.push_back(row_lines(theme, *row));
+  for (std::size_t i = 0; i < pin.end.strips.size(); ++i) columns_.push_back(column_lines(theme, pin.end, i));
 }
 
 void Ghost::describe(const Session& session, Scene& scene) {
@@ -58,7 +60,7 @@ void Ghost::describe(const Session& session, Scene& scene) {
     return;
   }
   const Pin& pin = *session.pinned;
-  refresh(session, pin);
+  refresh(session, *scene.theme, pin);
   if (!same_mesh_) return;
   const knit::State& here = session.timeline->furthest();
   bool below = false;

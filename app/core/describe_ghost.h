@@ -17,10 +17,11 @@ class Ghost {
 
  private:
   using Lines = std::shared_ptr<const std::vector<Line>>;
-  void refresh(const Session& session, const Pin& pin);
+  void refresh(const Session& session, const Theme& theme, const Pin& pin);
 
   std::shared_ptr<const knit::Input> input_, here_;  // of the pinned run and the one at hand
   std::uint64_t end_ = 0;                            // hash of the state that the lines are of
+  const Theme* theme_ = nullptr;                     // of the lines
   bool same_mesh_ = false;
   std::vector<Lines> rows_, columns_;
 };

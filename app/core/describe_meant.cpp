@@ -31,22 +31,22 @@ void describe_round(const knit::Row& row, const RoundLook& look, Scene& scene) {
 
 void describe_stitch(const knit::Row& row, std::size_t stitch, Scene& scene) {
   const glm::vec3 at(row.stitches[stitch].position);
-  scene.points.push_back({at, palette::accepted, 12.0F});
+  scene.points.push_back({at, scene.theme->accepted, 12.0F});
   scene.captions.push_back({at,
                             "row " + std::to_string(row.number) + ", stitch " + std::to_string(stitch + 1),
-                            palette::accepted});
+                            scene.theme->accepted});
 }
 
 }  // namespace
 
 void describe_meant(const Session& session, Scene& scene) {
   if (const knit::Row* row = session.knit_along ? row_at(session, *session.knit_along) : nullptr)
-    describe_round(*row, {palette::anchor, 5.0F}, scene);
+    describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
   if (const auto& rounds = session.hovered_rounds) {
     const auto rows = static_cast<std::int32_t>(
         std::max(session.timeline->state().rows.size(), session.timeline->furthest().rows.size()));
     for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
-      describe_round(*row_at(session, number), {palette::accepted, 3.5F}, scene);
+      describe_round(*row_at(session, number), {scene.theme->accepted, 3.5F}, scene);
   }
   const auto& at = session.hovered_stitch;
   const knit::Row* row = at ? row_at(session, at->row) : nullptr;

@@ -44,12 +44,12 @@ std::string describe_measuring(const Session& session, const knit::VertexThing& 
   const glm::vec3 to(positions[thing.vertex]);
   const knit::Band band = knit::band_of(timeline.parameters_of_step(*story.decided));
   if (session.shows(Layer::band)) {
-    scene.band = Band{from, static_cast<float>(band.low), static_cast<float>(band.high), palette::band};
+    scene.band = Band{from, static_cast<float>(band.low), static_cast<float>(band.high), scene.theme->band};
   }
-  scene.points.push_back({from, palette::anchor, 10.0F});
+  scene.points.push_back({from, scene.theme->anchor, 10.0F});
   if (timeline.position() == *story.decided + 1 && session.shows(Layer::cycle)) return "";
   if (anchor == thing.vertex) return name;
-  scene.lines.push_back({from, to, palette::selected, 3.0F});
+  scene.lines.push_back({from, to, scene.theme->selected, 3.0F});
   return name + ": " + knit::short_number(distance);
 }
 
@@ -65,14 +65,14 @@ void describe_selected(const Session& session, Scene& scene) {
   const bool there = !outline.empty();
   if (!there) outline = outline_of(timeline.input(), timeline.furthest(), *selected);
   if (outline.empty()) return;
-  const Colour faint{palette::selected.r, palette::selected.g, palette::selected.b, 110};
-  light_up(outline, there ? Light{palette::selected, 5.0F, 13.0F} : Light{faint, 2.5F, 9.0F}, scene);
+  const Colour faint = with_alpha(scene.theme->selected, 110);
+  light_up(outline, there ? Light{scene.theme->selected, 5.0F, 13.0F} : Light{faint, 2.5F, 9.0F}, scene);
   const std::string words =
       vertex != nullptr ? describe_measuring(session, *vertex, scene) : words_of(*selected);
   if (words.empty()) return;
   glm::dvec3 middle(0.0);
   for (const glm::dvec3& point : outline) middle += point / static_cast<double>(outline.size());
-  scene.captions.push_back({glm::vec3(middle), words, there ? palette::selected : faint});
+  scene.captions.push_back({glm::vec3(middle), words, there ? scene.theme->selected : faint});
 }
 
 }  // namespace app

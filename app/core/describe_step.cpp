@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/core/describe_asked.h"
 #include "app/core/describe_contours.h"
 #include "app/core/describe_meant.h"
 #include "app/core/palette.h"
@@ -28,34 +29,34 @@ void describe_walk(const Session& session, const knit::RowWork& work, Scene& sce
     for (std::int32_t order = 0; order < size; ++order) {
       const bool measured = order < work.walk.next;
       scene.points.push_back(
-          {place(order), measured ? palette::too_near : palette::ring, measured ? 3.5F : 4.5F});
+          {place(order), measured ? scene.theme->too_near : scene.theme->ring, measured ? 3.5F : 4.5F});
     }
   }
   const std::vector<std::int32_t>& kept = work.walk.kept;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::int32_t next = i + 1 < kept.size() ? kept[i + 1] : work.walk.anchor;
     if (session.shows(Layer::row_edges))
-      scene.lines.push_back({place(kept[i]), place(next), palette::row_edge, 2.4F});
-    if (session.shows(Layer::stitches)) scene.points.push_back({place(kept[i]), palette::stitch, 7.0F});
+      scene.lines.push_back({place(kept[i]), place(next), scene.theme->row_edge, 2.4F});
+    if (session.shows(Layer::stitches)) scene.points.push_back({place(kept[i]), scene.theme->stitch, 7.0F});
   }
   if (session.shows(Layer::band)) {
     const knit::Band band = knit::band_of(session.timeline->parameters());
     scene.band = Band{place(work.walk.anchor), static_cast<float>(band.low), static_cast<float>(band.high),
-                      palette::band};
-    scene.points.push_back({place(work.walk.anchor), palette::anchor, 10.0F});
+                      scene.theme->band};
+    scene.points.push_back({place(work.walk.anchor), scene.theme->anchor, 10.0F});
   }
 }
 
-Colour colour_of(knit::Verdict verdict) {
+Colour colour_of(const Theme& theme, knit::Verdict verdict) {
   switch (verdict) {
     case knit::Verdict::too_near:
-      return palette::ring;
+      return theme.ring;
     case knit::Verdict::accepted:
-      return palette::accepted;
+      return theme.accepted;
     case knit::Verdict::too_far:
-      return palette::too_far;
+      return theme.too_far;
   }
-  return palette::ring;
+  return theme.ring;
 }
 
 // A measured distance: a line between the two with its number.
@@ -71,11 +72,11 @@ void describe_distance(const Session& session, Scene& scene, knit::VertexId from
 void describe_ends(const Session& session, const knit::EndsFound& ends, Scene& scene) {
   const glm::vec3 from = place_of(session, ends.start);
   const glm::vec3 to = place_of(session, ends.end);
-  scene.lines.push_back({from, to, palette::anchor, 2.5F});
-  scene.points.push_back({from, palette::time_low, 12.0F});
-  scene.points.push_back({to, palette::time_high, 12.0F});
-  scene.captions.push_back({from, "start", palette::text});
-  scene.captions.push_back({to, "end", palette::text});
+  scene.lines.push_back({from, to, scene.theme->anchor, 2.5F});
+  scene.points.push_back({from, scene.theme->time_low, 12.0F});
+  scene.points.push_back({to, scene.theme->time_high, 12.0F});
+  scene.captions.push_back({from, "start", scene.theme->text});
+  scene.captions.push_back({to, "end", scene.theme->text});
 }
 
 // Labels stand on the larger of the two rows.
@@ -89,8 +90,8 @@ void describe_last_label(const Session& session, std::int32_t row, std::int32_t 
                          Scene& scene) {
   const knit::Row& labelled = labelled_row(session.timeline->state(), row);
   const glm::vec3 at(labelled.stitches[static_cast<std::size_t>(cell)].position);
-  scene.points.push_back({at, palette::of(label), 13.0F});
-  scene.captions.push_back({at, std::string(knit::name_of(label)), palette::of(label)});
+  scene.points.push_back({at, scene.theme->of(label), 13.0F});
+  scene.captions.push_back({at, std::string(knit::name_of(label)), scene.theme->of(label)});
 }
 
 // `index`: counted from 1 in its strip, which may be finished by now.
@@ -105,7 +106,7 @@ void describe_last_face(const Session& session, std::int32_t row, std::int32_t i
     const auto corner = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>((i + 1) % face.corner_count);
     scene.lines.push_back(
-        {places.at(face.corners[corner]), places.at(face.corners[next]), palette::accepted, 3.0F});
+        {places.at(face.corners[corner]), places.at(face.corners[next]), scene.theme->accepted, 3.0F});
   }
 }
 
@@ -113,15 +114,16 @@ void describe_last_step(const Session& session, const knit::Step& step, Scene& s
   if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what)) {
     if (session.shows(Layer::cycle)) {
       describe_distance(session, scene, measured->anchor, measured->candidate, measured->distance,
-                        colour_of(measured->verdict));
+                        colour_of(*scene.theme, measured->verdict));
     }
   } else if (const auto* missed = std::get_if<knit::BandMissed>(&step.what)) {
     if (session.shows(Layer::cycle)) {
-      describe_distance(session, scene, missed->anchor, missed->taken, missed->distance, palette::problem);
+      describe_distance(session, scene, missed->anchor, missed->taken, missed->distance,
+                        scene.theme->problem);
     }
   } else if (const auto* timed = std::get_if<knit::VertexTimed>(&step.what)) {
     if (session.shows(Layer::times)) {
-      scene.points.push_back({place_of(session, timed->vertex), palette::accepted, 7.0F});
+      scene.points.push_back({place_of(session, timed->vertex), scene.theme->accepted, 7.0F});
     }
   } else if (const auto* ends = std::get_if<knit::EndsFound>(&step.what)) {
     if (session.shows(Layer::times)) describe_ends(session, *ends, scene);
@@ -138,7 +140,8 @@ void describe_last_step(const Session& session, const knit::Step& step, Scene& s
 
 void describe_cycle(const Session& session, std::span<const knit::VertexId> vertices, Scene& scene) {
   if (!session.shows(Layer::cycle)) return;
-  for (const knit::VertexId v : vertices) scene.points.push_back({place_of(session, v), palette::ring, 4.5F});
+  for (const knit::VertexId v : vertices)
+    scene.points.push_back({place_of(session, v), scene.theme->ring, 4.5F});
 }
 
 void describe_rows_stage(const Session& session, const knit::RowWork& work, Scene& scene) {
@@ -162,11 +165,12 @@ void describe_rows_stage(const Session& session, const knit::RowWork& work, Scen
     const glm::vec3 at(stitches[i].position);
     const glm::vec3 next(stitches[(i + 1) % stitches.size()].position);
     const bool gap = i + 1 == stitches.size();
-    if (session.shows(Layer::stitches)) scene.points.push_back({at, palette::stitch, 7.0F});
+    if (session.shows(Layer::stitches)) scene.points.push_back({at, scene.theme->stitch, 7.0F});
     if (!session.shows(Layer::row_edges)) continue;
-    scene.lines.push_back({at, next, gap ? palette::anchor : palette::row_edge, gap ? 3.5F : 2.4F});
+    scene.lines.push_back({at, next, gap ? scene.theme->anchor : scene.theme->row_edge, gap ? 3.5F : 2.4F});
     if (gap)
-      scene.captions.push_back({0.5F * (at + next), knit::short_number(work.closed.gap), palette::anchor});
+      scene.captions.push_back(
+          {0.5F * (at + next), knit::short_number(work.closed.gap), scene.theme->anchor});
   }
 }
 
@@ -177,7 +181,7 @@ void describe_labels(const knit::State& state, const knit::Transition& plan, std
   for (std::size_t i = 0; i < count; ++i) {
     const knit::PlacedLabel& placed = plan.placed[i];
     const glm::vec3 at(row.stitches[static_cast<std::size_t>(placed.cell)].position);
-    scene.points.push_back({at, palette::of(placed.label), 8.0F});
+    scene.points.push_back({at, scene.theme->of(placed.label), 8.0F});
   }
 }
 
@@ -197,10 +201,11 @@ void describe_faces_stage(const Session& session, const knit::FacesWork& work, S
       places_of(session.timeline->state(), static_cast<std::size_t>(work.plan->row) - 2);
   const auto made = static_cast<std::size_t>(work.made);
   if (session.shows(Layer::faces)) {
-    scene.faces.push_back(std::make_shared<const FaceShape>(faces_of(*work.plan, made, places)));
+    scene.faces.push_back(
+        std::make_shared<const FaceShape>(faces_of(*scene.theme, *work.plan, made, places)));
   }
   if (session.shows(Layer::column_edges)) {
-    const std::vector<Line> columns = columns_of(*work.plan, made, places);
+    const std::vector<Line> columns = columns_of(*scene.theme, *work.plan, made, places);
     scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
   }
 }
@@ -221,7 +226,8 @@ StripPlaces places_of(const knit::State& state, std::size_t strip) {
   return places;
 }
 
-FaceShape faces_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places) {
+FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
+                   const StripPlaces& places) {
   FaceShape shape;
   for (std::size_t i = 0; i < count; ++i) {
     const knit::Face& face = strip.faces[i];
@@ -233,7 +239,7 @@ FaceShape faces_of(const knit::Strip& strip, std::size_t count, const StripPlace
     const glm::vec3 across = glm::cross(c - a, quad ? d - b : c - b);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
-    const Colour colour = palette::of(face.label);
+    const Colour colour = theme.of(face.label);
     for (const glm::vec3& corner : {a, b, c}) shape.vertices.push_back({corner, normal, colour});
     if (!quad) continue;
     for (const glm::vec3& corner : {a, c, d}) shape.vertices.push_back({corner, normal, colour});
@@ -241,11 +247,12 @@ FaceShape faces_of(const knit::Strip& strip, std::size_t count, const StripPlace
   return shape;
 }
 
-std::vector<Line> columns_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places) {
+std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
+                             const StripPlaces& places) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [lower, upper] = strip.column_edges[i];
-    lines.push_back({places.at(lower), places.at(upper), palette::column_edge, 1.3F});
+    lines.push_back({places.at(lower), places.at(upper), theme.column_edge, 1.3F});
   }
   return lines;
 }
@@ -256,7 +263,7 @@ void describe_step(const Session& session, Scene& scene) {
     describe_cycle(session, cast_on->ring->vertices, scene);
     for (const knit::Stitch& stitch : cast_on->stitches) {
       if (!session.shows(Layer::stitches)) break;
-      scene.points.push_back({glm::vec3(stitch.position), palette::of(knit::Label::cast), 10.0F});
+      scene.points.push_back({glm::vec3(stitch.position), scene.theme->of(knit::Label::cast), 10.0F});
     }
   }
   describe_criticals(session, scene);
@@ -269,6 +276,7 @@ void describe_step(const Session& session, Scene& scene) {
     describe_faces_stage(session, *faces, scene);
   if (const knit::Step* step = last_step(session)) describe_last_step(session, *step, scene);
   describe_meant(session, scene);
+  describe_asked(session, scene);
 }
 
 }  // namespace app

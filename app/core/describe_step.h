@@ -17,8 +17,10 @@ struct StripPlaces {
 StripPlaces places_of(const knit::State& state, std::size_t strip);
 
 // The first `count` faces, or column edges, of a strip.
-FaceShape faces_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places);
-std::vector<Line> columns_of(const knit::Strip& strip, std::size_t count, const StripPlaces& places);
+FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
+                   const StripPlaces& places);
+std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
+                             const StripPlaces& places);
 
 void describe_step(const Session& session, Scene& scene);
 

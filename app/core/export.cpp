@@ -5,7 +5,9 @@
 
 #include "app/core/card_text.h"
 #include "app/core/files.h"
+#include "app/core/gltf.h"
 #include "app/core/pattern_file.h"
+#include "app/core/plots_file.h"
 #include "app/core/report.h"
 #include "app/core/session_file.h"
 #include "app/core/step_json.h"
@@ -31,6 +33,25 @@ void append_face(std::string& text, const knit::Face& face) {
     text += " " + std::to_string(face.corners[static_cast<std::size_t>(i)] + 1);
   }
   text += "\n";
+}
+
+std::string wrong_ending(const char* what, const std::filesystem::path& path, const char* endings) {
+  return std::string(what) + " cannot be written as " + path.string() + "; give a name that ends in " +
+         endings + ".";
+}
+
+std::optional<std::string> export_gltf(const Session& session, const std::filesystem::path& path) {
+  const auto format = gltf_format_of(path);
+  if (!format) return wrong_ending("glTF", path, gltf_endings);
+  if (auto missing = gltf_missing(session)) return missing;
+  return write_file(path, gltf_file(session, *format));
+}
+
+std::optional<std::string> export_plots(const Session& session, const std::filesystem::path& path) {
+  const auto format = plots_format_of(path);
+  if (!format) return wrong_ending("plots", path, plots_endings);
+  if (auto missing = plots_missing(session)) return missing;
+  return write_file(path, plots_file_text(session, *format));
 }
 
 }  // namespace
@@ -115,6 +136,10 @@ std::optional<std::string> export_to_file(const Session& session, ExportKind kin
       return write_file(path, steps_text(session));
     case ExportKind::session:
       return save_session(session, path);
+    case ExportKind::gltf:
+      return export_gltf(session, path);
+    case ExportKind::plots:
+      return export_plots(session, path);
     case ExportKind::picture:
       break;
   }

@@ -9,11 +9,11 @@
 
 namespace app {
 
-namespace {
-
 std::string cannot_write(const std::filesystem::path& path, const std::string& why) {
   return "cannot write " + path.string() + ": " + why + "; choose another place or make room.";
 }
+
+namespace {
 
 std::optional<std::string> write_standard_output(std::string_view content) {
   const bool done =

@@ -19,4 +19,7 @@ std::filesystem::path aside_of(const std::filesystem::path& path);
 std::optional<std::string> put_in_place(const std::filesystem::path& aside,
                                         const std::filesystem::path& path);
 
+// The sentence for it.
+std::string cannot_write(const std::filesystem::path& path, const std::string& why);
+
 }  // namespace app

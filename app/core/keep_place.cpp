@@ -1,23 +1,20 @@
 #include "app/core/keep_place.h"
 
 #include <limits>
-#include <type_traits>
 
 namespace app {
 
 namespace {
 
-template <class T, class... Others>
-inline constexpr bool is_one_of = (std::is_same_v<T, Others> || ...);
+template <class... Kinds>
+bool is_one_of(const Action& action) {
+  return (action.is<Kinds>() || ...);
+}
 
 bool is_move(const Action& action) {
-  return std::visit(
-      [](const auto& a) {
-        return is_one_of<std::decay_t<decltype(a)>, OpenExample, OpenFile, OpenSession, StepBy, SeekTo,
-                         SeekPlace, ToFirst, ToLast, SetPlaying, EditFromHere, ShowWhy, ToTouch, GoBack,
-                         GoForward, StepDeep, RunToBreak>;
-      },
-      action);
+  return is_one_of<OpenExample, OpenFile, OpenSession, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying,
+                   EditFromHere, ShowWhy, ToTouch, GoBack, GoForward, StepDeep, RunToBreak, StartLesson,
+                   LeaveLesson, TurnLesson, Guess>(action);
 }
 
 // "row 14 of the stage faces", "the stage timing"

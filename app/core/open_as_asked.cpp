@@ -1,5 +1,6 @@
 // From a command line to an open session at the place that was asked for.
 #include "app/core/command_line.h"
+#include "app/core/lesson.h"
 #include "app/core/presets.h"
 #include "app/core/queries.h"
 #include "knit/gauge.h"
@@ -51,15 +52,27 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
   return std::nullopt;
 }
 
+// Leaving it goes back to what else was asked for.
+std::optional<std::string> begin_lesson(Session& session, const CommandLine& line) {
+  if (line.lesson.empty()) return std::nullopt;
+  const std::size_t notices = session.notices.size();
+  apply(session, StartLesson{line.lesson});
+  if (!session.lesson) return session.notices.size() > notices ? session.notices.back().text : "no lesson.";
+  return line.lesson_page ? go_to_lesson_page(session, *line.lesson_page) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
   const bool saved = !line.session.empty();
   app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
   if (!saved || line.side_given) apply(session, ShowSide{line.side});
+  if (line.theme) apply(session, SetTheme{*line.theme});
+  if (line.scale) apply(session, SetScale{*line.scale});
   if (line.list) apply(session, ShowList{*line.list});
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
   apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
+  if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
@@ -70,7 +83,7 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   }
   auto error = set_parameters(session, line);
   session.changes = {};  // what was asked for at the start is where undoing ends
-  return error;
+  return error ? error : begin_lesson(session, line);
 }
 
 std::optional<std::string> go_to(Session& session, const At& at) {

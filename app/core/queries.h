@@ -28,6 +28,12 @@ std::optional<std::string> fault_of_sweep(const std::vector<std::string>& axes);
 // The session keeps the sweep, so that a picture shows it; in a window it goes on beside it and nothing is written.
 Answer sweep_answer(Session& session, const std::vector<std::string>& axes);
 
+// --explain: the pseudo-code at the place at hand with the line that just ran, the variables and the sentence.
+// explain_query.cpp
+Answer explain_answer(const Session& session);
+// --point NAME: one of its variables, lit in pictures.
+std::optional<std::string> fault_of_point(const std::string& variable);
+
 // --diff OTHER.json: what differs from the run of another session, which is pinned. diff_query.cpp
 Answer diff_answer(Session& session, const std::filesystem::path& other);
 

@@ -14,12 +14,9 @@
 #include <string>
 #include <vector>
 
-namespace app {
+#include "app/core/palette.h"
 
-struct Colour {
-  std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
+namespace app {
 
 // The ground: the mesh that came in. `time` is Algorithm 1's value per vertex, negative where there is none.
 struct MeshShape {
@@ -75,6 +72,7 @@ struct View {
 };
 
 struct Scene {
+  const Theme* theme = &dark_theme;  // never null
   View view;
   Colour background;
   std::shared_ptr<const MeshShape> mesh;  // null: nothing open
@@ -85,7 +83,9 @@ struct Scene {
   Colour ground;
   Colour time_low, time_middle, time_high;  // the ramp over [0, 1]
   std::optional<Band> band;
-  std::vector<std::shared_ptr<const FaceShape>> faces;
+  std::vector<std::shared_ptr<const FaceShape>> faces;  // opaque
+  bool calm = false;  // line_sets and point_sets stand back behind this frame's own
+  int coarse = 1;     // so many rows and stitches stand for one: describe_coarse.h
   // Hidden parts of lines and points are drawn faintly through the surface, so that nothing is lost behind
   // it.
   std::vector<std::shared_ptr<const std::vector<Line>>> line_sets;  // shared: finished rows

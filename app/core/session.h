@@ -12,6 +12,7 @@
 #include "app/core/camera.h"
 #include "app/core/changes.h"
 #include "app/core/pins.h"
+#include "app/core/preferences.h"
 #include "app/core/sweep.h"
 #include "app/core/travel.h"
 #include "app/core/worker.h"
@@ -111,6 +112,18 @@ struct Rescued {
   std::string words;  // "thesis-sphere, row 14"
 };
 
+// A lesson under way (lesson.h), guessing (predict.h), an animation in the making (figures.h): each replaced
+// whole when it changes; null: none.
+struct LessonRun;
+struct Prediction;
+struct AnimationRun;
+// A picture that the loop takes (figures.h).
+struct FigureWish {
+  std::filesystem::path path;
+  int width = 0, height = 0;
+  bool panels = false, transparent = false;
+};
+
 struct Session {
   std::filesystem::path assets;  // the folder of examples and fonts
   Source source;
@@ -140,6 +153,13 @@ struct Session {
   std::optional<SavedAs> saved;    // the session file last written or opened
   bool camera_kept = false;        // it came with a session: not framed anew once the view's shape is known
 
+  Preferences preferences;
+  std::shared_ptr<const LessonRun> lesson;
+  std::shared_ptr<const Prediction> prediction;
+  std::shared_ptr<const AnimationRun> animation;
+  std::vector<FigureWish> figures_wanted;  // the loop takes them after the next frame
+  std::string pointed_variable;            // of the pseudo-code, under the pointer; empty: none
+
   Camera camera;
   double aspect = 1.6;  // of the view
   std::array<bool, layer_count> layers{true, true, true, true, false, true, true, true, true, true, true};
@@ -156,6 +176,9 @@ struct Session {
   knit::PatternOptions pattern;            // title, yarn, needle of the written pattern
   std::vector<Notice> notices;             // newest last
   bool help_open = false;
+  bool action_palette_open = false;
+  bool glossary_open = false;
+  std::string glossary_term;
   bool open_dialog_open = false;
   bool quit = false;
   std::vector<std::filesystem::path> pages_wanted;        // patterns with a picture; likewise

@@ -74,7 +74,7 @@ void draw_head(PanelFrame& frame) {
   frame.mark("break/add");
   if (entered || clicked) take_typed(frame);
   if (field.text.bytes[0] == '\0') field.trouble.clear();
-  if (!field.trouble.empty()) wrapped_text(with_capital(field.trouble), palette::problem);
+  if (!field.trouble.empty()) wrapped_text(with_capital(field.trouble), theme().problem);
 }
 
 // "12", or "12..." while the run is not known to its end.
@@ -93,9 +93,9 @@ void draw_condition(PanelFrame& frame, std::size_t i) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 centre(at.x + 0.5f * line, at.y + 0.5f * line);
   if (here) {
-    list.AddCircleFilled(centre, dot, style::packed(palette::break_hit));
+    list.AddCircleFilled(centre, dot, style::packed(theme().break_hit));
   } else {
-    list.AddCircle(centre, dot, style::packed(palette::faint_text), 0, frame.units(1.0f));
+    list.AddCircle(centre, dot, style::packed(theme().faint_text), 0, frame.units(1.0f));
   }
   ImGui::PushID(static_cast<int>(i));
   const std::string count = count_words(frame, i);
@@ -109,7 +109,7 @@ void draw_condition(PanelFrame& frame, std::size_t i) {
   frame.mark("break/" + std::to_string(i));
   tooltip(frame, with_capital(words) + ".\nAs text: " + knit::text_of(condition) + ".\n" +
                      (here ? "Holds at the step shown." : "A filled dot: it holds at the step shown."));
-  text_at(ImVec2(end - frame.units(6.0f), at.y), 1.0f, palette::faint_text, count);
+  text_at(ImVec2(end - frame.units(6.0f), at.y), 1.0f, theme().faint_text, count);
   ImGui::SetCursorScreenPos(ImVec2(end, at.y));
   if (icon_button("remove", Icon::cross, ImVec2(line, line))) wish_without(frame, i);
   frame.mark("break/remove/" + std::to_string(i));

@@ -48,16 +48,16 @@ Dot dot_of(CandidateVerdict verdict) {
   switch (verdict) {
     case CandidateVerdict::first:
     case CandidateVerdict::accepted:
-      return {palette::accepted, 2.8f};
+      return {theme().accepted, 2.8f};
     case CandidateVerdict::taken:
-      return {palette::problem, 3.2f};
+      return {theme().problem, 3.2f};
     case CandidateVerdict::too_far:
-      return {palette::too_far, 2.2f};
+      return {theme().too_far, 2.2f};
     case CandidateVerdict::too_near:
     case CandidateVerdict::never_reached:
       break;
   }
-  return {palette::too_near, 1.6f};
+  return {theme().too_near, 1.6f};
 }
 
 const knit::Candidate& at(const CandidatePlot& plot, std::int32_t order) {
@@ -69,16 +69,16 @@ void draw_band_and_width(const PanelFrame& frame, const CandidatePlot& plot, con
   const float low = whole(scale.y_of(plot.table.band.low));
   const float high = whole(scale.y_of(plot.table.band.high));
   fill(stand, stand.ground.x, high, stand.ground.right(), std::max(low, high + stand.line),
-       style::packed(palette::anchor, 46));
+       style::packed(theme().anchor, 46));
   const float width = whole(scale.y_of(plot.table.stitch_width));
   fill(stand, stand.ground.x, width, stand.ground.right(), width + stand.line,
-       style::packed(palette::anchor, 150));
+       style::packed(theme().anchor, 150));
   push_font(frame.fonts.small);
   const float half = 0.5f * ImGui::GetTextLineHeight();
   const float right = stand.ground.x - frame.units(5.0f);
-  text_at(ImVec2(right, width - half), 1.0f, palette::anchor, knit::short_number(plot.table.stitch_width));
+  text_at(ImVec2(right, width - half), 1.0f, theme().anchor, knit::short_number(plot.table.stitch_width));
   if (width + 3.0f * half < stand.ground.bottom())
-    text_at(ImVec2(right, stand.ground.bottom() - 1.6f * half), 1.0f, palette::faint_text, "0");
+    text_at(ImVec2(right, stand.ground.bottom() - 1.6f * half), 1.0f, theme().faint_text, "0");
   pop_font();
 }
 
@@ -96,7 +96,7 @@ void draw_saw(const PanelFrame& frame, const CandidatePlot& plot, const Stand& s
     const bool past = to.step < plot.position;
     stand.list.AddLine(ImVec2(scale.x_of(to.order - 1), scale.y_of(before)),
                        ImVec2(scale.x_of(to.order), scale.y_of(to.distance)),
-                       style::packed(bar, past ? 170 : 70), thick);
+                       style::packed(bar(), past ? 170 : 70), thick);
   }
 }
 
@@ -136,7 +136,7 @@ void draw_ring_axis(const PanelFrame& frame, const CandidatePlot& plot, const St
                     const RingScale& scale) {
   std::vector<AxisWord> words;
   if (plot.current)
-    words.push_back({scale.x_of(*plot.current), 0.5f, std::to_string(*plot.current), palette::text});
+    words.push_back({scale.x_of(*plot.current), 0.5f, std::to_string(*plot.current), theme().text});
   words.push_back({stand.ground.x, 0.0f, "place 0"});
   words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.places - 1)});
   draw_axis_words(frame, stand, words);
@@ -157,12 +157,12 @@ std::optional<std::int32_t> draw_candidate_plot(PanelFrame& frame, const Candida
   draw_band_and_width(frame, plot, stand, scale);
   draw_saw(frame, plot, stand, scale);
   draw_dots(frame, plot, stand, scale);
-  if (plot.current) pick_out(frame, plot, stand, scale, *plot.current, palette::text);
-  if (plot.selected) pick_out(frame, plot, stand, scale, *plot.selected, palette::selected);
-  if (pointed) pick_out(frame, plot, stand, scale, *pointed, palette::faint_text);
+  if (plot.current) pick_out(frame, plot, stand, scale, *plot.current, theme().text);
+  if (plot.selected) pick_out(frame, plot, stand, scale, *plot.selected, theme().selected);
+  if (pointed) pick_out(frame, plot, stand, scale, *pointed, theme().faint_text);
   draw_foot(stand);
   draw_ring_axis(frame, plot, stand, scale);
-  draw_key(frame, stand, title, stand.ground.right(), {"band", palette::anchor, true});
+  draw_key(frame, stand, title, stand.ground.right(), {"band", theme().anchor, true});
   if (stand.hovered && pointed) tooltip(frame, words_of(at(plot, *pointed)));
   if (stand.hovered && !stand.inside) {
     tooltip(frame,

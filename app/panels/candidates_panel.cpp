@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include "app/core/lesson.h"
+#include "app/core/predict.h"
 #include "app/panels/candidate_plot.h"
 #include "app/panels/widgets.h"
 #include "knit/narrate.h"
@@ -36,16 +38,16 @@ Colour colour_of(CandidateVerdict verdict) {
   switch (verdict) {
     case CandidateVerdict::first:
     case CandidateVerdict::accepted:
-      return palette::text;
+      return theme().text;
     case CandidateVerdict::taken:
-      return palette::problem;
+      return theme().problem;
     case CandidateVerdict::too_far:
-      return style::warning;
+      return theme().warning;
     case CandidateVerdict::too_near:
     case CandidateVerdict::never_reached:
       break;
   }
-  return palette::faint_text;
+  return theme().faint_text;
 }
 
 // The candidate that the last step measured or took.
@@ -91,7 +93,7 @@ void draw_line(PanelFrame& frame, const knit::Candidate& candidate, bool lit, bo
   const std::string order = std::to_string(candidate.order);
   const bool reached = candidate.step != knit::no_step;
   const bool past = reached && candidate.step < frame.timeline()->position();
-  Colour colour = selected ? palette::selected : colour_of(candidate.verdict);
+  Colour colour = selected ? theme().selected : colour_of(candidate.verdict);
   if (!past) colour.a = 120;  // still to come
   if (ImGui::Selectable(("##" + order).c_str(), lit, ImGuiSelectableFlags_SpanAllColumns))
     wish_why(frame, candidate);
@@ -121,7 +123,7 @@ void draw_header(PanelFrame& frame) {
   ImGui::TableSetupColumn("Distance", ImGuiTableColumnFlags_WidthStretch, 0.27f);
   ImGui::TableSetupColumn("Verdict", ImGuiTableColumnFlags_WidthStretch, 0.33f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::faint_text));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
   for (int column = 0; column < 4; ++column) {
     ImGui::TableSetColumnIndex(column);
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
@@ -167,10 +169,15 @@ void draw_table(PanelFrame& frame, const std::optional<std::int32_t>& current,
 void draw_candidates(PanelFrame& frame) {
   CandidateList& list = frame.ui.candidates;
   if (frame.timeline() == nullptr || frame.timeline()->known() == 0)
-    return wrapped_text(words_of(knit::NoCandidates::no_row), palette::faint_text);
+    return wrapped_text(words_of(knit::NoCandidates::no_row), theme().faint_text);
   list.refresh(*frame.timeline(), row_at_hand(frame));
   if (list.table().none != knit::NoCandidates::has_some)
-    return wrapped_text(words_of(list.table().none), palette::faint_text);
+    return wrapped_text(words_of(list.table().none), theme().faint_text);
+  const Question* question = open_question(frame.session);
+  const bool gives_away =
+      asked_vertex(frame.session) || (question != nullptr && question->hides_candidates());
+  if (gives_away)
+    return wrapped_text("Distances and verdicts are hidden here until you have guessed.", theme().faint_text);
   const auto current = order_at_hand(frame);
   const auto selected = selected_order(frame);
   const CandidatePlot plot{list.table(), current, selected, frame.timeline()->position()};

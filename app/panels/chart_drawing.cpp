@@ -10,7 +10,6 @@ namespace {
 constexpr Colour paper{238, 235, 226};
 constexpr Colour main_paper{240, 214, 228};
 constexpr Colour lit_paper{255, 247, 190};
-constexpr Colour absent{58, 64, 73};
 constexpr Colour ink{34, 37, 43};
 
 knit::Label label_of(knit::ChartSymbol symbol) {
@@ -34,7 +33,7 @@ knit::Label label_of(knit::ChartSymbol symbol) {
 }
 
 Colour ground_of(const knit::ChartSquare& square, bool lit) {
-  if (square.symbol == knit::ChartSymbol::no_stitch) return absent;
+  if (square.symbol == knit::ChartSymbol::no_stitch) return theme().hovered;
   if (lit) return lit_paper;
   return square.main ? main_paper : paper;
 }
@@ -63,15 +62,18 @@ void draw_symbol(ImDrawList& list, ImVec2 low, float side, ImU32 colour, knit::C
 void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look) {
   const float gap = look.side >= 5.0f ? 1.0f : 0.0f;
   const ImVec2 high(low.x + look.side - gap, low.y + look.side - gap);
+  // The lines between squares: the ground alone would not part pale squares in the light theme.
+  if (gap > 0.0f)
+    list.AddRectFilled(low, ImVec2(low.x + look.side, low.y + look.side), style::packed(theme().outline));
   list.AddRectFilled(low, high, style::packed(ground_of(square, look.lit)));
   if (look.side >= 5.0f) {
     const knit::Label label = label_of(square.symbol);
-    const Colour colour = label == knit::Label::knit ? ink : palette::of(label);
+    const Colour colour = label == knit::Label::knit ? ink : theme().of(label);
     draw_symbol(list, low, look.side - gap, style::packed(colour), square.symbol);
   } else if (label_of(square.symbol) != knit::Label::knit) {
-    list.AddRectFilled(low, high, style::packed(palette::of(label_of(square.symbol))));
+    list.AddRectFilled(low, high, style::packed(theme().of(label_of(square.symbol))));
   }
-  if (look.hovered) list.AddRect(low, high, style::packed(style::accent), 0.0f, 0, 2.0f);
+  if (look.hovered) list.AddRect(low, high, style::packed(theme().accent), 0.0f, 0, 2.0f);
 }
 
 }  // namespace app

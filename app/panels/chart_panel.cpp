@@ -76,7 +76,7 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   const bool crowded = std::abs(round.number - hand) < static_cast<std::int32_t>(every);
   if (!at_hand && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 colour = style::packed(at_hand ? palette::anchor : palette::faint_text);
+  const ImU32 colour = style::packed(at_hand ? theme().anchor : theme().faint_text);
   const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
   const std::string number = std::to_string(round.number);
   list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, number.c_str());
@@ -114,8 +114,8 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
   const ImVec2 high = sheet.at(first, 0);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(high.x + sheet.side, high.y + sheet.side);
-  list.AddRectFilled(low, end, style::packed(style::accent, 50));
-  list.AddRect(low, end, style::packed(style::accent), frame.units(2.0f), 0, frame.units(2.0f));
+  list.AddRectFilled(low, end, style::packed(theme().accent, 50));
+  list.AddRect(low, end, style::packed(theme().accent), frame.units(2.0f), 0, frame.units(2.0f));
 }
 
 // What a square stands for: the label that shaped it, else its stitch.

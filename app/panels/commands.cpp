@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/core/every_panel.h"
 #include "app/core/navigate.h"
 
 namespace app {
@@ -50,9 +51,38 @@ Wish deep(const Session& /*session*/) {
   return StepDeep{depth, direction};
 }
 
+template <knit::Verdict verdict>
+Wish guess(const Session& /*session*/) {
+  return Guess{verdict};
+}
+
 template <class Plain>
 Wish plain(const Session& /*session*/) {
   return Plain{};
+}
+
+constexpr std::array scales{smallest_scale, 0.85, 1.0, 1.1, 1.25, projector_scale, 1.75, 2.0, largest_scale};
+
+Wish larger(const Session& session) {
+  const auto next = std::find_if(scales.begin(), scales.end(),
+                                 [&](double scale) { return scale > session.preferences.scale + 1e-6; });
+  return next != scales.end() ? Wish(SetScale{*next}) : std::nullopt;
+}
+
+Wish smaller(const Session& session) {
+  const auto next = std::find_if(scales.rbegin(), scales.rend(),
+                                 [&](double scale) { return scale < session.preferences.scale - 1e-6; });
+  return next != scales.rend() ? Wish(SetScale{*next}) : std::nullopt;
+}
+
+Wish other_theme(const Session& session) {
+  return SetTheme{session.preferences.theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark};
+}
+
+// All panels away, or all there again.
+Wish only_view(const Session& session) {
+  const auto& panels = session.preferences.panels;
+  return ShowPanel{every_panel, std::none_of(panels.begin(), panels.end(), [](bool shown) { return shown; })};
 }
 
 // Round the row at hand, or no more.
@@ -68,6 +98,8 @@ Wish paste(const Session& /*session*/) {
 
 // Whatever is open on top; dialogs close themselves.
 Wish close(const Session& session) {
+  if (session.action_palette_open) return ShowActionPalette{false};
+  if (session.glossary_open) return ShowGlossary{false, {}};
   if (session.help_open) return ShowHelp{false};
   if (session.picking != Picking::nothing) return SetPicking{Picking::nothing};
   if (!session.notices.empty()) return DismissNotice{session.notices.size() - 1};
@@ -77,6 +109,7 @@ Wish close(const Session& session) {
 constexpr std::string_view run = "The run";
 constexpr std::string_view finding = "Finding why";
 constexpr std::string_view changes = "Changes";
+constexpr std::string_view learning = "Learning";
 constexpr std::string_view view = "The view";
 constexpr std::string_view program = "The program";
 
@@ -162,10 +195,36 @@ const std::array table{
                   if (session.knit_along) return KnitAlong{std::nullopt};
                   return KnitAlong{session.knit_along_round};
                 }},
+    CommandInfo{Command::larger,
+                view,
+                "Larger words and lines",
+                {{{Key::Equal, ctrl, 0}, {Key::Equal, ctrl_shift, 0}}},
+                true,
+                larger},
+    CommandInfo{Command::smaller, view, "Smaller words and lines", on(Key::Minus, ctrl), true, smaller},
+    CommandInfo{Command::plain_size, view, "Normal size of words and lines", on(Key::Digit0, ctrl), false,
+                [](const Session&) -> Wish { return SetScale{1.0}; }},
+    CommandInfo{Command::theme, view, "Switch the theme", on(Key::F8), false, other_theme},
+    CommandInfo{Command::only_view, view, "All panels away, or back", on(Key::F9), false, only_view},
+    CommandInfo{Command::predict, learning, "Guess each verdict before it falls", on(Key::G), false,
+                [](const Session& session) -> Wish { return SetPredicting{session.prediction == nullptr}; }},
+    CommandInfo{Command::guess_near, learning, "Guess: too near", on(Key::Q), false,
+                guess<knit::Verdict::too_near>},
+    CommandInfo{Command::guess_accepted, learning, "Guess: accepted", on(Key::W), false,
+                guess<knit::Verdict::accepted>},
+    CommandInfo{Command::guess_far, learning, "Guess: too far", on(Key::E), false,
+                guess<knit::Verdict::too_far>},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
     CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
                 on(Key::C, ctrl_shift), false, plain<CopyLink>},
+    CommandInfo{
+        Command::action_palette, program, "All actions, by name", on(Key::P, ctrl), false,
+        [](const Session& session) -> Wish { return ShowActionPalette{!session.action_palette_open}; }},
+    CommandInfo{Command::glossary, program, "The glossary", on(Key::F2), false,
+                [](const Session& session) -> Wish {
+                  return ShowGlossary{!session.glossary_open, {}};
+                }},
     CommandInfo{Command::help,
                 program,
                 "Show or hide the keys",
@@ -184,6 +243,9 @@ std::string name_of(Key key) {
   if (key >= Key::Digit0 && key <= Key::Digit9) {
     return std::to_string(static_cast<int>(key) - static_cast<int>(Key::Digit0));
   }
+  if (key >= Key::F1 && key <= Key::F12) {
+    return "F" + std::to_string(1 + static_cast<int>(key) - static_cast<int>(Key::F1));
+  }
   switch (key) {
     case Key::Space:
       return "Space";
@@ -197,12 +259,10 @@ std::string name_of(Key key) {
       return "End";
     case Key::Escape:
       return "Esc";
-    case Key::F1:
-      return "F1";
-    case Key::F10:
-      return "F10";
-    case Key::F11:
-      return "F11";
+    case Key::Equal:
+      return "Plus";  // with Shift, or without, as the keyboard has it
+    case Key::Minus:
+      return "Minus";
     default:
       return "?";  // a test sees to it that no such key is in the table
   }
@@ -240,7 +300,10 @@ std::string text_of(const Chord& chord) {
 
 std::string keys_of(const CommandInfo& info) {
   const std::string first = text_of(info.chords[0]);
-  return exists(info.chords[1]) ? first + " or " + text_of(info.chords[1]) : first;
+  // The same key with Shift need not be told.
+  const bool another =
+      exists(info.chords[1]) && (info.chords[1].key == Key::None || info.chords[1].key != info.chords[0].key);
+  return another ? first + " or " + text_of(info.chords[1]) : first;
 }
 
 std::string words_of(const CommandInfo& info) {

@@ -17,7 +17,8 @@ enum class Command : std::uint8_t {
   play, play_back, forward_item, back_item, forward_row, back_row, forward_stage, back_stage, first, last,
   faster, slower, slow_motion, loop, step_over, step_into, step_out, over_back, into_back, out_back,
   next_break, last_break, next_touch, last_touch, go_back, go_forward, undo, redo, copy, paste, pin, swap,
-  frame_all, layer, side, chart, knit_along, open, copy_link, help, close, quit
+  frame_all, layer, side, chart, knit_along, predict, guess_near, guess_accepted, guess_far,
+  larger, smaller, plain_size, theme, only_view, open, copy_link, action_palette, glossary, help, close, quit
   // clang-format on
 };
 

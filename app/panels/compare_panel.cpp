@@ -11,13 +11,13 @@ namespace app {
 
 namespace {
 
-constexpr Colour pinned_colour{palette::ghost.r, palette::ghost.g, palette::ghost.b};
+Colour pinned_colour() { return opaque(theme().ghost); }
 
 void draw_nothing_pinned(PanelFrame& frame) {
   wrapped_text(
       "Pin the run at hand, then turn any knob: the pinned run stays as a pale ghost in the view and in the "
       "plots, and here is what differs.",
-      palette::faint_text);
+      theme().faint_text);
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
   if (ImGui::Button("Pin this run", ImVec2(frame.units(130.0f), 0.0f))) frame.wish(PinRun{});
   frame.mark("compare/pin");
@@ -65,7 +65,7 @@ void draw_head(const PanelFrame& frame, const Table& table, std::size_t columns)
   push_font(frame.fonts.small);
   const float y = ImGui::GetCursorScreenPos().y;
   for (std::size_t i = 0; i < columns; ++i)
-    text_at(ImVec2(table.end_of(i + 3 - columns), y), 1.0f, palette::faint_text, names.at(i));
+    text_at(ImVec2(table.end_of(i + 3 - columns), y), 1.0f, theme().faint_text, names.at(i));
   ImGui::Dummy(ImVec2(table.width(), ImGui::GetTextLineHeight() + frame.units(1.0f)));
   pop_font();
 }
@@ -81,10 +81,10 @@ void draw_parameters_that_differ(PanelFrame& frame, const RunDifference& differe
   for (const ParameterLine& line : difference.parameters) {
     const float y = ImGui::GetCursorScreenPos().y;
     const float room = table.end_of(2) - table.end_of(1) - frame.units(8.0f);
-    text_at(ImVec2(table.left(), y), 0.0f, palette::text,
+    text_at(ImVec2(table.left(), y), 0.0f, theme().text,
             cut_to_width(line.label, table.end_of(0) - table.left()));
-    text_at(ImVec2(table.end_of(1), y), 1.0f, pinned_colour, cut_to_width(line.a, room));
-    text_at(ImVec2(table.end_of(2), y), 1.0f, palette::text, cut_to_width(line.b, room));
+    text_at(ImVec2(table.end_of(1), y), 1.0f, pinned_colour(), cut_to_width(line.a, room));
+    text_at(ImVec2(table.end_of(2), y), 1.0f, theme().text, cut_to_width(line.b, room));
     table.end_line();
     frame.mark("compare/setting/" + line.key);
     tooltip(frame, line.label + ": " + line.a + " pinned, " + line.b + " now.");
@@ -100,11 +100,11 @@ void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference
     if (line.key == "steps") continue;
     const float y = ImGui::GetCursorScreenPos().y;
     const bool same = line.difference.empty();
-    text_at(ImVec2(table.left(), y), 0.0f, palette::text, line.name);
+    text_at(ImVec2(table.left(), y), 0.0f, theme().text, line.name);
     push_font(frame.fonts.mono);
-    text_at(ImVec2(table.end_of(0), y), 1.0f, same ? palette::faint_text : pinned_colour, line.a);
-    text_at(ImVec2(table.end_of(1), y), 1.0f, same ? palette::faint_text : palette::text, line.b);
-    text_at(ImVec2(table.end_of(2), y), 1.0f, same ? palette::faint_text : palette::text,
+    text_at(ImVec2(table.end_of(0), y), 1.0f, same ? theme().faint_text : pinned_colour(), line.a);
+    text_at(ImVec2(table.end_of(1), y), 1.0f, same ? theme().faint_text : theme().text, line.b);
+    text_at(ImVec2(table.end_of(2), y), 1.0f, same ? theme().faint_text : theme().text,
             same ? "=" : line.difference);
     pop_font();
     table.end_line();
@@ -121,8 +121,8 @@ void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
     if (ImGui::IsItemClicked()) wish_row(frame, difference.first_row->row);
     tooltip(frame, "The pinned run's number stands first. Click: go to this row.");
   }
-  if (!difference.stop_a.empty()) wrapped_text("Pinned, it stopped: " + difference.stop_a, palette::problem);
-  if (!difference.stop_b.empty()) wrapped_text("Now it stops: " + difference.stop_b, palette::problem);
+  if (!difference.stop_a.empty()) wrapped_text("Pinned, it stopped: " + difference.stop_a, theme().problem);
+  if (!difference.stop_b.empty()) wrapped_text("Now it stops: " + difference.stop_b, theme().problem);
 }
 
 RowPlot plot_of(const PanelFrame& frame, const std::vector<double>& values,
@@ -176,7 +176,7 @@ void draw_compare(PanelFrame& frame) {
   if (difference == nullptr) return faint_text("The pinned run is being worked out...");
   if (!difference->same_mesh)
     wrapped_text("The pinned run is of another mesh: " + frame.session.pinned->input->mesh.name + ".",
-                 style::warning);
+                 theme().warning);
   draw_first_row(frame, *difference);
   // As close as in the report card, so that the plots have room.
   const float across = ImGui::GetStyle().ItemSpacing.x;

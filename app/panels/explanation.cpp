@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
 
-#include "app/core/step_table.h"
 #include "app/panels/commands.h"
+#include "app/panels/panel_buttons.h"
+#include "app/panels/pseudo_code_panel.h"
+#include "app/panels/term_text.h"
 #include "app/panels/widgets.h"
 #include "knit/narrate.h"
 
@@ -13,7 +17,7 @@ namespace app {
 
 namespace {
 
-void draw_place(const PanelFrame& frame, const knit::Step* step) {
+void draw_place(PanelFrame& frame, const knit::Step* step) {
   const bool stopped = stop_shown(frame.session) != nullptr;
   push_font(frame.fonts.heading);
   if (step == nullptr) {
@@ -23,29 +27,13 @@ void draw_place(const PanelFrame& frame, const knit::Step* step) {
   }
   pop_font();
   if (step == nullptr) return;
+  explains(frame, knit::name_of(step->place.stage));
   std::string where = step->place.row > 0 ? "row " + std::to_string(step->place.row) + ", " : "";
   where += "item " + std::to_string(step->place.item);
   if (stopped) where += ", stopped";
   ImGui::SameLine();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + frame.units(4.0f));
   faint_text(where);
-}
-
-void draw_numbers(const PanelFrame& frame, const knit::Step& step) {
-  const auto numbers = numbers_of(step);
-  if (numbers.empty() || !ImGui::BeginTable("numbers", 2, ImGuiTableFlags_BordersInnerH)) return;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.45f);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.55f);
-  for (const auto& [name, value] : numbers) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    faint_text(name);
-    ImGui::TableNextColumn();
-    push_font(frame.fonts.mono);
-    text(value);
-    pop_font();
-  }
-  ImGui::EndTable();
 }
 
 // Two columns: where the i-th of `count` begins.
@@ -71,16 +59,21 @@ void draw_label(PanelFrame& frame, knit::Label label, std::size_t count, ImVec2 
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(ImVec2(width, line));
   frame.mark("label/" + name);
-  tooltip(frame, "Colour of " + name +
-                     " on stitches and faces; the number is how many have been placed up to here.");
+  explained_tooltip(
+      frame,
+      "Colour of " + name + " on stitches and faces; the number is how many have been placed up to here.",
+      name);
   const float side = 0.62f * line;
   const float top = at.y + 0.5f * (line - side);
-  list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(palette::of(label)),
+  list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(theme().of(label)),
                      frame.units(2.0f));
-  list.AddText(ImVec2(at.x + side + frame.units(7.0f), at.y), style::packed(palette::text), name.c_str());
+  // The thesis's pale ones end somewhere, too.
+  list.AddRect(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(theme().faint_text, 150),
+               frame.units(2.0f), 0, std::max(1.0f, std::floor(frame.units(1.0f))));
+  list.AddText(ImVec2(at.x + side + frame.units(7.0f), at.y), style::packed(theme().text), name.c_str());
   push_font(frame.fonts.mono);
   const float wide = ImGui::CalcTextSize(number.c_str()).x;
-  const Colour colour = count > 0 ? palette::text : palette::faint_text;
+  const Colour colour = count > 0 ? theme().text : theme().faint_text;
   list.AddText(ImVec2(at.x + width - wide, at.y), style::packed(colour), number.c_str());
   pop_font();
 }
@@ -92,41 +85,69 @@ struct Tab {
 };
 
 // A word over a line that is thick below the chosen one.
-void draw_tab(PanelFrame& frame, const Tab& tab, float height, float thin) {
+void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont* font) {
   const bool chosen = tab.side == frame.session.side;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  push_font(frame.fonts.strong);
-  const float width = ImGui::CalcTextSize(tab.words).x + frame.units(20.0f);
+  const float width = size.x;
+  const float height = size.y;
+  push_font(font);
   if (ImGui::InvisibleButton(tab.mark, ImVec2(width, height)) && !chosen) frame.wish(ShowSide{tab.side});
   frame.mark(tab.mark);
   const bool lit = chosen || ImGui::IsItemHovered();
   text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
-          lit ? palette::text : palette::faint_text, tab.words);
+          lit ? theme().text : theme().faint_text, tab.words);
   pop_font();
   tooltip(frame, tooltip_of(info_of(Command::side)));
   if (!chosen) return;
   const float foot = std::floor(at.y + height);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - 2.0f * thin), ImVec2(at.x + width, foot),
-                                            style::packed(style::accent));
+                                            style::packed(theme().accent));
 }
 
-void draw_tabs(PanelFrame& frame) {
-  constexpr std::array tabs{
-      Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
-      Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
-      Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
+constexpr std::array side_tabs{
+    Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
+    Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
+    Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
+
+float width_of_words(ImFont* font) {
+  float words = 0.0f;
+  push_font(font);
+  for (const Tab& tab : side_tabs) words += ImGui::CalcTextSize(tab.words).x;
+  pop_font();
+  return words;
+}
+
+void draw_tab_line(PanelFrame& frame, std::span<const Tab> tabs, ImFont* font, float air) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight() + frame.units(9.0f);
   const float thin = std::max(1.0f, std::floor(frame.units(1.0f)));
   const float foot = std::floor(at.y + height);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - thin),
                                             ImVec2(at.x + ImGui::GetContentRegionAvail().x, foot),
-                                            style::packed(style::outline));
+                                            style::packed(theme().outline));
   for (const Tab& tab : tabs) {
-    draw_tab(frame, tab, height, thin);
+    push_font(font);
+    const float width = ImGui::CalcTextSize(tab.words).x + air;
+    pop_font();
+    draw_tab(frame, tab, ImVec2(width, height), thin, font);
     ImGui::SameLine(0.0f, 0.0f);
   }
   ImGui::NewLine();
+}
+
+// They share what room there is between their words; where there is too little these get smaller, and then take
+// two lines.
+void draw_tabs(PanelFrame& frame) {
+  draw_cross(frame, Panel::side);
+  const float room = ImGui::GetContentRegionAvail().x - room_for_cross(frame);
+  const std::span<const Tab> tabs(side_tabs);
+  for (ImFont* const font : {frame.fonts.strong, frame.fonts.small}) {
+    const float air =
+        std::min((room - width_of_words(font)) / static_cast<float>(tabs.size()), frame.units(20.0f));
+    if (air >= frame.units(5.0f)) return draw_tab_line(frame, tabs, font, air);
+  }
+  draw_tab_line(frame, tabs.first(3), frame.fonts.strong, frame.units(12.0f));
+  draw_tab_line(frame, tabs.subspan(3), frame.fonts.strong, frame.units(12.0f));
 }
 
 std::string counted(const char* name, std::size_t count) {
@@ -139,7 +160,10 @@ void draw_lists(PanelFrame& frame) {
   const std::string problems_name = counted("Problems", count_problems(frame));
   const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
   const std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
+  ImGui::BeginGroup();
   const int clicked = segmented("list", names, static_cast<int>(frame.session.list), 0.0f);
+  ImGui::EndGroup();
+  frame.mark("list");
   if (clicked >= 0 && clicked != static_cast<int>(frame.session.list))
     frame.wish(ShowList{static_cast<RunList>(clicked)});
   switch (frame.session.list) {
@@ -156,21 +180,39 @@ void draw_lists(PanelFrame& frame) {
 
 }  // namespace
 
+namespace {
+
+// Takes the same room for most sentences, so that what stands below keeps still while the run plays.
+void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
+  const float top = ImGui::GetCursorPosY();
+  const float width = ImGui::GetContentRegionAvail().x;
+  glossary_wrapped_text(frame, words, colour);
+  frame.mark("sentence");
+  const float least = (width < frame.units(400.0f) ? 3.0f : 2.0f) * ImGui::GetTextLineHeight();
+  const float spare = top + least - (ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+  if (spare > 0.0f) {
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    ImGui::Dummy(ImVec2(width, spare));
+  }
+}
+
+}  // namespace
+
 void draw_last_step(PanelFrame& frame) {
   const knit::Step* stop = stop_shown(frame.session);
   const knit::Step* step = stop != nullptr ? stop : last_step(frame.session);
   draw_place(frame, step);
-  wrapped_text(sentence(frame.session), stop != nullptr ? palette::problem : palette::text);
-  if (step != nullptr) draw_numbers(frame, *step);
+  draw_sentence(frame, sentence(frame.session), stop != nullptr ? theme().problem : theme().text);
+  draw_pseudo_code(frame);
 }
 
 namespace {
 
-// Lists that explain need room: in a low window what there is to see folds away for them, unless a person has
-// said how it should be.
+// The code and the lists need room: in a low window what there is to see folds away for them, unless a person
+// has said how it should be.
 bool shows_legend(const PanelFrame& frame) {
-  const bool low = frame.layout.explanation.height < frame.units(760.0f);
-  return frame.ui.legend_open.value_or(!low || frame.session.list == RunList::rows);
+  const bool low = frame.layout.explanation.height < frame.units(820.0f);
+  return frame.ui.legend_open.value_or(!low);
 }
 
 bool draw_fold(PanelFrame& frame) {
@@ -225,10 +267,19 @@ void draw_legend(PanelFrame& frame) {
 
 namespace {
 
+// As high as what it holds, as far as the lists keep their room.
+float step_height(const PanelFrame& frame, float wanted) {
+  const float below = frame.units((shows_legend(frame) ? 270.0f : 30.0f) + 122.0f);
+  const float room = ImGui::GetContentRegionAvail().y - below;
+  return std::max(frame.units(150.0f), std::min(wanted > 0.0f ? wanted : room, room));
+}
+
 void draw_step_side(PanelFrame& frame) {
-  const float height = std::max(frame.units(196.0f), 0.34f * ImGui::GetContentRegionAvail().y);
-  ImGui::BeginChild("step", ImVec2(0.0f, height), false);
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID wanted = ImGui::GetID("step height");
+  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, kept.GetFloat(wanted))), false);
   draw_last_step(frame);
+  kept.SetFloat(wanted, ImGui::GetCursorPosY());
   ImGui::EndChild();
   frame.mark("step");
   draw_layers(frame);
@@ -242,6 +293,7 @@ void draw_step_side(PanelFrame& frame) {
 void draw_explanation(PanelFrame& frame) {
   begin_panel("Explanation", frame.layout.explanation);
   draw_tabs(frame);
+  if (frame.session.side != SidePanel::step) leave_variables(frame);
   switch (frame.session.side) {
     case SidePanel::step:
       draw_step_side(frame);

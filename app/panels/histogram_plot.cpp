@@ -12,8 +12,6 @@ namespace {
 
 using namespace plot_parts;
 
-constexpr Colour mean_line = palette::anchor;
-
 float x_of(const HistogramPlot& plot, const Box& ground, double value) {
   // Written so that what is no number stands at the left.
   const double share = value > plot.low ? std::min((value - plot.low) / (plot.high - plot.low), 1.0) : 0.0;
@@ -46,7 +44,7 @@ void draw_bars(const PanelFrame& frame, const HistogramPlot& plot, const Stand& 
     const double share = static_cast<double>(plot.bins[i]) / static_cast<double>(most);
     // A single one is still seen.
     const float high = std::max(2.0f * stand.line, whole(room * static_cast<float>(share)));
-    const ImU32 colour = hovered == i ? style::packed(palette::text) : style::packed(bar, 205);
+    const ImU32 colour = hovered == i ? style::packed(theme().text) : style::packed(bar(), 205);
     fill(stand, x0, ground.bottom() - high, std::max(x0 + 1.0f, x1 - gap), ground.bottom(), colour);
   }
 }
@@ -60,7 +58,7 @@ void dashed_upright(const PanelFrame& frame, const Stand& stand, float x, ImU32 
 }
 
 void draw_mean(const PanelFrame& frame, const HistogramPlot& plot, const Stand& stand) {
-  const ImU32 colour = style::packed(mean_line);
+  const ImU32 colour = style::packed(theme().anchor);
   const float x = whole(x_of(plot, stand.ground, *plot.mean));
   fill(stand, x - stand.line, stand.ground.y, x + stand.line, stand.ground.bottom(), colour);
   const float half = frame.units(4.0f);
@@ -78,7 +76,7 @@ void draw_histogram_axis(const PanelFrame& frame, const HistogramPlot& plot, con
   std::vector<AxisWord> words;
   if (plot.reference) {
     words.push_back(
-        {x_of(plot, stand.ground, *plot.reference), 0.5f, short_text(*plot.reference), palette::text});
+        {x_of(plot, stand.ground, *plot.reference), 0.5f, short_text(*plot.reference), theme().text});
   }
   words.push_back({stand.ground.x, 0.0f, short_text(plot.low)});
   words.push_back({stand.ground.right(), 1.0f, short_text(plot.high) + (plot.open_above ? "+" : "")});
@@ -103,13 +101,12 @@ void draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size) {
   }
   draw_bars(frame, plot, stand, hovered);
   if (plot.reference) {
-    dashed_upright(frame, stand, x_of(plot, stand.ground, *plot.reference),
-                   style::packed(palette::text, 190));
+    dashed_upright(frame, stand, x_of(plot, stand.ground, *plot.reference), style::packed(theme().text, 190));
   }
   if (plot.mean) {
     draw_mean(frame, plot, stand);
     const std::string words = "mean " + fixed_text(*plot.mean, plot.decimals);
-    draw_key(frame, stand, plot.title, stand.ground.right(), {words, mean_line, false});
+    draw_key(frame, stand, plot.title, stand.ground.right(), {words, theme().anchor, false});
   }
   draw_foot(stand);
   draw_histogram_axis(frame, plot, stand);

@@ -135,15 +135,15 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
 
 bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit) {
   ImGui::PushID(id);
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(style::accent));
-  if (lit) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(style::accent));
+  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+  if (lit) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
   const bool clicked = ImGui::Button("##icon", size);
   if (lit) ImGui::PopStyleColor(2);
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   const ImVec2 centre(0.5f * (low.x + high.x), 0.5f * (low.y + high.y));
   const float side = high.y - low.y < high.x - low.x ? high.y - low.y : high.x - low.x;
-  const ImU32 colour = lit ? style::packed(palette::background) : ImGui::GetColorU32(ImGuiCol_Text);
+  const ImU32 colour = lit ? style::packed(theme().on_accent) : ImGui::GetColorU32(ImGuiCol_Text);
   draw_icon(*ImGui::GetWindowDrawList(), icon, centre, 0.5f * side, colour);
   ImGui::PopID();
   return clicked;

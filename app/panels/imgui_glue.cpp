@@ -174,6 +174,11 @@ ImGuiGlue::ImGuiGlue() : context_(ImGui::CreateContext()) {
 
 ImGuiGlue::~ImGuiGlue() = default;
 
+void ImGuiGlue::make_current() { ImGui::SetCurrentContext(context_.get()); }
+
+ContextKept::ContextKept() : context_(ImGui::GetCurrentContext()) {}
+ContextKept::~ContextKept() { ImGui::SetCurrentContext(context_); }
+
 Fonts ImGuiGlue::load_fonts(const std::string& folder, float scale, float text_size) {
   ImGui::GetIO().Fonts->Clear();
   const float size = text_size * std::max(0.25f, scale);

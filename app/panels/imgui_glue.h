@@ -36,14 +36,16 @@ struct Fonts {
   bool from_files = false;  // false: the built-in bitmap font, which has only Latin-1
 };
 
-// Owns a Dear ImGui context: current from construction to destruction, one at a time. Writes no settings
-// file.
+// Owns a Dear ImGui context, current from construction on; of several, `make_current` says whose turn it is.
+// Writes no settings file.
 class ImGuiGlue {
  public:
   ImGuiGlue();
   ~ImGuiGlue();
   ImGuiGlue(const ImGuiGlue&) = delete;
   ImGuiGlue& operator=(const ImGuiGlue&) = delete;
+
+  void make_current();
 
   // Replaces all fonts by those in `folder` at `text_size` x `scale` window units, or by the built-in one.
   // Between frames only. Pictures already made of the old fonts are void: see ImGuiDraw::forget_fonts.
@@ -80,6 +82,18 @@ class ImGuiGlue {
   Clipboard clipboard_;
   std::string pasted_;  // what ImGui reads after it asked for the clipboard
   friend struct ClipboardCalls;
+};
+
+// Whoever's turn it is now has it again when this goes: for work with a glue of its own in between.
+class ContextKept {
+ public:
+  ContextKept();
+  ~ContextKept();
+  ContextKept(const ContextKept&) = delete;
+  ContextKept& operator=(const ContextKept&) = delete;
+
+ private:
+  ImGuiContext* context_;
 };
 
 // For panels, inside a frame. They do not ask whether a widget wants the keyboard.

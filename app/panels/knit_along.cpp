@@ -21,9 +21,12 @@ void draw_turning(PanelFrame& frame, std::int32_t round, std::int32_t last) {
   turn("first", Icon::first, 1, "To the cast on.");
   turn("back", Icon::back, round - 1, "One round back.");
   turn("forward", Icon::forward, round + 1, "This round is knitted: the next one.");
-  ImGui::AlignTextToFramePadding();
+  const float top = ImGui::GetCursorPosY();
+  // Beside a button words stand lower by its padding anyway.
+  ImGui::SetCursorPosY(top + 0.5f * (side - ImGui::GetTextLineHeight()) - ImGui::GetStyle().FramePadding.y);
   faint_text("Round " + std::to_string(round) + " of " + std::to_string(last));
   ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
+  ImGui::SetCursorPosY(top);
   if (icon_button("close", Icon::cross, ImVec2(side, side))) frame.wish(KnitAlong{std::nullopt});
   frame.mark("knit-along/close");
   tooltip(frame, "Stop knitting along; the round is remembered.");

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "app/panels/lesson_marks.h"
+#include "app/panels/term_text.h"
 #include "app/panels/widgets.h"
 #include "knit/frame.h"
 #include "knit/narrate.h"
@@ -161,7 +163,7 @@ void Control::operator()(const knit::PickedVertex& picked) const {
     if (!trouble) parameters = changed;
   }
   ImGui::SameLine(0.0f, frame.units(3.0f));
-  if (picking) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(style::pressed));
+  if (picking) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().pressed));
   if (ImGui::Button("Pick", ImVec2(button, 0.0f))) frame.wish(SetPicking{picking ? Picking::nothing : kind});
   if (picking) ImGui::PopStyleColor();
   frame.mark("pick/" + std::string(info.key));
@@ -199,7 +201,8 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   const std::string label(info.label);
   ImGui::AlignTextToFramePadding();
   faint_text(label);
-  tooltip(frame, help_text(frame, info));
+  explained_tooltip(frame, help_text(frame, info), label);
+  frame.mark("knob-label/" + std::string(info.key));
   // A long name has the line for itself.
   if (ImGui::CalcTextSize(label.c_str()).x < whole - control - frame.units(4.0f)) ImGui::SameLine();
   ImGui::SetCursorPosX(left + std::max(0.0f, whole - control));
@@ -207,6 +210,7 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   std::visit(Control{frame, info, parameters, std::min(control, whole)}, info.kind);
   ImGui::EndGroup();
   if (frame.session.changes.open && ImGui::IsItemDeactivated()) frame.wish(Settle{});
+  bring_lit_into_view(frame, "knob/" + std::string(info.key));
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
     tooltip(frame, help_text(frame, info));
@@ -214,7 +218,7 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
   const auto field = frame.ui.vertex_fields.find(info.key);
   if (field != frame.ui.vertex_fields.end() && !field->second.trouble.empty()) {
-    wrapped_text(field->second.trouble, palette::problem);
+    wrapped_text(field->second.trouble, theme().problem);
   }
   ImGui::PopID();
 }

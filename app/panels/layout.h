@@ -1,4 +1,5 @@
-// Where each panel stands: computed from the window's size and the scale alone. Panels never overlap.
+// Where each panel stands: computed from the window's size, the scale and what a person wishes. Panels never
+// overlap.
 #pragma once
 
 namespace app {
@@ -17,6 +18,13 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
+// What a person has made of it, in plain units; 0: as there is room.
+struct LayoutWish {
+  bool parameters = true, explanation = true, timeline = true;  // shown
+  float left = 0.0f, right = 0.0f, bottom = 0.0f;               // dragged to
+  float lesson = 0.0f;                                          // height of the strip below the view; 0: none
+};
+
 struct Layout {
   float scale = 1.0f;  // window units for one unit of a plain screen: Window::unit_scale()
   Box window;
@@ -25,12 +33,22 @@ struct Layout {
   Box view;         // centre: left empty for the scene
   Box explanation;  // right
   Box timeline;     // bottom
+  Box lesson;       // below the view, while a lesson goes on; else empty
 
   [[nodiscard]] double view_aspect() const;  // for SetAspect
 };
 
-// Made for 1280 x 720 times `scale` and up; a smaller window shrinks the panels, and the view is never empty.
-Layout layout_of(float width, float height, float scale);
+// Made for 1280 x 720 times `scale` and up; a smaller window shrinks the panels. The view always keeps a third of
+// the window's width and of its height, whatever is wished. What is not shown is empty, and its room the view's.
+Layout layout_of(float width, float height, float scale, const LayoutWish& wish = {});
+
+// How far a panel can be dragged while the others stay as they are, in plain units.
+struct DragRange {
+  float low = 0.0f, high = 0.0f;
+};
+DragRange range_of_left(const Layout& layout);
+DragRange range_of_right(const Layout& layout);
+DragRange range_of_bottom(const Layout& layout);
 
 // `pixels_per_x`, `pixels_per_y`: framebuffer pixels in one window unit.
 PixelBox pixels_of(const Box& box, const Box& window, float pixels_per_x, float pixels_per_y);

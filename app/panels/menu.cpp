@@ -1,7 +1,10 @@
 #include <string>
 
+#include "app/core/command_line.h"
 #include "app/core/presets.h"
 #include "app/panels/commands.h"
+#include "app/panels/look_menu.h"
+#include "app/panels/panel_buttons.h"
 #include "app/panels/save_dialog.h"
 #include "app/panels/widgets.h"
 
@@ -44,6 +47,7 @@ void draw_file_menu(PanelFrame& frame) {
     if (examples.empty()) ImGui::MenuItem("No examples were found", nullptr, false, false);
     ImGui::EndMenu();
   }
+  draw_recent_menu(frame);
   ImGui::Separator();
   for (const SaveKind& kind : save_kinds()) {
     const std::string label = "Save the " + std::string(kind.words) + "...";
@@ -52,6 +56,7 @@ void draw_file_menu(PanelFrame& frame) {
     }
     frame.mark("menu/" + label);
   }
+  draw_figure_menu(frame);
   ImGui::Separator();
   command_item(frame, info_of(Command::quit), "Quit");
   ImGui::EndMenu();
@@ -129,12 +134,20 @@ void draw_view_menu(PanelFrame& frame) {
   ImGui::Separator();
   command_item(frame, Command::frame_all);
   command_item(frame, Command::side);
+  for (const Command command : {Command::chart, Command::knit_along}) command_item(frame, command);
+  ImGui::Separator();
+  draw_look_menus(frame);
   ImGui::EndMenu();
 }
 
 void draw_help_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "Help", "menu/help")) return;
   command_item(frame, info_of(Command::help), "Keys and mouse");
+  command_item(frame, info_of(Command::action_palette), "All actions");
+  command_item(frame, info_of(Command::glossary), "Glossary");
+  ImGui::Separator();
+  const std::string version = "knit-mesh " + std::string(program_version());
+  ImGui::MenuItem(version.c_str(), nullptr, false, false);
   ImGui::EndMenu();
 }
 
@@ -147,7 +160,7 @@ void draw_title(const PanelFrame& frame) {
       with_commas(mesh.positions.size()) + " vertices, " + with_commas(mesh.triangles.size()) + " triangles";
   const std::string title = mesh.name + "   " + counts;
   const float width = ImGui::CalcTextSize(title.c_str()).x;
-  const float left = frame.layout.menu.right() - width - frame.units(12.0f);
+  const float left = frame.layout.menu.right() - width - room_for_toggles(frame);
   if (left < ImGui::GetCursorPosX() + frame.units(16.0f)) return;
   ImGui::SetCursorPosX(left);
   text(mesh.name);
@@ -171,8 +184,10 @@ void draw_menu(PanelFrame& frame) {
   draw_go_menu(frame);
   draw_why_menu(frame);
   draw_view_menu(frame);
+  draw_lesson_menu(frame);
   draw_help_menu(frame);
   draw_title(frame);
+  draw_toggles(frame);
   ImGui::EndMainMenuBar();
 }
 

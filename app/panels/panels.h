@@ -59,6 +59,16 @@ void draw_timeline(PanelFrame& frame);
 void draw_transport(PanelFrame& frame);  // the timeline's parts
 void draw_track(PanelFrame& frame);
 void draw_help(PanelFrame& frame);
+void draw_pseudo_code(PanelFrame& frame);  // of the stage at hand, with its variables
+void draw_lesson(PanelFrame& frame);       // in the strip below the view
+void draw_prediction(PanelFrame& frame);   // over the view: what comes next?
+void draw_lesson_menu(PanelFrame& frame);
+void draw_figure_menu(PanelFrame& frame);    // inside the File menu
+void draw_figure_dialog(PanelFrame& frame);  // size, stretch and rate of what is saved
+void draw_animation_progress(PanelFrame& frame);
+void draw_action_palette(PanelFrame& frame);
+void draw_glossary(PanelFrame& frame);
+void draw_splitters(PanelFrame& frame);
 void draw_open_dialog(PanelFrame& frame);
 void draw_save_dialog(PanelFrame& frame);
 

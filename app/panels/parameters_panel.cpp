@@ -4,6 +4,7 @@
 
 #include "app/panels/commands.h"
 #include "app/panels/knob.h"
+#include "app/panels/panel_buttons.h"
 #include "app/panels/widgets.h"
 #include "knit/gauge.h"
 
@@ -18,19 +19,27 @@ struct Tool {
   bool usable;
 };
 
+constexpr std::size_t tool_count = 4;
+
+// With the gap before them, and the cross after them.
+float width_of_tools(const PanelFrame& frame) {
+  return static_cast<float>(tool_count) * (ImGui::GetFrameHeight() + frame.units(3.0f)) + frame.units(4.0f) +
+         room_for_cross(frame);
+}
+
 // Undo, redo, copy and paste at the right end of a line.
 void draw_tools(PanelFrame& frame) {
   const Changes& changes = frame.session.changes;
-  const std::array<Tool, 4> tools{Tool{Command::undo, Icon::undo, "undo", !changes.undo.empty()},
-                                  Tool{Command::redo, Icon::redo, "redo", !changes.redo.empty()},
-                                  Tool{Command::copy, Icon::copy, "copy", true},
-                                  Tool{Command::paste, Icon::paste, "paste", true}};
+  const std::array<Tool, tool_count> tools{Tool{Command::undo, Icon::undo, "undo", !changes.undo.empty()},
+                                           Tool{Command::redo, Icon::redo, "redo", !changes.redo.empty()},
+                                           Tool{Command::copy, Icon::copy, "copy", true},
+                                           Tool{Command::paste, Icon::paste, "paste", true}};
   const float side = ImGui::GetFrameHeight();
   const float gap = frame.units(3.0f);
   const auto count = static_cast<float>(tools.size());
   ImGui::SameLine();
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-  float x = right - count * side - (count - 1.0f) * gap;
+  float x = right - count * side - (count - 1.0f) * gap - room_for_cross(frame);
   for (const Tool& tool : tools) {
     const CommandInfo& info = info_of(tool.command);
     ImGui::SameLine(x);
@@ -48,8 +57,13 @@ void draw_tools(PanelFrame& frame) {
 
 void draw_mode(PanelFrame& frame) {
   constexpr std::array<std::string_view, 2> names{"from the start", "from here"};
+  const char* const words = "A change counts";
   ImGui::AlignTextToFramePadding();
-  faint_text("A change counts");
+  if (ImGui::CalcTextSize(words).x + width_of_tools(frame) <= ImGui::GetContentRegionAvail().x) {
+    faint_text(words);
+  } else {
+    ImGui::Dummy(ImVec2(0.0f, ImGui::GetFrameHeight()));  // in a narrow panel the buttons below say enough
+  }
   draw_tools(frame);
   ImGui::BeginGroup();
   const int clicked = segmented("mode", names, frame.ui.from_here ? 1 : 0, ImGui::GetContentRegionAvail().x);
@@ -102,7 +116,7 @@ void draw_edit(PanelFrame& frame, const knit::Timeline& timeline, std::size_t i)
   if (icon_button("remove", Icon::cross, ImVec2(side, side))) frame.wish(RemoveEdit{i});
   frame.mark("edit/" + std::to_string(i) + "/remove");
   tooltip(frame, "Take this change back.");
-  wrapped_text(changes_text(before, edit.parameters), palette::faint_text);
+  wrapped_text(changes_text(before, edit.parameters), theme().faint_text);
   ImGui::PopID();
 }
 
@@ -135,13 +149,16 @@ void draw_edits(PanelFrame& frame) {
 
 void draw_parameters(PanelFrame& frame) {
   begin_panel("Parameters", frame.layout.parameters);
+  draw_cross(frame, Panel::parameters);
   if (const knit::Timeline* timeline = frame.timeline()) {
     draw_mode(frame);
     draw_knobs(frame, *timeline);
     draw_edits(frame);
   } else {
-    heading(frame, "Parameters");
-    wrapped_text("They appear here once a mesh is open.", palette::faint_text);
+    push_font(frame.fonts.strong);
+    faint_text("Parameters");
+    pop_font();
+    wrapped_text("They appear here once a mesh is open.", theme().faint_text);
   }
   ImGui::End();
 }

@@ -74,7 +74,7 @@ void draw_needle(PanelFrame& frame, knit::PatternOptions options) {
   if (usable) fields.trouble.clear();
   if (left && !usable)
     fields.trouble = "The needle cannot be \"" + typed + "\" mm; give " + needle_range + ".";
-  if (!fields.trouble.empty()) wrapped_text(fields.trouble, palette::problem);
+  if (!fields.trouble.empty()) wrapped_text(fields.trouble, theme().problem);
 }
 
 void draw_style(PanelFrame& frame, knit::PatternOptions options) {
@@ -106,7 +106,7 @@ void draw_pattern_fields(PanelFrame& frame) {
   const float button =
       ImGui::CalcTextSize("Save...").x + 2.0f * ImGui::GetStyle().FramePadding.x + frame.units(2.0f);
   ImGui::SetNextItemOpen(fields.open);
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::faint_text));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
   push_font(frame.fonts.strong);
   fields.open = ImGui::TreeNodeEx("Title, yarn, needle",
                                   ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_FramePadding);

@@ -21,9 +21,9 @@ void draw_pattern_marks(PanelFrame& frame, const Track& track) {
     if (begin == end) continue;
     const float x0 = track.x_of(begin);
     const float x1 = std::max(track.x_of(end), x0 + frame.units(2.0f));
-    list.AddRectFilled(ImVec2(x0, track.top), ImVec2(x1, track.bottom), style::packed(palette::accepted, 80));
+    list.AddRectFilled(ImVec2(x0, track.top), ImVec2(x1, track.bottom), style::packed(theme().accepted, 80));
     list.AddRectFilled(ImVec2(x0, track.bottom), ImVec2(x1, track.bottom + frame.units(3.0f)),
-                       style::packed(palette::accepted));
+                       style::packed(theme().accepted));
   }
 }
 

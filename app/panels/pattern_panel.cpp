@@ -47,16 +47,16 @@ void draw_ground(const PanelFrame& frame, const PatternLayout::Placed& placed, I
   const auto meant = rounds_meant(frame.session);
   const bool is_meant = rounds && meant && rounds->first <= meant->last && meant->first <= rounds->last;
   if (rounds && rounds->holds(round_at_hand(frame))) {
-    list.AddRectFilled(at, end, style::packed(palette::anchor, is_meant ? 70 : 40), frame.units(4.0f));
-    list.AddRectFilled(at, ImVec2(at.x + frame.units(3.0f), end.y), style::packed(palette::anchor),
+    list.AddRectFilled(at, end, style::packed(theme().anchor, is_meant ? 70 : 40), frame.units(4.0f));
+    list.AddRectFilled(at, ImVec2(at.x + frame.units(3.0f), end.y), style::packed(theme().anchor),
                        frame.units(1.5f));
   } else if (is_meant) {
-    list.AddRectFilled(at, end, style::packed(style::hovered), frame.units(4.0f));
+    list.AddRectFilled(at, end, style::packed(theme().hovered), frame.units(4.0f));
   }
   if (placed.line.kind == Kind::remark)
     list.AddRectFilled(ImVec2(at.x + frame.units(8.0f), at.y + frame.units(2.0f)),
                        ImVec2(at.x + frame.units(11.0f), end.y - frame.units(2.0f)),
-                       style::packed(style::accent), frame.units(1.5f));
+                       style::packed(theme().accent), frame.units(1.5f));
 }
 
 void draw_words(const PanelFrame& frame, const PatternLayout::Placed& placed, ImVec2 at, float width) {
@@ -66,23 +66,23 @@ void draw_words(const PanelFrame& frame, const PatternLayout::Placed& placed, Im
   const float y = std::floor(at.y + frame.units(2.0f));
   if (!line.label.empty()) {
     push_font(frame.fonts.strong);
-    list.AddText(ImVec2(std::floor(at.x + edge), y), style::packed(palette::text), line.label.c_str());
+    list.AddText(ImVec2(std::floor(at.x + edge), y), style::packed(theme().text), line.label.c_str());
     pop_font();
   }
   if (line.kind == Kind::item) {
     const float middle = y + 0.5f * ImGui::GetTextLineHeight();
     list.AddCircleFilled(ImVec2(at.x + edge + frame.units(4.0f), middle), frame.units(2.0f),
-                         style::packed(palette::faint_text));
+                         style::packed(theme().faint_text));
   }
   const bool faint = line.kind == Kind::faint || line.kind == Kind::heading;
   push_font(font_of(line.kind, frame.fonts));
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(std::floor(at.x + placed.words_left), y),
-               style::packed(faint ? palette::faint_text : palette::text), line.words.c_str(), nullptr,
+               style::packed(faint ? theme().faint_text : theme().text), line.words.c_str(), nullptr,
                std::max(frame.units(20.0f), width - placed.words_left - edge));
   if (line.kind == Kind::heading) {
     const float x = at.x + placed.words_left + ImGui::CalcTextSize(line.words.c_str()).x + edge;
     const float middle = std::floor(y + 0.5f * ImGui::GetTextLineHeight());
-    list.AddLine(ImVec2(x, middle), ImVec2(at.x + width, middle), style::packed(style::outline),
+    list.AddLine(ImVec2(x, middle), ImVec2(at.x + width, middle), style::packed(theme().outline),
                  frame.units(1.0f));
   }
   pop_font();
@@ -129,9 +129,9 @@ void draw_document(PanelFrame& frame) {
 void draw_pattern_text(PanelFrame& frame) {
   draw_pattern_fields(frame);
   if (frame.timeline() == nullptr || frame.ui.chart.rounds() == 0) {
-    wrapped_text("The pattern appears once the stitches have their labels.", palette::faint_text);
+    wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
   } else {
-    if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", palette::faint_text);
+    if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);
     draw_document(frame);
   }
 }

@@ -11,7 +11,7 @@
 
 namespace app::plot_parts {
 
-inline constexpr Colour bar = style::accent;
+inline Colour bar() { return theme().accent; }
 
 // One plot on the screen: the title above, the ground that values are drawn on, the axis below.
 struct Stand {
@@ -43,7 +43,7 @@ struct AxisWord {
   float x;
   float align;
   std::string words;
-  Colour colour = palette::faint_text;
+  Colour colour = theme().faint_text;
 };
 void draw_axis_words(const PanelFrame& frame, const Stand& stand, std::span<const AxisWord> words);
 

@@ -38,22 +38,22 @@ Stand begin_stand(PanelFrame& frame, const std::string& name, const std::string&
   Stand stand{
       *ImGui::GetWindowDrawList(),         at.x,    ground,          std::max(1.0f, whole(frame.units(1.0f))),
       ground.bottom() + frame.units(1.0f), clicked, wants_tooltip(), inside && ImGui::IsItemHovered()};
-  text_at(at, 0.0f, palette::text, title);
+  text_at(at, 0.0f, theme().text, title);
   stand.list.AddRectFilled(ImVec2(ground.x, ground.y), ImVec2(ground.right(), ground.bottom()),
-                           style::packed(palette::background), frame.units(2.0f));
+                           style::packed(theme().background), frame.units(2.0f));
   return stand;
 }
 
 void draw_foot(const Stand& stand) {
   fill(stand, stand.ground.x, stand.ground.bottom() - stand.line, stand.ground.right(), stand.ground.bottom(),
-       style::packed(palette::faint_text, 130));
+       style::packed(theme().faint_text, 130));
 }
 
 void draw_missing(const PanelFrame& frame, const Stand& stand, const std::string& words,
                   const std::string& help) {
   push_font(frame.fonts.small);
   const float y = stand.ground.y + 0.5f * (stand.ground.height - ImGui::GetTextLineHeight());
-  text_at(ImVec2(stand.ground.x + 0.5f * stand.ground.width, y), 0.5f, palette::faint_text,
+  text_at(ImVec2(stand.ground.x + 0.5f * stand.ground.width, y), 0.5f, theme().faint_text,
           "\xE2\x80\x93 " + words);
   pop_font();
   draw_foot(stand);
@@ -88,7 +88,7 @@ float draw_key(const PanelFrame& frame, const Stand& stand, const std::string& t
   const float left = right - size.x - (key.line ? line + frame.units(4.0f) : 0.0f);
   const bool fits = left > title_end + frame.units(4.0f);
   if (fits) {
-    text_at(ImVec2(right - size.x, foot - size.y), 0.0f, key.line ? palette::faint_text : key.colour,
+    text_at(ImVec2(right - size.x, foot - size.y), 0.0f, key.line ? theme().faint_text : key.colour,
             key.words);
     const float thick = std::max(2.0f, whole(frame.units(2.0f)));
     const float y = whole(foot - 0.5f * size.y);

@@ -6,6 +6,7 @@
 
 #include "app/core/card_figures.h"
 #include "app/panels/plots.h"
+#include "app/panels/term_text.h"
 #include "app/panels/widgets.h"
 
 namespace app {
@@ -43,7 +44,7 @@ void draw_header(const PanelFrame& frame, const Grid& grid) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   push_font(frame.fonts.small);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, palette::faint_text, names[i]);
+    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, names[i]);
   }
   const float height = ImGui::GetTextLineHeight() + frame.units(2.0f);
   pop_font();
@@ -55,7 +56,7 @@ void draw_rule(const PanelFrame& frame, const Grid& grid, float space) {
   const float y = std::floor(ImGui::GetCursorScreenPos().y + 0.5f * (space - grid.air));
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(grid.left, y),
                                             ImVec2(grid.right, y + std::max(1.0f, frame.units(1.0f))),
-                                            style::packed(style::outline));
+                                            style::packed(theme().outline));
   ImGui::Dummy(ImVec2(0.0f, space));
 }
 
@@ -68,12 +69,12 @@ void draw_figure(PanelFrame& frame, const CardFigure& figure, const Grid& grid, 
   const ImVec2 size = ImGui::CalcTextSize(figure.text.c_str());
   // A little lower than the middle: on the line that the names stand on.
   text_at(ImVec2(end, middle - 0.5f * size.y + frame.units(0.4f)), 1.0f,
-          figure.outside ? style::warning : palette::text, figure.text);
+          figure.outside ? theme().warning : theme().text, figure.text);
   pop_font();
   if (figure.outside) {
     const float radius = frame.units(2.2f);
     const ImVec2 at(end - size.x - radius - frame.units(2.5f), middle + frame.units(0.4f));
-    ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, style::packed(style::warning));
+    ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, style::packed(theme().warning));
   }
   ImGui::SetCursorScreenPos(ImVec2(end - grid.column, y));
   ImGui::Dummy(ImVec2(grid.column, grid.line));
@@ -85,7 +86,7 @@ void draw_missing(PanelFrame& frame, const CardLine& line, const Grid& grid, flo
   push_font(frame.fonts.small);
   const std::string words = "\xE2\x80\x93 " + line.missing;
   const float low = y + frame.units(1.5f);
-  text_at(ImVec2(grid.right, low), 1.0f, palette::faint_text, words);
+  text_at(ImVec2(grid.right, low), 1.0f, theme().faint_text, words);
   const float width = ImGui::CalcTextSize(words.c_str()).x;
   pop_font();
   ImGui::SetCursorScreenPos(ImVec2(grid.right - width, y));
@@ -95,12 +96,12 @@ void draw_missing(PanelFrame& frame, const CardLine& line, const Grid& grid, flo
 
 void draw_line(PanelFrame& frame, const CardLine& line, const Grid& grid) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  text_at(at, 0.0f, palette::text, line.words);
+  text_at(at, 0.0f, theme().text, line.words);
   const float width = ImGui::CalcTextSize(line.words.c_str()).x;
-  text_at(ImVec2(at.x + width + frame.units(5.0f), at.y), 0.0f, palette::faint_text, line.unit);
+  text_at(ImVec2(at.x + width + frame.units(5.0f), at.y), 0.0f, theme().faint_text, line.unit);
   ImGui::Dummy(ImVec2(width, grid.line));
   frame.mark("line/" + line.name);
-  tooltip(frame, line.help);
+  explained_tooltip(frame, line.help, line.words);
   if (!line.missing.empty()) draw_missing(frame, line, grid, at.y);
   for (std::size_t i = 0; i < card_columns; ++i) {
     if (line.figures[i]) draw_figure(frame, *line.figures[i], grid, i, at.y);

@@ -14,7 +14,7 @@ namespace {
 using namespace plot_parts;
 
 constexpr Colour ideal_line{240, 190, 80};
-constexpr Colour ghost_line{palette::ghost.r, palette::ghost.g, palette::ghost.b};
+Colour ghost_line() { return opaque(theme().ghost); }
 
 // From rows and values to the screen.
 struct RowScale {
@@ -59,9 +59,9 @@ void draw_value_axis(const PanelFrame& frame, const Stand& stand, const RowScale
   for (double value = 0.0; value <= scale.high; value += step) {
     const float y = whole(scale.y_of(value));
     if (value > 0.0) {
-      fill(stand, stand.ground.x, y, stand.ground.right(), y + stand.line, style::packed(style::outline));
+      fill(stand, stand.ground.x, y, stand.ground.right(), y + stand.line, style::packed(theme().outline));
     }
-    text_at(ImVec2(stand.ground.x - frame.units(5.0f), y - half), 1.0f, palette::faint_text,
+    text_at(ImVec2(stand.ground.x - frame.units(5.0f), y - half), 1.0f, theme().faint_text,
             fixed_text(value, 0));
   }
   pop_font();
@@ -75,11 +75,11 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
     const float x0 = whole(scale.x_of(i));
     const float x1 = whole(scale.x_of(std::min(i + scale.stride(), count)));
     const float y = whole(scale.y_of(plot.values[i]));
-    fill(stand, x0, y, x1, stand.ground.bottom(), style::packed(bar, 70));
+    fill(stand, x0, y, x1, stand.ground.bottom(), style::packed(bar(), 70));
     // The step's riser: from the row before to this one.
     const float before = line.empty() ? y : line.back().y;
-    fill(stand, x0, std::min(before, y), x0 + thick, std::max(before, y) + thick, style::packed(bar));
-    fill(stand, x0, y, x1, y + thick, style::packed(bar));
+    fill(stand, x0, std::min(before, y), x0 + thick, std::max(before, y) + thick, style::packed(bar()));
+    fill(stand, x0, y, x1, y + thick, style::packed(bar()));
     line.emplace_back(x0, y);
   }
   line.clear();
@@ -94,7 +94,7 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
 void draw_ghosts(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
   const float thick = whole(std::max(1.0f, frame.units(1.0f)));
   const std::size_t count = plot.ghosts.size();
-  const ImU32 colour = style::packed(ghost_line, 200);
+  const ImU32 colour = style::packed(ghost_line(), 200);
   std::optional<float> before;
   for (std::size_t i = 0; i < count; i += scale.stride()) {
     const float x0 = whole(scale.x_of(i));
@@ -113,7 +113,7 @@ void draw_band(const PanelFrame& frame, const Stand& stand, const RowScale& scal
   const float x0 = whole(scale.x_of(row));
   const float x1 = std::max(x0 + whole(frame.units(2.0f)), whole(scale.x_of(row + 1)));
   fill(stand, x0, stand.ground.y, std::min(x1, stand.ground.right()), stand.ground.bottom(),
-       style::packed(palette::text, alpha));
+       style::packed(theme().text, alpha));
 }
 
 void draw_dots(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale,
@@ -122,17 +122,17 @@ void draw_dots(const PanelFrame& frame, const RowPlot& plot, const Stand& stand,
   const float x = scale.middle_of(row);
   const auto dot = [&](double value, Colour colour) {
     const ImVec2 at(x, scale.y_of(value));
-    stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(palette::background));
+    stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(theme().background));
     stand.list.AddCircleFilled(at, frame.units(3.2f), style::packed(colour));
   };
   if (row < plot.ideals.size()) dot(plot.ideals[row], ideal_line);
-  dot(plot.values[row], bar);
+  dot(plot.values[row], bar());
 }
 
 void draw_row_axis(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
   std::vector<AxisWord> words;
   if (plot.current) {
-    words.push_back({scale.middle_of(*plot.current), 0.5f, std::to_string(*plot.current + 1), palette::text});
+    words.push_back({scale.middle_of(*plot.current), 0.5f, std::to_string(*plot.current + 1), theme().text});
   }
   words.push_back({stand.ground.x, 0.0f, "row 1"});
   words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.rows)});
@@ -150,8 +150,8 @@ void draw_keys(const PanelFrame& frame, const RowPlot& plot, const Stand& stand)
   float left = stand.ground.right();
   if (!plot.ideals.empty())
     left = draw_key(frame, stand, plot.title, left, {plot.ideal_words, ideal_line, true});
-  const float next = draw_key(frame, stand, plot.title, left, {plot.value_words, bar, true});
-  if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line, true});
+  const float next = draw_key(frame, stand, plot.title, left, {plot.value_words, bar(), true});
+  if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line(), true});
 }
 
 std::string row_words(const RowPlot& plot, std::size_t row) {

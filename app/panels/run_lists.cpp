@@ -25,10 +25,10 @@ void right_aligned(const std::string& words, Colour colour) {
 }
 
 void draw_change(std::ptrdiff_t change) {
-  if (change == 0) return right_aligned("0", palette::faint_text);
+  if (change == 0) return right_aligned("0", theme().faint_text);
+  // Warm and blue as the labels are, which themselves are too pale for words in the light theme.
   const std::string sign = change > 0 ? "+" : "\xE2\x88\x92";
-  right_aligned(sign + std::to_string(std::abs(change)),
-                palette::of(change > 0 ? knit::Label::m1l : knit::Label::ssk));
+  right_aligned(sign + std::to_string(std::abs(change)), change > 0 ? theme().warning : theme().accent);
 }
 
 void draw_header() {
@@ -37,7 +37,7 @@ void draw_header() {
   faint_text("Row");
   for (const char* name : {"Stitches", "Change"}) {
     ImGui::TableNextColumn();
-    right_aligned(name, palette::faint_text);
+    right_aligned(name, theme().faint_text);
   }
 }
 
@@ -77,12 +77,12 @@ void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
     const std::size_t made = walk != nullptr      ? walk->walk.kept.size()
                              : contour != nullptr ? contour->stitches.size()
                                                   : 0;
-    right_aligned((made > 0 ? std::to_string(made) : "") + "...", palette::faint_text);
+    right_aligned((made > 0 ? std::to_string(made) : "") + "...", theme().faint_text);
     return;
   }
   const auto stitches = static_cast<std::ptrdiff_t>(state.rows[i]->stitches.size());
   ImGui::TableNextColumn();
-  right_aligned(std::to_string(stitches), palette::text);
+  right_aligned(std::to_string(stitches), theme().text);
   ImGui::TableNextColumn();
   if (i > 0) draw_change(stitches - static_cast<std::ptrdiff_t>(state.rows[i - 1]->stitches.size()));
 }
@@ -186,7 +186,7 @@ void draw_rows(PanelFrame& frame) {
 void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
   const std::size_t count = count_problems(frame);
-  if (count == 0) wrapped_text("Nothing unusual so far.", palette::faint_text);
+  if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count));
   while (clipper.Step()) {

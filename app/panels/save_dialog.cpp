@@ -12,12 +12,14 @@ namespace {
 
 constexpr std::array kinds{
     SaveKind{ExportKind::mesh, "knit mesh", "-knit.obj"},
+    SaveKind{ExportKind::gltf, "knit mesh as glTF", "-knit.glb"},
     SaveKind{ExportKind::map, "stitch map", "-map.txt"},
     SaveKind{ExportKind::report, "report", "-report.json"},
     SaveKind{ExportKind::card, "report card", "-card.txt"},
     SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
     SaveKind{ExportKind::chart, "chart", "-chart.svg"},
     SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
+    SaveKind{ExportKind::plots, "plots", "-plots.svg"},
     SaveKind{ExportKind::session, "session", "-session.json"},
     SaveKind{ExportKind::picture, "picture", ".png"},
 };
@@ -43,9 +45,9 @@ void draw_buttons(PanelFrame& frame, bool entered) {
   const bool exists = std::filesystem::exists(path, error);
   const bool folder = std::filesystem::is_directory(path, error);
   if (folder) {
-    wrapped_text("That is a folder; add a name.", style::warning);
+    wrapped_text("That is a folder; add a name.", theme().warning);
   } else if (exists) {
-    wrapped_text("A file of that name exists; saving replaces it.", style::warning);
+    wrapped_text("A file of that name exists; saving replaces it.", theme().warning);
   } else {
     faint_text("A name without a folder lies in the folder where the program was started.");
   }
@@ -66,7 +68,8 @@ void draw_buttons(PanelFrame& frame, bool entered) {
 
 }  // namespace
 
-std::span<const SaveKind> save_kinds() { return kinds; }
+// A picture has a dialog of its own: figure_dialog.h.
+std::span<const SaveKind> save_kinds() { return std::span(kinds).first(kinds.size() - 1); }
 
 void draw_save_dialog(PanelFrame& frame) {
   SaveDialog& dialog = frame.ui.save;

@@ -45,7 +45,7 @@ void draw_selected(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(5.0f), frame.units(2.0f)));
   const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width_of_buttons(frame);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::selected));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().selected));
   text(cut_to_width(capitalised(words_of(*selected)), left - ImGui::GetCursorPosX() - frame.units(6.0f)));
   ImGui::PopStyleColor();
   frame.mark("selected");
@@ -53,7 +53,7 @@ void draw_selected(PanelFrame& frame) {
   ImGui::PopStyleVar();
   push_font(frame.fonts.small);
   const std::string words = why_words(*frame.timeline(), *selected);
-  wrapped_text(words, palette::faint_text);
+  wrapped_text(words, theme().faint_text);
   pop_font();
   frame.mark("selected/words");
   tooltip(frame, words);

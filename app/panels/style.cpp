@@ -1,6 +1,13 @@
 #include "app/panels/style.h"
 
-namespace app::style {
+namespace app {
+
+const Theme& theme() {
+  const void* kept = ImGui::GetIO().UserData;
+  return kept != nullptr ? *static_cast<const Theme*>(kept) : dark_theme;
+}
+
+namespace style {
 
 namespace {
 
@@ -26,43 +33,43 @@ void set_sizes(ImGuiStyle& style) {
   style.WindowMenuButtonPosition = ImGuiDir_None;
 }
 
-void set_surfaces(ImGuiStyle& style) {
+void set_surfaces(ImGuiStyle& style, const Theme& theme) {
   ImVec4* const colours = style.Colors;
-  colours[ImGuiCol_Text] = vector(palette::text);
-  colours[ImGuiCol_TextDisabled] = vector(palette::faint_text);
-  colours[ImGuiCol_WindowBg] = vector(panel);
+  colours[ImGuiCol_Text] = vector(theme.text);
+  colours[ImGuiCol_TextDisabled] = vector(theme.faint_text);
+  colours[ImGuiCol_WindowBg] = vector(theme.panel);
   colours[ImGuiCol_ChildBg] = ImVec4(0.0f, 0.0f, 0.0f, 0.0f);
-  colours[ImGuiCol_PopupBg] = vector(panel);
-  colours[ImGuiCol_Border] = vector(outline);
-  colours[ImGuiCol_MenuBarBg] = vector(palette::background);
-  colours[ImGuiCol_TitleBg] = vector(raised);
-  colours[ImGuiCol_TitleBgActive] = vector(raised);
-  colours[ImGuiCol_Separator] = vector(outline);
-  colours[ImGuiCol_TableHeaderBg] = vector(panel);
-  colours[ImGuiCol_TableBorderStrong] = vector(outline);
-  colours[ImGuiCol_TableBorderLight] = vector(outline);
+  colours[ImGuiCol_PopupBg] = vector(theme.panel);
+  colours[ImGuiCol_Border] = vector(theme.outline);
+  colours[ImGuiCol_MenuBarBg] = vector(theme.background);
+  colours[ImGuiCol_TitleBg] = vector(theme.raised);
+  colours[ImGuiCol_TitleBgActive] = vector(theme.raised);
+  colours[ImGuiCol_Separator] = vector(theme.outline);
+  colours[ImGuiCol_TableHeaderBg] = vector(theme.panel);
+  colours[ImGuiCol_TableBorderStrong] = vector(theme.outline);
+  colours[ImGuiCol_TableBorderLight] = vector(theme.outline);
   colours[ImGuiCol_ScrollbarBg] = ImVec4(0.0f, 0.0f, 0.0f, 0.0f);
   colours[ImGuiCol_ModalWindowDimBg] = ImVec4(0.0f, 0.0f, 0.0f, 0.55f);
 }
 
-void set_controls(ImGuiStyle& style) {
+void set_controls(ImGuiStyle& style, const Theme& theme) {
   ImVec4* const colours = style.Colors;
-  colours[ImGuiCol_FrameBg] = vector(raised);
-  colours[ImGuiCol_FrameBgHovered] = vector(hovered);
-  colours[ImGuiCol_FrameBgActive] = vector(pressed);
-  colours[ImGuiCol_Button] = vector(raised);
-  colours[ImGuiCol_ButtonHovered] = vector(hovered);
-  colours[ImGuiCol_ButtonActive] = vector(pressed);
-  colours[ImGuiCol_Header] = vector(hovered);
-  colours[ImGuiCol_HeaderHovered] = vector(hovered);
-  colours[ImGuiCol_HeaderActive] = vector(pressed);
-  colours[ImGuiCol_ScrollbarGrab] = vector(hovered);
-  colours[ImGuiCol_ScrollbarGrabHovered] = vector(pressed);
-  colours[ImGuiCol_ScrollbarGrabActive] = vector(accent);
-  colours[ImGuiCol_CheckMark] = vector(accent);
-  colours[ImGuiCol_SliderGrab] = vector(accent);
-  colours[ImGuiCol_SliderGrabActive] = vector(palette::text);
-  colours[ImGuiCol_TextSelectedBg] = vector({accent.r, accent.g, accent.b, 100});
+  colours[ImGuiCol_FrameBg] = vector(theme.raised);
+  colours[ImGuiCol_FrameBgHovered] = vector(theme.hovered);
+  colours[ImGuiCol_FrameBgActive] = vector(theme.pressed);
+  colours[ImGuiCol_Button] = vector(theme.raised);
+  colours[ImGuiCol_ButtonHovered] = vector(theme.hovered);
+  colours[ImGuiCol_ButtonActive] = vector(theme.pressed);
+  colours[ImGuiCol_Header] = vector(theme.hovered);
+  colours[ImGuiCol_HeaderHovered] = vector(theme.hovered);
+  colours[ImGuiCol_HeaderActive] = vector(theme.pressed);
+  colours[ImGuiCol_ScrollbarGrab] = vector(theme.hovered);
+  colours[ImGuiCol_ScrollbarGrabHovered] = vector(theme.pressed);
+  colours[ImGuiCol_ScrollbarGrabActive] = vector(theme.accent);
+  colours[ImGuiCol_CheckMark] = vector(theme.accent);
+  colours[ImGuiCol_SliderGrab] = vector(theme.accent);
+  colours[ImGuiCol_SliderGrabActive] = vector(theme.text);
+  colours[ImGuiCol_TextSelectedBg] = vector({theme.accent.r, theme.accent.g, theme.accent.b, 100});
 }
 
 }  // namespace
@@ -72,13 +79,17 @@ ImVec4 vector(Colour c) {
   return {part(c.r), part(c.g), part(c.b), part(c.a)};
 }
 
-void apply(float scale) {
+void apply(float scale, const Theme& theme) {
   ImGuiStyle style;
   set_sizes(style);
-  set_surfaces(style);
-  set_controls(style);
+  set_surfaces(style, theme);
+  set_controls(style, theme);
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;
+  // Panels ask for it by theme(); ImGui only carries it.
+  ImGui::GetIO().UserData = const_cast<Theme*>(&theme);
 }
 
-}  // namespace app::style
+}  // namespace style
+
+}  // namespace app

@@ -26,8 +26,8 @@ Colour mixed(const Colour& a, const Colour& b, double share) {
 
 Colour ramp(double share) {
   share = std::clamp(share, 0.0, 1.0);
-  return share < 0.5 ? mixed(palette::time_low, palette::time_middle, 2.0 * share)
-                     : mixed(palette::time_middle, palette::time_high, 2.0 * share - 1.0);
+  return share < 0.5 ? mixed(theme().time_low, theme().time_middle, 2.0 * share)
+                     : mixed(theme().time_middle, theme().time_high, 2.0 * share - 1.0);
 }
 
 // One of the two directions of the grid: places on the screen, and the values that they show.
@@ -88,14 +88,14 @@ void draw_cells(const PanelFrame& frame, const SweepPlot& plot, const Stand& sta
       const bool room = x1 - x0 > 4.0f * dot && y1 - y0 > 4.0f * dot;
       if (room && plot.cache.outcomes()[run] == SweepOutcome::stopped)
         stand.list.AddCircleFilled(ImVec2(0.5f * (x0 + x1), 0.5f * (y0 + y1)), dot,
-                                   style::packed(palette::problem));
+                                   style::packed(theme().problem));
     }
   }
 }
 
 // The present values as a cross of thin lines.
 void draw_present(const SweepPlot& plot, const Stand& stand, const Grid& grid) {
-  const ImU32 colour = style::packed(palette::anchor, 220);
+  const ImU32 colour = style::packed(theme().anchor, 220);
   if (plot.present && grid.across.holds(*plot.present)) {
     const float x = whole(grid.x_of(grid.across.place_of(*plot.present)));
     fill(stand, x, stand.ground.y, x + stand.line, stand.ground.bottom(), colour);
@@ -116,9 +116,8 @@ void draw_axes(const PanelFrame& frame, const SweepPlot& plot, const Stand& stan
   push_font(frame.fonts.small);
   const float line = ImGui::GetTextLineHeight();
   const float right = stand.ground.x - frame.units(5.0f);
-  text_at(ImVec2(right, stand.ground.y), 1.0f, palette::faint_text,
-          knit::short_number(grid.up.values.back()));
-  text_at(ImVec2(right, stand.ground.bottom() - line), 1.0f, palette::faint_text,
+  text_at(ImVec2(right, stand.ground.y), 1.0f, theme().faint_text, knit::short_number(grid.up.values.back()));
+  text_at(ImVec2(right, stand.ground.bottom() - line), 1.0f, theme().faint_text,
           knit::short_number(grid.up.values.front()));
   pop_font();
 }
@@ -136,8 +135,8 @@ void draw_ramp(const PanelFrame& frame, const SweepPlot& plot, const Stand& stan
   const float text_top = 0.5f * (top + bottom) - 0.5f * ImGui::GetTextLineHeight();
   const float right = stand.ground.right() - ImGui::CalcTextSize(high.c_str()).x - gap;
   const float left = right - frame.units(70.0f);
-  text_at(ImVec2(stand.ground.right(), text_top), 1.0f, palette::faint_text, high);
-  text_at(ImVec2(left - gap, text_top), 1.0f, palette::faint_text, low);
+  text_at(ImVec2(stand.ground.right(), text_top), 1.0f, theme().faint_text, high);
+  text_at(ImVec2(left - gap, text_top), 1.0f, theme().faint_text, low);
   constexpr int parts = 35;
   for (int i = 0; i < parts; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(parts);
@@ -175,7 +174,7 @@ SweepPointed draw_sweep_map(PanelFrame& frame, const SweepPlot& plot, ImVec2 siz
     stand.list.AddRect(
         ImVec2(grid.x_of(static_cast<double>(column)), grid.y_of(static_cast<double>(row + 1))),
         ImVec2(grid.x_of(static_cast<double>(column + 1)), grid.y_of(static_cast<double>(row))),
-        style::packed(palette::text), 0.0f, 0, stand.line);
+        style::packed(theme().text), 0.0f, 0, stand.line);
   }
   pointed.clicked = stand.clicked && pointed.run.has_value();
   draw_axes(frame, plot, stand, grid);

@@ -134,7 +134,7 @@ SweepPlan plan_of(const SweepForm& form) {
 void draw_progress(PanelFrame& frame, const SweepWork& work, float width) {
   const auto share = static_cast<float>(work.done()) / static_cast<float>(work.total());
   const std::string words = std::to_string(work.done()) + " of " + std::to_string(work.total());
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, style::vector(style::accent));
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, style::vector(theme().accent));
   ImGui::ProgressBar(share, ImVec2(width, ImGui::GetFrameHeight()), words.c_str());
   ImGui::PopStyleColor();
   frame.mark("sweep/progress");
@@ -158,7 +158,7 @@ void draw_start(PanelFrame& frame) {
   ImGui::EndDisabled();
   frame.mark("sweep/start");
   tooltip(frame, fault ? *fault : "Runs the whole pipeline for each value, beside the window.");
-  if (fault) return wrapped_text(*fault, palette::problem);
+  if (fault) return wrapped_text(*fault, theme().problem);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (!sweep) {
@@ -261,7 +261,7 @@ void draw_sweep(PanelFrame& frame) {
       "The whole run for each of many values of a parameter: how many problems it meets, how many stitches "
       "it "
       "makes, how even they are. A click on a value takes it.",
-      palette::faint_text);
+      theme().faint_text);
 }
 
 }  // namespace app

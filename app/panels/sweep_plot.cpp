@@ -70,7 +70,7 @@ void draw_figure_axis(const PanelFrame& frame, const SweepPlot& plot, const Stan
   const auto put = [&](double figure, const std::string& words) {
     const float y = std::clamp(scale.y_of(figure) - 0.5f * line, stand.ground.y - 0.3f * line,
                                stand.ground.bottom() - 0.7f * line);
-    text_at(ImVec2(stand.ground.x - frame.units(5.0f), y), 1.0f, palette::faint_text, words);
+    text_at(ImVec2(stand.ground.x - frame.units(5.0f), y), 1.0f, theme().faint_text, words);
   };
   const double low = plot.figure == SweepFigure::problems ? 0.0 : plot.cache.lowest(plot.figure);
   const double high = plot.cache.highest(plot.figure);
@@ -88,10 +88,10 @@ void draw_line(const PanelFrame& frame, const SweepPlot& plot, const Stand& stan
   const bool crowded = static_cast<float>(values.size()) > 1.5f * stand.ground.width;
   std::vector<ImVec2> line;
   const auto end_line = [&] {
-    if (line.size() == 1) stand.list.AddCircleFilled(line[0], thick, style::packed(bar));
+    if (line.size() == 1) stand.list.AddCircleFilled(line[0], thick, style::packed(bar()));
     if (line.size() > 1)
-      stand.list.AddPolyline(line.data(), static_cast<int>(line.size()), style::packed(bar), ImDrawFlags_None,
-                             thick);
+      stand.list.AddPolyline(line.data(), static_cast<int>(line.size()), style::packed(bar()),
+                             ImDrawFlags_None, thick);
     line.clear();
   };
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -102,7 +102,7 @@ void draw_line(const PanelFrame& frame, const SweepPlot& plot, const Stand& stan
     const ImVec2 at(scale.x_of(values[i]), scale.y_of(*figures[i]));
     if (crowded && !line.empty() && whole(line.back().x) == whole(at.x)) {
       fill(stand, whole(at.x), std::min(line.back().y, at.y), whole(at.x) + thick,
-           std::max(line.back().y, at.y), style::packed(bar));
+           std::max(line.back().y, at.y), style::packed(bar()));
       continue;
     }
     line.push_back(at);
@@ -124,7 +124,7 @@ void draw_outcomes(const PanelFrame& frame, const SweepPlot& plot, const Stand& 
     if (x1 - x0 < 0.5f) continue;
     drawn_to = x1;
     fill(stand, x0, stand.ground.bottom() - high, x1, stand.ground.bottom(),
-         style::packed(outcome == SweepOutcome::stopped ? palette::problem : palette::faint_text));
+         style::packed(outcome == SweepOutcome::stopped ? theme().problem : theme().faint_text));
   }
 }
 
@@ -136,7 +136,7 @@ void draw_upright(const Stand& stand, float x, float wide, ImU32 colour) {
 void draw_value_axis(const PanelFrame& frame, const SweepPlot& plot, const Stand& stand, const Scale& scale) {
   std::vector<AxisWord> words;
   if (plot.present && *plot.present >= scale.from && *plot.present <= scale.to)
-    words.push_back({scale.x_of(*plot.present), 0.5f, knit::short_number(*plot.present), palette::anchor});
+    words.push_back({scale.x_of(*plot.present), 0.5f, knit::short_number(*plot.present), theme().anchor});
   words.push_back({stand.ground.x, 0.0f, knit::short_number(scale.from)});
   words.push_back({stand.ground.right(), 1.0f, knit::short_number(scale.to)});
   draw_axis_words(frame, stand, words);
@@ -155,14 +155,14 @@ std::size_t nearest_run(const std::vector<double>& values, const Scale& scale, f
 void draw_lit(const PanelFrame& frame, const SweepPlot& plot, const Stand& stand, const Scale& scale) {
   if (!plot.lit || *plot.lit >= plot.work.first_values().size()) return;
   const float x = scale.x_of(plot.work.first_values()[*plot.lit]);
-  draw_upright(stand, x, stand.line, style::packed(palette::text, 110));
+  draw_upright(stand, x, stand.line, style::packed(theme().text, 110));
   const auto& figure = plot.cache.of(plot.figure)[*plot.lit];
   if (!figure) return;
   const ImVec2 at(x, scale.y_of(*figure));
-  stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(palette::background));
-  stand.list.AddCircleFilled(at, frame.units(3.2f), style::packed(bar));
+  stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(theme().background));
+  stand.list.AddCircleFilled(at, frame.units(3.2f), style::packed(bar()));
   draw_key(frame, stand, std::string(name_of(plot.figure)), stand.ground.right(),
-           {fixed_text(*figure, decimals_of(plot.figure)), palette::text, false});
+           {fixed_text(*figure, decimals_of(plot.figure)), theme().text, false});
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ SweepPointed draw_sweep_line(PanelFrame& frame, const SweepPlot& plot, ImVec2 si
   if (stand.inside) pointed.run = nearest_run(plot.work.first_values(), scale, ImGui::GetIO().MousePos.x);
   pointed.clicked = stand.clicked && pointed.run.has_value();
   if (plot.present && *plot.present >= scale.from && *plot.present <= scale.to)
-    draw_upright(stand, scale.x_of(*plot.present), 2.0f * stand.line, style::packed(palette::anchor, 200));
+    draw_upright(stand, scale.x_of(*plot.present), 2.0f * stand.line, style::packed(theme().anchor, 200));
   if (has_values(plot)) {
     draw_figure_axis(frame, plot, stand, scale);
     draw_line(frame, plot, stand, scale);

@@ -3,13 +3,24 @@
 #include <string>
 
 #include "app/panels/commands.h"
+#include "app/panels/panel_buttons.h"
 #include "app/panels/widgets.h"
 
 namespace app {
 
 namespace {
 
+// Plain units.
 constexpr float button_height = 26.0f;
+constexpr float button_width = 36.0f;
+constexpr float button_gap = 3.0f;
+constexpr float unit_gap = 16.0f;
+constexpr float unit_width = 150.0f;
+constexpr float speed_gap = 20.0f;
+constexpr float speed_width = 170.0f;
+constexpr float ways_gap = 12.0f;
+constexpr const char* unit_words = "Step by";
+constexpr const char* speed_words = "Speed";
 constexpr std::array<std::string_view, 3> unit_names{"item", "row", "stage"};
 constexpr std::array forward_commands{Command::forward_item, Command::forward_row, Command::forward_stage};
 constexpr std::array back_commands{Command::back_item, Command::back_row, Command::back_stage};
@@ -18,12 +29,12 @@ void transport_button(PanelFrame& frame, Command command, Icon icon, std::string
                       bool lit = false) {
   const CommandInfo& info = info_of(command);
   const std::string id(control);
-  if (icon_button(id.c_str(), icon, ImVec2(frame.units(36.0f), frame.units(button_height)), lit)) {
+  if (icon_button(id.c_str(), icon, ImVec2(frame.units(button_width), frame.units(button_height)), lit)) {
     if (auto action = info.make(frame.session)) frame.wish(std::move(*action));
   }
   frame.mark(control);
   tooltip(frame, tooltip_of(info));
-  ImGui::SameLine(0.0f, frame.units(3.0f));
+  ImGui::SameLine(0.0f, frame.units(button_gap));
 }
 
 void draw_buttons(PanelFrame& frame) {
@@ -37,13 +48,20 @@ void draw_buttons(PanelFrame& frame) {
   transport_button(frame, Command::last, Icon::last, "last");
 }
 
-void draw_unit(PanelFrame& frame) {
-  ImGui::SameLine(0.0f, frame.units(16.0f));
-  ImGui::AlignTextToFramePadding();
-  faint_text("Step by");
-  ImGui::SameLine();
+// What of the row there is room for. The play buttons are always there.
+struct Row {
+  bool words, speed, whole_position, unit, ways;
+};
+
+void draw_unit(PanelFrame& frame, bool words) {
+  ImGui::SameLine(0.0f, frame.units(unit_gap));
+  if (words) {
+    ImGui::AlignTextToFramePadding();
+    faint_text(unit_words);
+    ImGui::SameLine();
+  }
   ImGui::BeginGroup();
-  const int clicked = segmented("unit", unit_names, static_cast<int>(frame.ui.unit), frame.units(150.0f));
+  const int clicked = segmented("unit", unit_names, static_cast<int>(frame.ui.unit), frame.units(unit_width));
   ImGui::EndGroup();
   if (clicked >= 0) frame.ui.unit = static_cast<Unit>(clicked);
   frame.mark("unit");
@@ -52,19 +70,26 @@ void draw_unit(PanelFrame& frame) {
           "Ctrl by stage.");
 }
 
-void draw_speed(PanelFrame& frame) {
-  ImGui::SameLine(0.0f, frame.units(20.0f));
-  faint_text("Speed");
-  ImGui::SameLine();
+void draw_speed(PanelFrame& frame, bool words_before) {
+  ImGui::SameLine(0.0f, frame.units(speed_gap));
+  if (words_before) {
+    ImGui::AlignTextToFramePadding();
+    faint_text(speed_words);
+    ImGui::SameLine();
+  }
   double speed = frame.session.playback.steps_per_second;
   const double low = slowest_steps_per_second;
   const double high = fastest_steps_per_second;
   const char* words = speed >= high  ? "as fast as it goes"
                       : speed < 10.0 ? "%.1f steps a second"
                                      : "%.0f steps a second";
-  ImGui::SetNextItemWidth(frame.units(170.0f));
+  ImGui::SetNextItemWidth(frame.units(speed_width));
+  // Its words must be readable wherever the grab stands.
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, style::vector(with_alpha(theme().accent, 120)));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, style::vector(with_alpha(theme().accent, 160)));
   const bool changed = ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &low, &high, words,
                                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  ImGui::PopStyleColor(2);
   if (changed) frame.wish(SetSpeed{speed});
   frame.mark("speed");
   tooltip(frame, "How fast it plays. Keys: " + keys_of(info_of(Command::slower)) + " slower, " +
@@ -73,20 +98,63 @@ void draw_speed(PanelFrame& frame) {
 
 void draw_ways_of_playing(PanelFrame& frame) {
   const Travel& travel = frame.session.travel;
-  ImGui::SameLine(0.0f, frame.units(12.0f));
+  ImGui::SameLine(0.0f, frame.units(ways_gap));
   transport_button(frame, Command::slow_motion, Icon::slow, "slow-motion", travel.slow_motion);
   transport_button(frame, Command::loop, Icon::loop, "loop", travel.loop.has_value());
 }
 
-std::string position_text(const knit::Timeline& timeline) {
-  std::string words = "step " + with_commas(timeline.position()) + " of " + with_commas(timeline.known());
-  if (!timeline.complete()) words += timeline.sought() ? "..., going back to its place" : "... so far";
-  return words;
+std::string position_text(const knit::Timeline& timeline, bool whole) {
+  const std::string here = with_commas(timeline.position());
+  const std::string all = with_commas(timeline.known());
+  if (!whole) return here + " / " + all + (timeline.complete() ? "" : "...");
+  std::string words = "step " + here + " of " + all;
+  if (timeline.complete()) return words;
+  return words + (timeline.sought() ? "..., going back to its place" : "... so far");
+}
+
+// Of the widest that there will be at this length of the run, so that the row does not change while it plays.
+float position_width(const PanelFrame& frame, bool whole) {
+  const knit::Timeline* timeline = frame.timeline();
+  if (timeline == nullptr) return 0.0f;
+  const std::string all = with_commas(timeline->known());
+  const std::string words = whole ? "step " + all + " of " + all + (timeline->complete() ? "" : "... so far")
+                                  : all + " / " + all + "...";
+  push_font(frame.fonts.mono);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  pop_font();
+  return width + frame.units(12.0f);
+}
+
+float width_of(const PanelFrame& frame, const Row& row) {
+  const float button = frame.units(button_width + button_gap);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  float width = 5.0f * button + position_width(frame, row.whole_position);
+  if (row.unit) width += frame.units(unit_gap + unit_width);
+  if (row.unit && row.words) width += ImGui::CalcTextSize(unit_words).x + gap;
+  if (row.speed) width += frame.units(speed_gap + speed_width);
+  if (row.speed && row.words) width += ImGui::CalcTextSize(speed_words).x + gap;
+  if (row.ways) width += frame.units(ways_gap) + 2.0f * button;
+  return width;
+}
+
+// The first that fits: words go first, then the slider, which the keys can do without.
+Row row_of(const PanelFrame& frame) {
+  constexpr std::array rows{Row{true, true, true, true, true},     Row{false, true, true, true, true},
+                            Row{false, false, true, true, true},   Row{false, false, false, true, true},
+                            Row{false, false, false, true, false}, Row{false, false, false, false, false}};
+  const float room = ImGui::GetContentRegionAvail().x - room_for_cross(frame);
+  for (const Row& row : rows) {
+    if (width_of(frame, row) <= room) return row;
+  }
+  return rows.back();
+}
+
+float right_end(const PanelFrame& frame) {
+  return frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - room_for_cross(frame);
 }
 
 void right_aligned(const PanelFrame& frame, const std::string& words, float before) {
-  const float right = frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - before -
-                      ImGui::CalcTextSize(words.c_str()).x;
+  const float right = right_end(frame) - before - ImGui::CalcTextSize(words.c_str()).x;
   ImGui::SameLine();
   if (right > ImGui::GetCursorScreenPos().x)
     ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetCursorScreenPos().y));
@@ -96,19 +164,18 @@ void right_aligned(const PanelFrame& frame, const std::string& words, float befo
 
 // The position at the right, and before it why another place is shown than the one asked for; where there is
 // no room for both, that alone.
-void draw_position(PanelFrame& frame) {
+void draw_position(PanelFrame& frame, bool whole) {
   const std::string& note = frame.session.place_note;
-  const std::string words = position_text(*frame.timeline());
+  const std::string words = position_text(*frame.timeline(), whole);
   push_font(frame.fonts.mono);
   const float width = ImGui::CalcTextSize(words.c_str()).x;
   pop_font();
   const float gap = frame.units(18.0f);
   ImGui::SameLine();
-  const float room =
-      frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - ImGui::GetCursorScreenPos().x;
+  const float room = right_end(frame) - ImGui::GetCursorScreenPos().x;
   const bool both = ImGui::CalcTextSize(note.c_str()).x + gap + width <= room;
   if (!note.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(style::warning));
+    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().warning));
     right_aligned(frame, cut_to_width(note, room), both ? width + gap : 0.0f);
     ImGui::PopStyleColor();
     frame.mark("place-note");
@@ -116,7 +183,7 @@ void draw_position(PanelFrame& frame) {
     if (!both) return;
   }
   push_font(frame.fonts.mono);
-  right_aligned(frame, words, 0.0f);
+  right_aligned(frame, cut_to_width(words, room), 0.0f);
   pop_font();
   frame.mark("position");
 }
@@ -126,13 +193,15 @@ void draw_position(PanelFrame& frame) {
 void draw_transport(PanelFrame& frame) {
   const float padding = 0.5f * (frame.units(button_height) - ImGui::GetFontSize());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, padding));
+  draw_cross(frame, Panel::timeline);
+  const Row row = row_of(frame);
   ImGui::BeginDisabled(frame.timeline() == nullptr);
   draw_buttons(frame);
-  draw_unit(frame);
-  draw_speed(frame);
-  draw_ways_of_playing(frame);
+  if (row.unit) draw_unit(frame, row.words);
+  if (row.speed) draw_speed(frame, row.words);
+  if (row.ways) draw_ways_of_playing(frame);
   ImGui::EndDisabled();
-  if (frame.timeline() != nullptr) draw_position(frame);
+  if (frame.timeline() != nullptr) draw_position(frame, row.whole_position);
   ImGui::PopStyleVar();
   if (frame.timeline() == nullptr) ImGui::NewLine();
 }

@@ -17,22 +17,22 @@ void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) 
   for (const RunCache::Stretch& stretch : frame.ui.run.stages()) {
     const float x0 = track.x_of(stretch.begin);
     const float x1 = std::max(track.x_of(stretch.end), x0 + 1.0f);
-    const Colour colour = palette::of(stretch.stage);
-    list.AddRectFilled(ImVec2(x0, track.top), ImVec2(x1, track.bottom), style::packed(colour, 70));
+    const Colour colour = theme().of(stretch.stage);
+    list.AddRectFilled(ImVec2(x0, track.top), ImVec2(x1, track.bottom),
+                       style::packed(colour, theme().stage_ahead));
     if (now > x0) {
       list.AddRectFilled(ImVec2(x0, track.top), ImVec2(std::min(now, x1), track.bottom),
-                         style::packed(colour, 190));
+                         style::packed(colour, theme().stage_done));
     }
     if (x0 > track.left) {
-      list.AddLine(ImVec2(x0, track.top), ImVec2(x0, track.bottom), style::packed(style::panel),
+      list.AddLine(ImVec2(x0, track.top), ImVec2(x0, track.bottom), style::packed(theme().panel),
                    frame.units(1.5f));
     }
     const std::string name = capitalised(knit::name_of(stretch.stage));
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     if (x1 - x0 < size.x + frame.units(8.0f)) continue;
     const ImVec2 at(0.5f * (x0 + x1 - size.x), 0.5f * (track.top + track.bottom - size.y));
-    list.AddText(ImVec2(at.x + 1.0f, at.y + 1.0f), style::packed(palette::background, 160), name.c_str());
-    list.AddText(at, style::packed(palette::text), name.c_str());
+    list.AddText(at, style::packed(theme().text), name.c_str());
   }
 }
 
@@ -45,7 +45,7 @@ void draw_row_ticks(const PanelFrame& frame, const Track& track, ImDrawList& lis
     if (x - last < frame.units(3.0f)) continue;
     last = x;
     list.AddLine(ImVec2(x, track.bottom), ImVec2(x, track.bottom + length),
-                 style::packed(palette::faint_text, 150));
+                 style::packed(theme().faint_text, 150));
   }
 }
 
@@ -56,7 +56,7 @@ void draw_problem_marks(const PanelFrame& frame, const Track& track, ImDrawList&
   const float y = track.bottom + frame.units(5.0f);
   const auto mark = [&](float x) {
     list.AddTriangleFilled(ImVec2(x, y), ImVec2(x + half, y + 1.8f * half), ImVec2(x - half, y + 1.8f * half),
-                           style::packed(palette::problem));
+                           style::packed(theme().problem));
   };
   for (auto it = problems.begin(); it != problems.end();) {
     const float x = track.x_of(*it + 1);
@@ -73,7 +73,7 @@ void draw_edit_marks(const PanelFrame& frame, const Track& track, ImDrawList& li
   for (const std::size_t at : frame.ui.run.edits()) {
     const float x = track.x_of(at);
     list.AddQuadFilled(ImVec2(x, y - half), ImVec2(x + half, y), ImVec2(x, y + half), ImVec2(x - half, y),
-                       style::packed(style::warning));
+                       style::packed(theme().warning));
   }
 }
 
@@ -82,8 +82,8 @@ void draw_scrubber(const PanelFrame& frame, const Track& track, ImDrawList& list
   const float wide = frame.units(1.2f);
   const float over = frame.units(5.0f);
   list.AddRectFilled(ImVec2(x - wide, track.top - over), ImVec2(x + wide, track.bottom + over),
-                     style::packed(palette::text));
-  list.AddCircleFilled(ImVec2(x, track.top - over), frame.units(5.0f), style::packed(palette::text));
+                     style::packed(theme().text));
+  list.AddCircleFilled(ImVec2(x, track.top - over), frame.units(5.0f), style::packed(theme().text));
   frame.ui.controls.insert_or_assign("scrubber", Box{x - over, track.top - 2.0f * over, 2.0f * over,
                                                      track.bottom - track.top + 3.0f * over});
 }
@@ -133,7 +133,7 @@ void draw_track(PanelFrame& frame) {
   const knit::Timeline* timeline = frame.timeline();
   if (timeline == nullptr) {
     list.AddRectFilled(ImVec2(at.x + margin, top), ImVec2(at.x + room.x - margin, bottom),
-                       style::packed(style::raised), frame.units(3.0f));
+                       style::packed(theme().raised), frame.units(3.0f));
     return;
   }
   const Track track{at.x + margin, at.x + room.x - margin, top, bottom, timeline->known()};

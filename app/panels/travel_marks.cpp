@@ -41,8 +41,8 @@ void draw_loop(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   const float over = frame.units(3.0f);
   const float foot = frame.units(4.0f);
   const float wide = frame.units(2.0f);
-  const ImU32 colour = style::packed(palette::text, 220);
-  list.AddRectFilled(ImVec2(left, track.top), ImVec2(right, track.bottom), style::packed(palette::text, 56));
+  const ImU32 colour = style::packed(theme().text, 220);
+  list.AddRectFilled(ImVec2(left, track.top), ImVec2(right, track.bottom), style::packed(theme().text, 56));
   const auto handle = [&](float x, float inwards) {
     list.AddLine(ImVec2(x, track.top - over), ImVec2(x, track.bottom + over), colour, wide);
     for (const float y : {track.top - over, track.bottom + over})
@@ -60,7 +60,7 @@ void draw_hits(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   for (auto position = hits.from(0); position && *position <= track.steps;) {
     const float x = track.x_of(*position);
     list.AddTriangleFilled(ImVec2(x - half, y - 1.8f * half), ImVec2(x + half, y - 1.8f * half), ImVec2(x, y),
-                           style::packed(palette::break_hit));
+                           style::packed(theme().break_hit));
     position = hits.from(std::max(*position, track.position_at(x + half)) + 1);
   }
 }

@@ -24,6 +24,20 @@ void PanelFrame::mark(std::string_view control) {
   ui.controls.insert_or_assign(std::string(control), Box{low.x, low.y, high.x - low.x, high.y - low.y});
 }
 
+LayoutWish layout_wish(const Session& session) {
+  const Preferences& chosen = session.preferences;
+  const auto size = [&](Split split) {
+    return static_cast<float>(chosen.splits[static_cast<std::size_t>(split)]);
+  };
+  return {chosen.shows(Panel::parameters),
+          chosen.shows(Panel::side),
+          chosen.shows(Panel::timeline),
+          size(Split::left),
+          size(Split::right),
+          size(Split::bottom),
+          session.lesson ? lesson_height : 0.0f};
+}
+
 Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,
                 const Fonts& fonts) {
   PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
@@ -33,9 +47,10 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
       session.centre == CentrePanel::chart || session.knit_along || session.side == SidePanel::pattern;
   if (session.timeline && wants_chart) ui.chart.refresh(*session.timeline, session.pattern);
   draw_menu(frame);
-  draw_parameters(frame);
-  draw_explanation(frame);
-  draw_timeline(frame);
+  draw_splitters(frame);
+  if (session.preferences.shows(Panel::parameters)) draw_parameters(frame);
+  if (session.preferences.shows(Panel::side)) draw_explanation(frame);
+  if (session.preferences.shows(Panel::timeline)) draw_timeline(frame);
   if (session.centre == CentrePanel::chart) {
     ui.click.reset();
     draw_chart(frame);
@@ -43,10 +58,16 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
     draw_view(frame);
   }
   draw_knit_along(frame);
+  if (session.lesson) draw_lesson(frame);
+  draw_prediction(frame);
   draw_view_overlays(frame);
+  draw_animation_progress(frame);
   draw_help(frame);
+  draw_glossary(frame);
+  draw_action_palette(frame);
   draw_open_dialog(frame);
   draw_save_dialog(frame);
+  draw_figure_dialog(frame);
   if (frame.rounds_under != session.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
   return std::move(frame.actions);
 }

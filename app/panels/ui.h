@@ -2,7 +2,7 @@
 //
 // How a frame goes; the session is the same all through it, so picture, captions and panels agree:
 //   glue.begin_frame(size, window.input().take_frame());
-//   const Layout layout = layout_of(size.width, size.height, window.unit_scale());
+//   const Layout layout = layout_of(size.width, size.height, scale, layout_wish(session));
 //   apply(session, SetAspect{layout.view_aspect()});
 //   const Scene scene = describer.describe(session);
 //   const Actions wishes = draw_ui(session, ui, scene, layout, fonts);
@@ -32,11 +32,13 @@
 #include "app/panels/card_cache.h"
 #include "app/panels/chart_cache.h"
 #include "app/panels/compare_cache.h"
+#include "app/panels/figure_dialog.h"
 #include "app/panels/imgui_glue.h"
 #include "app/panels/layout.h"
 #include "app/panels/pattern_lines.h"
 #include "app/panels/run_cache.h"
 #include "app/panels/sweep_cache.h"
+#include "app/panels/words_state.h"
 
 namespace app {
 
@@ -131,6 +133,7 @@ struct UiState {
   CandidateList candidates;
   OpenDialog open;
   SaveDialog save;
+  FigureDialog figure;
   BreakField break_field;
   std::optional<LoopDrag> loop_drag;
   std::map<std::string, VertexField, std::less<>> vertex_fields;  // by parameter key
@@ -145,10 +148,17 @@ struct UiState {
   CompareCache compare;
   SweepForm sweep_form;
   SweepCache sweep;
+  WordsState words;
   // Where controls stood in the last frame, by name ("play", "scrubber", "layer/surface"): for tests and for
   // whoever points at them.
   std::map<std::string, Box, std::less<>> controls;
 };
+
+// Of the strip below the view, plain units.
+inline constexpr float lesson_height = 150.0f;
+
+// As the preferences have it, with room for a lesson while one goes on.
+LayoutWish layout_wish(const Session& session);
 
 // Needs a frame of ImGui's. What a person wished in it, in order.
 Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,

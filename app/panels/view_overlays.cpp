@@ -1,9 +1,9 @@
-// What floats over the view: notices, the banner while a vertex is picked, a word while long work goes on, and
-// a welcome while nothing is open.
+// What floats over the view: notices, the banner while a vertex is picked, a word while long work goes on.
 #include <algorithm>
 #include <string>
 
 #include "app/panels/commands.h"
+#include "app/panels/welcome.h"
 #include "app/panels/widgets.h"
 #include "knit/narrate.h"
 
@@ -18,13 +18,13 @@ constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoTitleBar | ImGuiWindowF
 Colour colour_of(Notice::Kind kind) {
   switch (kind) {
     case Notice::Kind::info:
-      return style::accent;
+      return theme().accent;
     case Notice::Kind::warning:
-      return style::warning;
+      return theme().warning;
     case Notice::Kind::error:
-      return palette::problem;
+      return theme().problem;
   }
-  return style::accent;
+  return theme().accent;
 }
 
 const char* name_of(Notice::Kind kind) {
@@ -118,29 +118,6 @@ void draw_waiting(PanelFrame& frame) {
   if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
   frame.mark("waiting/cancel");
   tooltip(frame, "Back to how it was before this change.");
-  ImGui::End();
-}
-
-void draw_welcome(PanelFrame& frame) {
-  if (frame.timeline() != nullptr) return;
-  const Box& view = frame.layout.view;
-  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
-                          ImVec2(0.5f, 0.5f));
-  ImGui::Begin("Welcome", nullptr, floating | ImGuiWindowFlags_NoBackground);
-  push_font(frame.fonts.heading);
-  text("No mesh is open");
-  pop_font();
-  faint_text("Start with an example, open an .obj file, or drop one here.");
-  ImGui::Dummy(ImVec2(0.0f, frame.units(4.0f)));
-  const CommandInfo& open = info_of(Command::open);
-  const ImVec2 size(frame.units(200.0f), 0.0f);
-  if (ImGui::Button((words_of(open) + "...").c_str(), size)) frame.wish(ShowOpenDialog{true});
-  frame.mark("welcome/open");
-  tooltip(frame, tooltip_of(open));
-  for (const std::string& name : list_examples(frame.session.assets)) {
-    if (ImGui::Button(name.c_str(), size)) frame.wish(OpenExample{name});
-    frame.mark("welcome/" + name);
-  }
   ImGui::End();
 }
 

@@ -3,10 +3,13 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "app/core/lesson.h"
 #include "app/core/pick.h"
 #include "app/core/pick_thing.h"
+#include "app/core/why_words.h"
 #include "app/panels/commands.h"
 #include "app/panels/view_help.h"
+#include "app/panels/view_legend.h"
 #include "app/panels/widgets.h"
 
 namespace app {
@@ -58,10 +61,22 @@ void handle_drag(PanelFrame& frame) {
   if (by.x != 0.0f || by.y != 0.0f) move_camera(frame, by);
 }
 
+// A lesson's question is answered in the view.
+std::optional<AnswerKind> wanted_click(const Session& session) {
+  const Question* question = open_question(session);
+  return question != nullptr && is_clicked(question->kind) ? std::optional(question->kind) : std::nullopt;
+}
+
 std::optional<knit::Thing> thing_clicked(const PanelFrame& frame) {
   const Box& view = frame.layout.view;
   const glm::dvec2 place = pointer_in(view);
-  if (key_mods().ctrl) {
+  const auto wanted = wanted_click(frame.session);
+  if (wanted == AnswerKind::stitch) {
+    const double reach = 2.0 * static_cast<double>(frame.units(hover_reach) / view.height);
+    const auto stitch = pick_stitch(frame.session, place, reach);
+    return stitch ? std::optional<knit::Thing>(knit::StitchThing{stitch->row, stitch->stitch}) : std::nullopt;
+  }
+  if (key_mods().ctrl || wanted == AnswerKind::vertex) {
     const auto vertex = pick_vertex(frame.session, place);
     return vertex ? std::optional<knit::Thing>(knit::VertexThing{*vertex}) : std::nullopt;
   }
@@ -74,7 +89,9 @@ void handle_plain_click(PanelFrame& frame) {
   std::optional<PendingClick>& click = frame.ui.click;
   const ImGuiIO& io = ImGui::GetIO();
   if (click && ImGui::GetTime() >= click->due) {
-    if (click->thing) {
+    if (wanted_click(frame.session)) {
+      frame.wish(AnswerLesson{click->thing ? text_of(*click->thing) : ""});
+    } else if (click->thing) {
       frame.wish(ShowWhy{*click->thing});
     } else if (frame.session.travel.selected) {
       frame.wish(Select{});
@@ -114,7 +131,7 @@ void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Co
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
                      ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
-                     style::packed(palette::background, 190), frame.units(4.0f));
+                     style::packed(theme().background, 190), frame.units(4.0f));
   list.AddText(at, style::packed(colour), words.c_str());
 }
 
@@ -129,30 +146,7 @@ void draw_hint(const PanelFrame& frame) {
   const float height = ImGui::GetTextLineHeight();
   const float room = view.width - frame.units(170.0f);
   const ImVec2 at(view.x + frame.units(12.0f), view.bottom() - height - frame.units(10.0f));
-  boxed_text(frame, at, cut_to_width(hint, room), palette::faint_text);
-}
-
-// What the mesh's colours say.
-void draw_time_ramp(const PanelFrame& frame) {
-  const Session& session = frame.session;
-  if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
-  if (frame.scene.timed_vertices == 0 || session.knit_along) return;
-  const Box& view = frame.layout.view;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float width = frame.units(90.0f);
-  const float height = frame.units(7.0f);
-  const ImVec2 low(view.right() - width - frame.units(14.0f), view.bottom() - height - frame.units(12.0f));
-  const ImVec2 high(low.x + width, low.y + height);
-  const float middle = low.x + 0.5f * width;
-  const ImU32 a = style::packed(frame.scene.time_low);
-  const ImU32 b = style::packed(frame.scene.time_middle);
-  const ImU32 c = style::packed(frame.scene.time_high);
-  list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
-  list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
-  const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
-  const ImU32 colour = style::packed(palette::faint_text);
-  list.AddText(ImVec2(low.x, y), colour, "t = 0");
-  list.AddText(ImVec2(high.x - ImGui::CalcTextSize("1").x, y), colour, "1");
+  boxed_text(frame, at, cut_to_width(hint, room), theme().faint_text);
 }
 
 }  // namespace
@@ -191,11 +185,12 @@ void draw_view(PanelFrame& frame) {
       under = pick_stitch(frame.session, pointer_in(view), 2.0 * reach);
     }
     if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
-    if (hovered && frame.session.picking != Picking::nothing) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const bool aims = frame.session.picking != Picking::nothing || wanted_click(frame.session);
+    if (hovered && aims) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     draw_captions(frame);
     if (hovered) draw_hint(frame);
   }
-  draw_time_ramp(frame);
+  draw_view_legend(frame);
   ImGui::End();
 }
 

@@ -29,7 +29,7 @@ void heading(const PanelFrame& frame, const char* words) {
   const float y = 0.5f * (low.y + high.y);
   const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::GetWindowDrawList()->AddLine(ImVec2(high.x + frame.units(8.0f), y), ImVec2(end, y),
-                                      style::packed(style::outline), frame.units(1.0f));
+                                      style::packed(theme().outline), frame.units(1.0f));
 }
 
 bool folding_heading(const PanelFrame& frame, const char* words, bool open) {
@@ -38,7 +38,7 @@ bool folding_heading(const PanelFrame& frame, const char* words, bool open) {
   const bool clicked = ImGui::InvisibleButton(words, ImVec2(ImGui::GetContentRegionAvail().x, line));
   const bool lit = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 colour = style::packed(lit ? palette::text : palette::faint_text);
+  const ImU32 colour = style::packed(lit ? theme().text : theme().faint_text);
   const ImVec2 middle(at.x + 0.3f * line, at.y + 0.52f * line);
   const float r = 0.2f * line;
   if (open) {
@@ -55,7 +55,7 @@ bool folding_heading(const PanelFrame& frame, const char* words, bool open) {
   const float high = left + ImGui::CalcTextSize(words).x + frame.units(8.0f);
   pop_font();
   const float y = at.y + 0.5f * line;
-  list.AddLine(ImVec2(high, y), ImVec2(ImGui::GetItemRectMax().x, y), style::packed(style::outline),
+  list.AddLine(ImVec2(high, y), ImVec2(ImGui::GetItemRectMax().x, y), style::packed(theme().outline),
                frame.units(1.0f));
   return clicked;
 }
@@ -82,9 +82,9 @@ int segmented(const char* id, std::span<const std::string_view> names, int chose
     const bool lit = i == chosen;
     if (i > 0) ImGui::SameLine();
     if (lit) {
-      ImGui::PushStyleColor(ImGuiCol_Button, style::vector(style::accent));
-      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(style::accent));
-      ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::background));
+      ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
+      ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().on_accent));
     }
     ImGui::PushID(i);
     const float wide = ImGui::CalcTextSize(name.c_str(), nullptr, true).x + spare;
@@ -114,10 +114,12 @@ void tooltip(const PanelFrame& frame, std::string_view words) {
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
 void faint_text(std::string_view words) {
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(palette::faint_text));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
   text(words);
   ImGui::PopStyleColor();
 }
+
+void wrapped_text(std::string_view words) { wrapped_text(words, theme().text); }
 
 void wrapped_text(std::string_view words, Colour colour) {
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));

@@ -59,7 +59,8 @@ bool wants_tooltip();
 
 void text(std::string_view words);
 void faint_text(std::string_view words);
-void wrapped_text(std::string_view words, Colour colour = palette::text);
+void wrapped_text(std::string_view words);
+void wrapped_text(std::string_view words, Colour colour);
 
 // One line drawn at a place, without an item; `align` is its part left of it: 0, 0.5 or 1.
 void text_at(ImVec2 at, float align, Colour colour, const std::string& words);

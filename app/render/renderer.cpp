@@ -11,6 +11,15 @@ namespace {
 // What stands behind the surface shows through this much: what is going on more than what is finished.
 constexpr float hidden_now = 0.15f;
 constexpr float hidden_finished = 0.08f;
+constexpr float calm_finished = 0.45f;  // before the surface, while something else is bright
+
+// Through finished faces those of the far side would only be grains of dust.
+bool shows_hidden_sets(const Scene& scene) { return scene.faces.empty(); }
+
+float alpha_of_finished(const Scene& scene, bool hidden) {
+  if (hidden) return hidden_finished;
+  return scene.calm ? calm_finished : 1.0f;
+}
 
 glm::vec3 rgb(const Colour& colour) { return glm::vec3(colour.r, colour.g, colour.b) / 255.0f; }
 glm::vec4 rgba(const Colour& colour) { return {rgb(colour), static_cast<float>(colour.a) / 255.0f}; }
@@ -24,7 +33,7 @@ void depth(bool test, bool write, GLenum function = GL_LEQUAL) {
 void blend(bool on) {
   (on ? glEnable : glDisable)(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  // The picture itself stays opaque.
+  // Alpha is the part that is covered: 1 all over where the ground is opaque.
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
@@ -34,7 +43,8 @@ void clear(const Rect& viewport, const Colour& background) {
   glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  glClearColor(colour.r, colour.g, colour.b, 1.0f);
+  // Colours are premultiplied where the ground is not opaque: that is what blending makes of them.
+  glClearColor(colour.r * colour.a, colour.g * colour.a, colour.b * colour.a, colour.a);
   glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
@@ -44,6 +54,7 @@ void clear(const Rect& viewport, const Colour& background) {
 
 struct Renderer::Frame {
   const Scene& scene;
+  Frustum frustum;
   const MeshBuffers* mesh = nullptr;
   glm::vec2 viewport{1.0f};
   float scale = 1.0f;
@@ -53,7 +64,10 @@ struct Renderer::Frame {
 
 Renderer::Renderer()
     : surface_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "band.glsl", "surface.frag"}),
+      surface_plain_({"camera.glsl", "surface.vert"},
+                     {"ground.glsl", "light.glsl", "no_band.glsl", "surface.frag"}),
       face_({"camera.glsl", "face.vert"}, {"light.glsl", "band.glsl", "face.frag"}),
+      face_plain_({"camera.glsl", "face.vert"}, {"light.glsl", "no_band.glsl", "face.frag"}),
       band_({"camera.glsl", "surface.vert"}, {"band.glsl", "band.frag"}),
       wire_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "wire.frag"}),
       line_({"camera.glsl", "line.vert"}, {"line.frag"}),
@@ -63,23 +77,19 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   if (viewport.width <= 0 || viewport.height <= 0) {
     return;
   }
-  for (Program* program : {&surface_, &face_, &band_, &wire_, &line_, &point_}) {
-    program->refresh();
-  }
+  for (Program* program : programs()) program->refresh();
   last_ = {};
   upload(scene);
-  Frame frame{.scene = scene, .viewport = {viewport.width, viewport.height}, .scale = ui_scale};
-  float longest_side = 0.0f;
-  frame.extent = 0.0f;
+  Frame frame{.scene = scene,
+              .frustum = Frustum(scene.view.projection * scene.view.view),
+              .viewport = {viewport.width, viewport.height},
+              .scale = ui_scale};
+  frame.extent = faces_.extent().diagonal();
   if (scene.mesh != nullptr) {
     frame.mesh = &meshes_.get(scene.mesh);
-    frame.extent = frame.mesh->extent();
+    frame.extent = std::max(frame.extent, frame.mesh->extent());
   }
-  for (const auto& faces : scene.faces) {
-    const FaceBuffers& buffers = faces_.get(faces);
-    longest_side = std::max(longest_side, buffers.longest_side());
-    frame.extent = std::max(frame.extent, buffers.extent());
-  }
+  const float longest_side = faces_.longest_side();
   frame.extent = frame.extent > 0.0f ? frame.extent : 1.0f;
   frame.push = std::min(longest_side * longest_side / frame.extent, 0.04f * frame.extent);
 
@@ -87,8 +97,9 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   glDisable(GL_CULL_FACE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   clear(viewport, scene.background);
-  draw_surface(frame);
+  // Faces first: what they cover of the surface need not be lit.
   draw_faces(frame);
+  draw_surface(frame);
   draw_band_alone(frame);
   draw_wire(frame);
   draw_lines(frame, true);
@@ -104,11 +115,11 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
 // Shapes whose last holder let go are freed first, so that a tuned run never holds two runs' rows.
 void Renderer::upload(const Scene& scene) {
   meshes_.drop_dead();
-  faces_.drop_dead();
-  line_sets_.drop_dead();
-  point_sets_.drop_dead();
-  frame_lines_.upload(scene.lines, GL_STREAM_DRAW);
-  frame_points_.upload(scene.points, GL_STREAM_DRAW);
+  faces_.show(scene.faces);
+  line_sets_.show(scene.line_sets);
+  point_sets_.show(scene.point_sets);
+  frame_lines_.show_once(scene.lines);
+  frame_points_.show_once(scene.points);
 }
 
 void Renderer::start(const Program& program, const Frame& frame) const {
@@ -145,25 +156,21 @@ void Renderer::draw_surface(const Frame& frame) {
   }
   depth(true, true);
   blend(false);
-  start(surface_, frame);
+  start(frame.scene.band ? surface_ : surface_plain_, frame);
   frame.mesh->draw_triangles();
   ++last_.draw_calls;
   last_.triangles += frame.mesh->triangle_count();
 }
 
 void Renderer::draw_faces(const Frame& frame) {
-  if (frame.scene.faces.empty()) {
+  if (faces_.empty()) {
     return;
   }
   depth(true, true);
-  blend(true);
-  start(face_, frame);
-  for (const auto& faces : frame.scene.faces) {
-    const FaceBuffers& buffers = faces_.get(faces);
-    buffers.draw();
-    ++last_.draw_calls;
-    last_.triangles += buffers.triangle_count();
-  }
+  blend(false);
+  start(frame.scene.band ? face_ : face_plain_, frame);
+  last_.triangles += faces_.draw(frame.frustum);
+  ++last_.draw_calls;
 }
 
 void Renderer::draw_band_alone(const Frame& frame) {
@@ -207,18 +214,15 @@ void Renderer::draw_lines(const Frame& frame, bool hidden) {
   line_.set("u_toward", 0.0012f * frame.extent);
   line_.set("u_chord", 1.0f / frame.extent);
   line_.set("u_deepest", 0.02f * frame.extent);
-  line_.set("u_alpha", hidden ? hidden_finished : 1.0f);
+  line_.set("u_alpha", alpha_of_finished(frame.scene, hidden));
   line_.set("u_round", hidden ? 0.0f : 1.0f);
-  const auto draw = [&](const InstanceBuffers<Line>& buffers) {
-    if (buffers.count() > 0) {
-      buffers.draw();
-      ++last_.draw_calls;
-      last_.lines += hidden ? 0 : buffers.count();
-    }
+  const auto draw = [&](const Batch<std::vector<Line>>& batch) {
+    if (batch.empty()) return;
+    const std::size_t drawn = batch.draw(frame.frustum);
+    ++last_.draw_calls;
+    last_.lines += hidden ? 0 : drawn;
   };
-  for (const auto& set : frame.scene.line_sets) {
-    draw(line_sets_.get(set));
-  }
+  if (!hidden || shows_hidden_sets(frame.scene)) draw(line_sets_);
   line_.set("u_alpha", hidden ? hidden_now : 1.0f);
   draw(frame_lines_);
 }
@@ -228,23 +232,25 @@ void Renderer::draw_points(const Frame& frame, bool hidden) {
   blend(true);
   start(point_, frame);
   point_.set("u_toward", 0.0016f * frame.extent);
-  point_.set("u_alpha", hidden ? hidden_finished : 1.0f);
-  const auto draw = [&](const InstanceBuffers<Point>& buffers) {
-    if (buffers.count() > 0) {
-      buffers.draw();
-      ++last_.draw_calls;
-      last_.points += hidden ? 0 : buffers.count();
-    }
+  point_.set("u_alpha", alpha_of_finished(frame.scene, hidden));
+  const auto draw = [&](const Batch<std::vector<Point>>& batch) {
+    if (batch.empty()) return;
+    const std::size_t drawn = batch.draw(frame.frustum);
+    ++last_.draw_calls;
+    last_.points += hidden ? 0 : drawn;
   };
-  for (const auto& set : frame.scene.point_sets) {
-    draw(point_sets_.get(set));
-  }
+  if (!hidden || shows_hidden_sets(frame.scene)) draw(point_sets_);
   point_.set("u_alpha", hidden ? hidden_now : 1.0f);
   draw(frame_points_);
 }
 
+std::array<Program*, 8> Renderer::programs() {
+  return {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_};
+}
+
 std::string Renderer::shader_problem() const {
-  for (const Program* program : {&surface_, &face_, &band_, &wire_, &line_, &point_}) {
+  for (const Program* program :
+       {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_}) {
     if (!program->problem().empty()) {
       return program->problem();
     }

@@ -1,10 +1,12 @@
 // Draws a Scene into the framebuffer that is bound, and nothing else: it never thinks.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 
 #include "app/core/scene.h"
+#include "app/render/batch.h"
 #include "app/render/program.h"
 #include "app/render/shape_cache.h"
 
@@ -20,9 +22,9 @@ class Renderer {
   // Needs a current OpenGL 3.3 core context, at destruction too. Throws GlError.
   Renderer();
 
-  // Clears the viewport to the scene's background and draws. `ui_scale`: pixels of this screen for one pixel
-  // of a plain one; the scene's widths and diameters are multiplied by it. Afterwards depth test, blending
-  // and scissor are off and the viewport is `viewport`.
+  // Clears the viewport to the scene's background, which may be transparent, and draws. `ui_scale`: pixels of
+  // this screen for one pixel of a plain one; the scene's widths and diameters are multiplied by it.
+  // Afterwards depth test, blending and scissor are off and the viewport is `viewport`.
   void draw(const Scene& scene, Rect viewport, float ui_scale);
 
   // Empty, or why a shader that was saved while the program runs is not in use.
@@ -50,13 +52,14 @@ class Renderer {
   void draw_points(const Frame& frame, bool hidden);
   void upload(const Scene& scene);
 
-  Program surface_, face_, band_, wire_, line_, point_;
+  std::array<Program*, 8> programs();
+
+  // The plain ones are for frames without a band, which most are.
+  Program surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
   ShapeCache<MeshShape, MeshBuffers> meshes_;
-  ShapeCache<FaceShape, FaceBuffers> faces_;
-  ShapeCache<std::vector<Line>, InstanceBuffers<Line>> line_sets_;
-  ShapeCache<std::vector<Point>, InstanceBuffers<Point>> point_sets_;
-  InstanceBuffers<Line> frame_lines_;
-  InstanceBuffers<Point> frame_points_;
+  Batch<FaceShape> faces_;
+  Batch<std::vector<Line>> line_sets_, frame_lines_;
+  Batch<std::vector<Point>> point_sets_, frame_points_;
   Counters last_;
 };
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/core/scene.h"
+#include "app/render/batch.h"
 #include "app/render/gl_handle.h"
 
 namespace app {
@@ -28,39 +29,6 @@ class MeshBuffers {
   GLsizei triangle_indices_ = 0, edge_indices_ = 0;
   float extent_ = 0.0f, mean_edge_ = 0.0f;
   glm::vec3 centre_{0.0f};
-};
-
-class FaceBuffers {
- public:
-  explicit FaceBuffers(const FaceShape& shape);
-  void draw() const;
-  std::size_t triangle_count() const { return static_cast<std::size_t>(vertices_) / 3; }
-  float longest_side() const { return longest_side_; }
-  float extent() const { return extent_; }
-
- private:
-  GlVertexArray array_;
-  GlBuffer buffer_;
-  GLsizei vertices_ = 0;
-  float longest_side_ = 0.0f, extent_ = 0.0f;
-};
-
-// Lines or points: one instance each, drawn as a strip of four corners.
-template <class Item>
-class InstanceBuffers {
- public:
-  InstanceBuffers();
-  explicit InstanceBuffers(const std::vector<Item>& items) : InstanceBuffers() {
-    upload(items, GL_STATIC_DRAW);
-  }
-  void upload(std::span<const Item> items, GLenum usage);
-  void draw() const;
-  std::size_t count() const { return static_cast<std::size_t>(count_); }
-
- private:
-  GlVertexArray array_;
-  GlBuffer buffer_;
-  GLsizei count_ = 0;
 };
 
 template <class Shape, class Buffers>

@@ -74,7 +74,7 @@ void Target::resolve() {
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
 }
 
-Image Target::read() const {
+Image Target::read_as_it_is() const {
   Image image{.width = width_, .height = height_, .rgba = {}};
   const std::size_t row = static_cast<std::size_t>(width_) * 4;
   image.rgba.resize(row * static_cast<std::size_t>(height_));
@@ -82,14 +82,36 @@ Image Target::read() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-    image.rgba[i] = 255;
-  }
   // OpenGL counts rows from below.
   for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_); top + 1 < bottom; ++top) {
     --bottom;
     auto* pixels = image.rgba.data();
     std::swap_ranges(pixels + top * row, pixels + (top + 1) * row, pixels + bottom * row);
+  }
+  return image;
+}
+
+Image Target::read() const {
+  Image image = read_as_it_is();
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    image.rgba[i] = 255;
+  }
+  return image;
+}
+
+// Blending has multiplied colours by what they cover; files want them as they are, or edges get a dark
+// fringe.
+Image Target::read_with_alpha() const {
+  Image image = read_as_it_is();
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const unsigned alpha = image.rgba[i + 3];
+    if (alpha == 255) {
+      continue;
+    }
+    for (std::size_t c = i; c < i + 3; ++c) {
+      const unsigned straight = alpha == 0 ? 0 : (image.rgba[c] * 255U + alpha / 2) / alpha;
+      image.rgba[c] = static_cast<std::uint8_t>(std::min(straight, 255U));
+    }
   }
   return image;
 }

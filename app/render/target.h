@@ -15,6 +15,8 @@ class Target {
   void resolve();
   // The resolved picture, opaque.
   Image read() const;
+  // The same of one that was drawn on a transparent ground: straight alpha, 0 where nothing was drawn.
+  Image read_with_alpha() const;
   // Copies the resolved picture to the window's own framebuffer, and leaves that bound.
   void present(int window_width, int window_height) const;
 
@@ -22,6 +24,7 @@ class Target {
 
  private:
   bool make(int samples);
+  Image read_as_it_is() const;
 
   GlFramebuffer drawn_, resolved_;
   GlRenderbuffer drawn_colour_, drawn_depth_, resolved_colour_;

@@ -1,39 +1,154 @@
 #include "app/window/frame.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "app/panels/captions_alone.h"
 #include "app/panels/style.h"
 #include "app/render/headless_gl.h"
 
 namespace app {
 
-FrameDrawer::FrameDrawer(const std::filesystem::path& assets) : fonts_folder_((assets / "fonts").string()) {
-  load_fonts(1.0f);
+namespace {
+
+constexpr int frames_to_settle = 4;
+// Words that are larger than this many times their plain size are enlarged: pictures of letters have to fit
+// on the card.
+constexpr float largest_font_scale = 4.0f;
+// A picture of this height alone, and one with panels of this size, has words and lines of plain size.
+constexpr float plain_height = 800.0f;
+constexpr float plain_window_width = 1280.0f, plain_window_height = 720.0f;
+
+FrameSize size_of(const FrameShape& shape) {
+  return {shape.width, shape.height, static_cast<float>(shape.width_px) / shape.width,
+          static_cast<float>(shape.height_px) / shape.height, shape.seconds};
 }
 
-void FrameDrawer::load_fonts(float scale) {
-  fonts_ = glue_.load_fonts(fonts_folder_, scale, style::text_size);
-  style::apply(scale);
-  if (fonts_scale_ > 0.0f) imgui_draw_.forget_fonts();
+// Of the view, in pixels of a plain screen.
+double height_px_of(const Layout& layout) { return static_cast<double>(layout.view.height / layout.scale); }
+
+FrameShape frame_shape_of(const FigureShape& figure) {
+  const auto width = static_cast<float>(figure.width);
+  const auto height = static_cast<float>(figure.height);
+  const float grown = figure.panels
+                          ? std::max(1.0f, std::min(width / plain_window_width, height / plain_window_height))
+                          : std::max(0.5f, std::min(width, height) / plain_height);
+  const float density = std::max(1.0f, grown / largest_font_scale);
+  FrameShape shape;
+  shape.width = width / density;
+  shape.height = height / density;
+  shape.width_px = figure.width;
+  shape.height_px = figure.height;
+  shape.unit_scale = grown / density;
+  shape.pixel_scale = grown;
+  return shape;
+}
+
+}  // namespace
+
+double view_aspect_of(const Session& session, const FigureShape& figure) {
+  const FrameShape shape = frame_shape_of(figure);
+  if (!figure.panels) return static_cast<double>(shape.width / shape.height);
+  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
+  return layout_of(shape.width, shape.height, scale, layout_wish(session)).view_aspect();
+}
+
+FrameDrawer::FrameDrawer(const std::filesystem::path& assets) : fonts_folder_((assets / "fonts").string()) {
+  load_look(1.0f, theme_);
+}
+
+// The parts that draw need their own context to go.
+FrameDrawer::~FrameDrawer() { glue_.make_current(); }
+
+void FrameDrawer::load_look(float scale, ThemeKind theme) {
+  if (scale != fonts_scale_) {
+    fonts_ = glue_.load_fonts(fonts_folder_, scale, style::text_size);
+    if (fonts_scale_ > 0.0f) imgui_draw_.forget_fonts();
+  }
+  style::apply(scale, theme_of(theme));
   fonts_scale_ = scale;
+  theme_ = theme;
+}
+
+FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shape,
+                                        const std::vector<InputEvent>& events) {
+  glue_.make_current();
+  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
+  if (scale != fonts_scale_ || session.preferences.theme != theme_)
+    load_look(scale, session.preferences.theme);
+  imgui_draw_.new_frame();
+  glue_.begin_frame(size_of(shape), events);
+  Drawn drawn;
+  drawn.layout = layout_of(shape.width, shape.height, scale, layout_wish(session));
+  apply(session, SetAspect{drawn.layout.view_aspect()});
+  drawn.scene = describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds)});
+  drawn.wishes = draw_ui(session, ui_, drawn.scene, drawn.layout, fonts_);
+  glue_.end_frame();
+  return drawn;
+}
+
+FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape& shape) {
+  glue_.make_current();
+  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
+  if (scale != fonts_scale_ || session.preferences.theme != theme_)
+    load_look(scale, session.preferences.theme);
+  imgui_draw_.new_frame();
+  glue_.begin_frame(size_of(shape), {});
+  Drawn drawn;
+  drawn.layout.scale = scale;
+  drawn.layout.window = drawn.layout.view = {0.0f, 0.0f, shape.width, shape.height};
+  apply(session, SetAspect{drawn.layout.view_aspect()});
+  drawn.scene = describer_.describe(session, {height_px_of(drawn.layout), 1.0});
+  draw_captions_alone(session, ui_, drawn.scene, drawn.layout, fonts_);
+  glue_.end_frame();
+  return drawn;
+}
+
+void FrameDrawer::paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale) {
+  const FrameSize size = size_of(shape);
+  target_.begin(shape.width_px, shape.height_px, shape.samples);
+  const PixelBox view =
+      pixels_of(drawn.layout.view, drawn.layout.window, size.pixels_per_x, size.pixels_per_y);
+  renderer_.draw(drawn.scene, {view.x, view.y, view.width, view.height}, shape.pixel_scale * chosen_scale);
+  target_.resolve();
+  imgui_draw_.draw();
 }
 
 Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
-  if (shape.unit_scale != fonts_scale_) load_fonts(shape.unit_scale);
-  const float pixels_per_x = static_cast<float>(shape.width_px) / shape.width;
-  const float pixels_per_y = static_cast<float>(shape.height_px) / shape.height;
-  imgui_draw_.new_frame();
-  glue_.begin_frame({shape.width, shape.height, pixels_per_x, pixels_per_y, shape.seconds}, events);
-  const Layout layout = layout_of(shape.width, shape.height, shape.unit_scale);
-  apply(session, SetAspect{layout.view_aspect()});
-  const Scene scene = describer_.describe(session);
-  Actions wishes = draw_ui(session, ui_, scene, layout, fonts_);
-  glue_.end_frame();
+  Drawn drawn = lay_out(session, shape, events);
+  paint(drawn, shape, static_cast<float>(session.preferences.scale));
+  return std::move(drawn.wishes);
+}
 
-  target_.begin(shape.width_px, shape.height_px, shape.samples);
-  const PixelBox view = pixels_of(layout.view, layout.window, pixels_per_x, pixels_per_y);
-  renderer_.draw(scene, {view.x, view.y, view.width, view.height}, shape.pixel_scale);
-  target_.resolve();
-  imgui_draw_.draw();
-  return wishes;
+Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
+  const FrameShape shape = frame_shape_of(figure);
+  Drawn drawn;
+  if (figure.panels) {
+    // What was scrolled for the picture before does not count; panels find their size in some frames.
+    RunCache run = std::move(ui_.run);  // of the whole run: it stays
+    ui_ = UiState();
+    ui_.run = std::move(run);
+    for (int i = 0; i < frames_to_settle; ++i) drawn = lay_out(session, shape, {});
+  } else {
+    drawn = lay_out_alone(session, shape);
+    if (figure.transparent) drawn.scene.background = {0, 0, 0, 0};
+  }
+  paint(drawn, shape, static_cast<float>(session.preferences.scale));
+  return figure.transparent ? target_.read_with_alpha() : target_.read();
+}
+
+// The movement begins anew with each single step forward, unless they come too fast to be seen one by one.
+double FrameDrawer::appeared(const Session& session, float seconds) {
+  const std::size_t position = session.timeline ? session.timeline->position() : 0;
+  const bool stepped = position == last_position_ + 1;
+  const Playback& playback = session.playback;
+  const bool slow = !playback.playing || playback.steps_per_second * motion_s <= 2.0;
+  if (position != last_position_)
+    since_step_s_ = stepped && slow && session.preferences.motion ? 0.0 : motion_s;
+  else
+    since_step_s_ = std::min(motion_s, since_step_s_ + static_cast<double>(seconds));
+  last_position_ = position;
+  return since_step_s_ / motion_s;
 }
 
 Image FrameDrawer::finished(const Session& session, int side) {
@@ -47,6 +162,7 @@ Image FrameDrawer::finished(const Session& session, int side) {
   shown.pinned.reset();
   shown.travel.selected.reset();
   shown.hovered_rounds.reset();
+  shown.pointed_variable.clear();
   shown.aspect = 1.0;
   shown.camera.frame(shown.timeline->input().bounds, shown.aspect);
   Scene scene = Describer().describe(shown);

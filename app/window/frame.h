@@ -8,6 +8,7 @@
 
 #include "app/core/action.h"
 #include "app/core/describe.h"
+#include "app/core/describe_motion.h"
 #include "app/panels/ui.h"
 #include "app/render/image.h"
 #include "app/render/imgui_draw.h"
@@ -28,10 +29,22 @@ struct FrameShape {
   int samples = 4;                    // a pixel
 };
 
+// A picture for a file.
+struct FigureShape {
+  int width = 0, height = 0;  // pixels
+  bool panels = false;
+  bool transparent = false;  // alone only
+};
+// Of the view in it; words and lines grow with the picture.
+double view_aspect_of(const Session& session, const FigureShape& figure);
+
 class FrameDrawer {
  public:
   // Needs a current OpenGL context, at destruction too. Throws GlError.
   explicit FrameDrawer(const std::filesystem::path& assets);
+  ~FrameDrawer();
+  FrameDrawer(const FrameDrawer&) = delete;
+  FrameDrawer& operator=(const FrameDrawer&) = delete;
 
   // Draws the session and returns what the person wished. Changes the session only by its view's aspect.
   Actions draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events);
@@ -39,14 +52,30 @@ class FrameDrawer {
   // The finished knit mesh alone, on white, `side` pixels square. The target holds it afterwards.
   Image finished(const Session& session, int side);
 
+  // The session as a figure: the scene and its captions alone, or with the panels, which nobody points at.
+  // Changes its view's aspect.
+  Image figure(Session& session, const FigureShape& figure);
+
   [[nodiscard]] const Target& target() const { return target_; }
   [[nodiscard]] const ImGuiGlue& glue() const { return glue_; }
   // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
-  [[nodiscard]] bool busy() const { return glue_.busy() || ui_.click.has_value(); }
+  [[nodiscard]] bool busy() const {
+    return glue_.busy() || ui_.click.has_value() || since_step_s_ < motion_s;
+  }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
  private:
-  void load_fonts(float scale);
+  struct Drawn {
+    Scene scene;
+    Layout layout;
+    Actions wishes;
+  };
+  double appeared(const Session& session, float seconds);
+  void load_look(float scale, ThemeKind theme);
+  // The panels' part of a frame, without a picture yet.
+  Drawn lay_out(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events);
+  Drawn lay_out_alone(Session& session, const FrameShape& shape);
+  void paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale);
 
   std::string fonts_folder_;
   ImGuiGlue glue_;
@@ -55,8 +84,11 @@ class FrameDrawer {
   Target target_;
   Describer describer_;
   UiState ui_;
+  std::size_t last_position_ = 0;
+  double since_step_s_ = motion_s;  // since the last step was taken; motion_s: long ago
   Fonts fonts_;
   float fonts_scale_ = 0.0f;
+  ThemeKind theme_ = ThemeKind::dark;
 };
 
 // The finished knit mesh alone without any display, or why not.

@@ -66,6 +66,9 @@ Key key_from_glfw(int key, int scancode) {
     if (name[0] >= 'A' && name[0] <= 'Z') {
       return shifted(Key::A, name[0] - 'A');
     }
+    // Where these keys lie differs much; for sizes it counts what is printed on them.
+    if (name[0] == '+') return Key::Equal;
+    if (name[0] == '-') return Key::Minus;
   }
   if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) {
     return shifted(Key::A, key - GLFW_KEY_A);

@@ -1,14 +1,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "app/core/export.h"
+#include "app/core/figure_words.h"
 #include "app/core/pattern_file.h"
+#include "app/core/preferences_file.h"
 #include "app/core/queries.h"
 #include "app/core/rescue.h"
 #include "app/core/session_file.h"
 #include "app/core/sweep_work.h"
+#include "app/core/terminal.h"
+#include "app/render/memory.h"
+#include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "app/window/run.h"
 #include "app/window/window.h"
@@ -53,13 +59,13 @@ bool working_beside(const Session& session) {
 }
 
 bool working(const Session& session) {
-  return session.timeline && (working_beside(session) || session.playback.playing ||
+  return session.timeline && (session.animation || working_beside(session) || session.playback.playing ||
                               !session.timeline->complete() || session.measuring);
 }
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
-  return session.timeline && !session.playback.playing &&
+  return session.timeline && !session.playback.playing && !session.animation &&
          (session.long_step.has_value() ||
           (session.timeline->complete() && (session.measuring || working_beside(session))));
 }
@@ -82,6 +88,12 @@ void save_pages_wanted(Session& session, FrameDrawer& drawer) {
     session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
                                     : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
   }
+}
+
+void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
+  save_pictures_wanted(session, drawer.target());
+  save_pages_wanted(session, drawer);
+  save_figures_wanted(session);
 }
 
 // One turn: collect, let time pass, draw, and do what was wished. Gives the seconds since the one before.
@@ -122,8 +134,7 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
     pace.frame_seconds += 0.3 * (cost - pace.frame_seconds);
   }
   window.swap();
-  save_pictures_wanted(session, drawer.target());
-  save_pages_wanted(session, drawer);
+  save_what_is_wanted(session, drawer);
   for (const Action& wish : wishes) apply(session, wish);
   if (const auto text = std::exchange(session.clipboard_wanted, std::nullopt)) window.set_clipboard(*text);
   pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
@@ -140,22 +151,38 @@ void answer_in_window(Session& session, const CommandLine& line) {
   if (!line.diff.empty()) give(diff_answer(session, line.diff));
 }
 
+std::optional<std::string> save_animation_asked(Session& session, const CommandLine& line) {
+  session.beside = false;
+  session.timeline->extend_to_end();
+  SaveAnimation wish = *line.animation;
+  const AskedStretch asked = asked_stretch(session, line);
+  for (const std::string& note : asked.notes) std::fprintf(stderr, "knit-mesh: %s\n", note.c_str());
+  wish.stretch = asked.stretch;
+  return save_animation(session, wish, error_is_terminal());
+}
+
 int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer& drawer) {
   int code = exit_done;
-  for (const Export& wish : line.saves) {
-    if (!session.timeline) break;
-    const auto error = wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
-                                                        : export_to_file(session, wish.kind, wish.path);
-    if (!error) continue;
+  if (!session.timeline) return code;
+  const auto note = [&](const std::optional<std::string>& error) {
+    if (!error) return;
     std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
     code = exit_usage;
+  };
+  for (const Export& wish : line.saves) {
+    note(wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
+                                          : export_to_file(session, wish.kind, wish.path));
   }
+  if (const auto& wish = line.picture)
+    note(save_figure(session, {wish->path, wish->width, wish->height, wish->panels, wish->transparent}));
+  if (line.animation) note(save_animation_asked(session, line));
   return code;
 }
 
 }  // namespace
 
 int run_window(Session& session, const CommandLine& line) {
+  keep_freed_memory();
   auto opened = Window::open("knit-mesh", line.width, line.height);
   if (const auto* error = std::get_if<std::string>(&opened)) {
     std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
@@ -174,14 +201,21 @@ int run_window(Session& session, const CommandLine& line) {
     const auto folder = rescue_folder();
     if (folder) session.rescued = find_rescued(*folder);
     session.beside = true;
+    PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
     if (!line.sweep.empty()) sweep_answer(session, line.sweep);
     drawer.draw(session, shape_of(window, 0.0, 1), {});
     if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
     RescueKeeper keeper(session, folder);
     Pace pace;
-    while (!session.quit && !window.close_requested())
-      keeper.pass(session, turn(session, window, drawer, pace));
+    std::unique_ptr<AnimationMaker> animation;
+    while (!session.quit && !window.close_requested()) {
+      const double seconds = turn(session, window, drawer, pace);
+      keeper.pass(session, seconds);
+      preferences.pass(session, seconds);
+      tend_animation(session, animation);
+    }
     keeper.end();
+    preferences.end(session);
     return save_at_closing(session, line, drawer);
   } catch (const GlError& error) {
     std::fprintf(stderr, "knit-mesh: %s Run with --headless to work without a window.\n", error.what());

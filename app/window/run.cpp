@@ -3,9 +3,13 @@
 #include <cstdio>
 
 #include "app/core/export.h"
+#include "app/core/figure_words.h"
 #include "app/core/pattern_file.h"
 #include "app/core/queries.h"
+#include "app/core/terminal.h"
 #include "app/core/work_beside.h"
+#include "app/render/memory.h"
+#include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "knit/narrate.h"
 
@@ -15,12 +19,16 @@ namespace {
 
 void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line.c_str()); }
 
-std::optional<std::string> save_picture(Session& session, const CommandLine& line,
-                                        const std::filesystem::path& path) {
+void make_whole(Session& session) {
   session.timeline->extend_to_end();  // so that the timeline in the picture is whole
   apply(session, PassTime{0.0});      // and its marks
   finish_pin(session);
   if (session.side == SidePanel::report) session.closeness = closeness_now(session);
+}
+
+std::optional<std::string> save_picture(Session& session, const CommandLine& line,
+                                        const std::filesystem::path& path) {
+  make_whole(session);
   auto picture = picture_of(session, line.width, line.height);
   if (auto* error = std::get_if<std::string>(&picture)) return std::move(*error);
   return save_png(path.string(), std::get<Image>(picture));
@@ -43,6 +51,40 @@ std::optional<std::string> save(Session& session, const CommandLine& line, const
                                            : export_to_file(session, wish.kind, wish.path);
 }
 
+void look_at_all(Session& session, const FigureShape& shape) {
+  apply(session, SetAspect{view_aspect_of(session, shape)});
+  if (!session.camera_kept) apply(session, FrameAll{});
+}
+
+std::optional<std::string> save_figure(Session& session, const SavePicture& wish) {
+  make_whole(session);
+  look_at_all(session, {wish.width, wish.height, wish.panels, wish.transparent});
+  return save_figure_headless(session, {wish.path, wish.width, wish.height, wish.panels, wish.transparent});
+}
+
+std::optional<std::string> save_animation(Session& session, const CommandLine& line) {
+  SaveAnimation wish = *line.animation;
+  make_whole(session);
+  look_at_all(session, {wish.width, wish.height, wish.panels, false});
+  const AskedStretch asked = asked_stretch(session, line);
+  for (const std::string& note : asked.notes) say(note);
+  wish.stretch = asked.stretch;
+  return save_animation_headless(session, wish, error_is_terminal());
+}
+
+// True when all that is asked for has been written.
+bool save_all(Session& session, const CommandLine& line) {
+  bool all_saved = true;
+  const auto note = [&](const std::optional<std::string>& error) {
+    if (error) say(*error);
+    all_saved = all_saved && !error;
+  };
+  for (const Export& wish : line.saves) note(save(session, line, wish));
+  if (line.picture) note(save_figure(session, *line.picture));
+  if (line.animation) note(save_animation(session, line));
+  return all_saved;
+}
+
 // The first exit code that is not 0, or 0.
 int answer_queries(Session& session, const CommandLine& line) {
   int code = exit_done;
@@ -51,6 +93,7 @@ int answer_queries(Session& session, const CommandLine& line) {
     if (!answer.error.empty()) say(answer.error);
     if (code == exit_done) code = answer.exit_code;
   };
+  if (line.explain) give(explain_answer(session));
   if (!line.why.empty()) give(why_answer(session, line.why));
   if (!line.sweep.empty()) give(sweep_answer(session, line.sweep));
   if (!line.diff.empty()) give(diff_answer(session, line.diff));
@@ -60,10 +103,11 @@ int answer_queries(Session& session, const CommandLine& line) {
 }  // namespace
 
 int run_headless(Session& session, const CommandLine& line) {
+  keep_freed_memory();
   for (const Notice& notice : session.notices) say(notice.text);
   session.notices.clear();
-  // A session brings its own place.
-  const bool stays = !line.session.empty() && !line.at;
+  // A session or a lesson brings its own place.
+  const bool stays = (!line.session.empty() || session.lesson) && !line.at;
   const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});
   const auto nearest = stays ? std::nullopt : go_to(session, line.at.value_or(otherwise));
   if (nearest) say(*nearest);
@@ -73,13 +117,7 @@ int run_headless(Session& session, const CommandLine& line) {
   if (stop != nullptr) say(knit::narrate(*stop, session.timeline->parameters()));
 
   const int asked = answer_queries(session, line);
-  bool all_saved = true;
-  for (const Export& wish : line.saves) {
-    const auto error = save(session, line, wish);
-    if (error) say(*error);
-    all_saved = all_saved && !error;
-  }
-  if (!all_saved) return exit_usage;
+  if (!save_all(session, line)) return exit_usage;
   if (asked != exit_done) return asked;
   return stop != nullptr ? exit_stopped : broke.exit_code;
 }

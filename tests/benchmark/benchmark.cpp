@@ -20,7 +20,9 @@
 #include <tiny_obj_loader.h>
 
 #include "app/core/load.h"
+#include "app/render/memory.h"
 #include "knit/timeline.h"
+#include "tests/benchmark/frames.h"
 #include "tests/benchmark/sizes.h"
 #include "tests/benchmark/sweeps.h"
 #include "tests/benchmark/travel.h"
@@ -177,6 +179,7 @@ Json copies(const app::Loaded& loaded) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  app::keep_freed_memory();  // as knit-mesh does
   if (argc > 1 && std::string_view(argv[1]) == "--sizes") {
     std::printf("%s\n", benchmark::measure_sizes().dump(2).c_str());
     return 0;
@@ -187,6 +190,10 @@ int main(int argc, char** argv) {
     json["tune_to_picture"] = benchmark::measure_tuning_to_picture(assets);
     json["scrub"] = benchmark::measure_long_scrubbing(assets);
     std::printf("%s\n", json.dump(2).c_str());
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--frames") {
+    std::printf("%s\n", benchmark::measure_frames(assets).dump(2).c_str());
     return 0;
   }
   const bool only_sweep = argc > 1 && std::string_view(argv[1]) == "--sweep";

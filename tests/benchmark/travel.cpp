@@ -1,9 +1,6 @@
 #include "tests/benchmark/travel.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <functional>
 #include <vector>
 
 #include "app/core/action.h"
@@ -13,52 +10,13 @@
 #include "app/render/headless_gl.h"
 #include "app/window/frame.h"
 #include "knit/shapes.h"
+#include "tests/benchmark/cost.h"
 
 namespace benchmark {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double clock_ms(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-struct Cost {
-  double thread_ms = 0.0, all_ms = 0.0, wall_ms = 0.0;
-};
-
-Cost cost_of(const std::function<void()>& work) {
-  const double thread = clock_ms(CLOCK_THREAD_CPUTIME_ID);
-  const double all = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
-  const double wall = clock_ms(CLOCK_MONOTONIC);
-  work();
-  return {clock_ms(CLOCK_THREAD_CPUTIME_ID) - thread, clock_ms(CLOCK_PROCESS_CPUTIME_ID) - all,
-          clock_ms(CLOCK_MONOTONIC) - wall};
-}
-
-Json summary_of(const std::vector<Cost>& costs, double Cost::*part) {
-  std::vector<double> values;
-  values.reserve(costs.size());
-  for (const Cost& cost : costs) values.push_back(cost.*part);
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * double(values.size() - 1))];
-  };
-  return {{"median", at(0.5)}, {"p99", at(0.99)}, {"max", values.back()}};
-}
-
-app::FrameShape shape_of(int width, int height) {
-  app::FrameShape shape;
-  shape.width = static_cast<float>(width);
-  shape.height = static_cast<float>(height);
-  shape.width_px = width;
-  shape.height_px = height;
-  shape.samples = 1;  // as the window does while things move on a slow machine
-  return shape;
-}
 
 // The program's own part of a frame: what is shown, and the panels, without OpenGL.
 class Desk {

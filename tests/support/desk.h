@@ -101,14 +101,14 @@ class Desk {
 template <class T>
 const T& only(const Actions& actions) {
   REQUIRE(actions.size() == 1);
-  REQUIRE(std::holds_alternative<T>(actions[0]));
-  return std::get<T>(actions[0]);
+  REQUIRE(actions[0].is<T>());
+  return actions[0].template get<T>();
 }
 
 template <class T>
 std::size_t count_of(const Actions& actions) {
-  return static_cast<std::size_t>(std::count_if(
-      actions.begin(), actions.end(), [](const Action& a) { return std::holds_alternative<T>(a); }));
+  return static_cast<std::size_t>(
+      std::count_if(actions.begin(), actions.end(), [](const Action& a) { return a.template is<T>(); }));
 }
 
 }  // namespace desk

@@ -1,0 +1,15 @@
+// The chart's symbols on the faces that bear them, when one comes near enough to read them.
+#pragma once
+
+#include "app/core/scene.h"
+#include "app/core/session.h"
+
+namespace app {
+
+inline constexpr double symbol_first_px = 20.0;  // a stitch so wide begins to show its symbol,
+inline constexpr double symbol_full_px = 32.0;   // and so wide shows it fully
+
+// Requires something open. `height_px`: of the view.
+void describe_symbols(const Session& session, double height_px, Scene& scene);
+
+}  // namespace app

@@ -1,0 +1,178 @@
+// Every action has a name, an entry in the palette, and a button, a line of a menu or a place to point at.
+#include "app/core/action_names.h"
+
+#include <set>
+
+#include "app/panels/palette_list.h"
+#include "app/panels/save_dialog.h"
+#include "tests/support/desk.h"
+#include "tests/support/session.h"
+
+using namespace desk;
+
+namespace {
+
+// Controls that other parts of the program bring; without them their actions are reached by the palette alone.
+const std::set<std::string> to_come{"menu/Light",
+                                    "menu/Projector",
+                                    "menu/Motion",
+                                    "menu/Parameters",
+                                    "split/left",
+                                    "menu/Forget these",
+                                    "menu/Reset the layout",
+                                    "menu/learn",
+                                    "lesson/leave",
+                                    "lesson/next",
+                                    "lesson/answer",
+                                    "menu/predict",
+                                    "predict/accepted",
+                                    "menu/Save a picture...",
+                                    "menu/Save an animation...",
+                                    "animation/cancel"};
+
+class Controls {
+ public:
+  void note(const Desk& desk) {
+    for (const auto& [name, box] : desk.ui.controls) names_.insert(name);
+  }
+  [[nodiscard]] bool have(std::string_view name) const { return names_.count(std::string(name)) == 1; }
+
+ private:
+  std::set<std::string> names_;
+};
+
+// With everything there is to see once: all sides, lists, menus and dialogs.
+Controls all_controls() {
+  Controls controls;
+  const auto look = [&](Desk& desk) {
+    desk.settle();
+    controls.note(desk);
+  };
+  {
+    Desk desk;
+    desk.session.assets = KNIT_ASSETS_DIR;
+    look(desk);  // nothing open
+  }
+  for (int side = 0; side < static_cast<int>(side_keys.size()); ++side) {
+    Desk desk(1600, 1600);
+    desk.open();
+    desk.session.side = static_cast<SidePanel>(side);
+    look(desk);
+    apply(desk.session, PinRun{});
+    look(desk);
+  }
+  Desk desk(1600, 1600);
+  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.open();
+  apply(desk.session, SetBreaks{{knit::BreakCondition{}}});
+  apply(desk.session, SeekPlace{{knit::Stage::rows, 3, 3}});
+  for (int list = 0; list < static_cast<int>(list_keys.size()); ++list) {
+    desk.session.list = static_cast<RunList>(list);
+    look(desk);
+  }
+  knit::Parameters changed = desk.session.timeline->parameters();
+  changed.epsilon *= 1.1;
+  apply(desk.session, EditFromHere{changed});
+  apply(desk.session, Select{knit::VertexThing{3}});
+  desk.session.notices.push_back({});
+  desk.session.rescued = Rescued{"/nowhere/session.json", "thesis-sphere, row 14"};
+  desk.session.long_step.emplace();
+  desk.session.long_step->seconds = 1.0;
+  look(desk);
+  for (const char* menu : {"file", "edit", "presets", "go", "why", "view", "help"}) {
+    desk.click("menu/" + std::string(menu));
+    look(desk);
+    desk.press({Key::Escape, {}, 0});
+    desk.settle();
+  }
+  desk.session.side = SidePanel::pattern;
+  desk.ui.pattern_fields.open = true;
+  look(desk);
+  desk.session.side = SidePanel::sweep;
+  desk.session.beside = true;
+  // So many that it is still at it when it is looked at.
+  apply(desk.session, StartSweep{{{"epsilon", 0.1, 0.2, 10000}, std::nullopt}});
+  look(desk);
+  apply(desk.session, CancelSweep{});
+  desk.session.open_dialog_open = true;
+  look(desk);
+  desk.session.open_dialog_open = false;
+  desk.settle();
+  desk.ui.save.wanted = ExportKind::map;
+  look(desk);
+  return controls;
+}
+
+void note_entries(const Session& session, std::set<std::size_t>& reached) {
+  for (const ActionEntry& entry : palette_entries(session, read_action_sources(session))) {
+    if (const auto* action = std::get_if<Action>(&entry.does)) {
+      reached.insert(action->index());
+    } else if (std::holds_alternative<ExportKind>(entry.does)) {
+      reached.insert(Action(Export{}).index());
+    } else if (session.timeline) {
+      const auto& prompt = std::get<ActionPrompt>(entry.does);
+      const std::string file = std::string(KNIT_ASSETS_DIR) + "/torus/mesh.obj";
+      const auto read = prompt.read(session, entry.words == "Open file..." ? file : prompt.example);
+      if (const auto* made = std::get_if<Action>(&read)) reached.insert(made->index());
+    }
+  }
+}
+
+// Of the actions that some entry of the palette makes: in a session that has something of everything, and without.
+std::set<std::size_t> in_the_palette() {
+  std::set<std::size_t> reached;
+  Desk desk;
+  desk.session.assets = KNIT_ASSETS_DIR;
+  note_entries(desk.session, reached);
+  desk.open();
+  desk.session.preferences.recent = {"/tmp/work.json"};
+  desk.session.picking = Picking::start;
+  note_entries(desk.session, reached);
+  apply(desk.session, PinRun{});
+  const test_support::Folder folder;
+  std::filesystem::create_directory(folder.path() / "lessons");
+  test_support::write_text(folder.path() / "lessons/first.json", "{\"title\": \"First\"}");
+  desk.session.assets = folder.path();
+  note_entries(desk.session, reached);
+  return reached;
+}
+
+}  // namespace
+
+TEST_CASE("every action has a name of its own, and the machine's own say why they are") {
+  std::set<std::string_view> words;
+  std::size_t machines = 0;
+  for (const ActionName& name : action_names()) {
+    INFO(name.words);
+    CHECK(name.words.size() > 3);
+    CHECK(words.insert(name.words).second);
+    CHECK(!name.where.empty());
+    if (name.reach != Reach::control) CHECK(name.where.back() == '.');
+    machines += is_a_persons(name) ? 0 : 1;
+  }
+  CHECK(machines == 6);
+  CHECK_FALSE(is_a_persons(name_of(PassTime{})));
+  CHECK(name_of(Quit{}).words == "Quit");
+  CHECK(name_of(PinRun{}).words == "Pin this run");
+}
+
+TEST_CASE("every action of a person's has a button, a line of a menu or a place to point at") {
+  const Controls controls = all_controls();
+  std::size_t found = 0;
+  for (const ActionName& name : action_names()) {
+    if (name.reach != Reach::control) continue;
+    INFO(name.words << ": " << name.where);
+    const bool there = controls.have(name.where);
+    if (to_come.count(std::string(name.where)) == 0) CHECK(there);
+    found += there ? 1 : 0;
+  }
+  CHECK(found >= action_names().size() - 6 - 5 - to_come.size());
+}
+
+TEST_CASE("every action of a person's has an entry in the palette") {
+  const std::set<std::size_t> reached = in_the_palette();
+  for (std::size_t i = 0; i < action_names().size(); ++i) {
+    INFO(action_names()[i].words);
+    CHECK((reached.count(i) == 1) == is_a_persons(action_names()[i]));
+  }
+}

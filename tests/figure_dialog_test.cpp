@@ -1,0 +1,129 @@
+// Saving pictures and animations by keyboard and mouse.
+#include <imgui.h>
+
+#include "app/core/figures.h"
+#include "tests/support/desk.h"
+
+using namespace desk;
+
+namespace {
+
+void choose(Desk& desk, const std::string& control, float across) {
+  for (const Action& wish : desk.click(control, across)) FAIL("a wish too early: " << wish.index());
+  desk.settle();
+}
+
+}  // namespace
+
+TEST_CASE("the picture dialog gives the wish by Enter, and Escape closes it") {
+  Desk desk;
+  desk.open();
+  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.settle();
+  CHECK(desk.press({Key::Space, {}, 0}).empty());
+  desk.type("/tmp/x.png");
+  const SavePicture wish = only<SavePicture>(desk.press({Key::Enter, {}, 0}));
+  CHECK(wish.path == "/tmp/x.png");
+  CHECK(wish.width == static_cast<int>(std::lround(desk.layout.view.width)));
+  CHECK_FALSE(wish.panels);
+  CHECK_FALSE(wish.transparent);
+  CHECK_FALSE(desk.ui.figure.wanted);
+  desk.settle();
+  CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.settle();
+  CHECK(desk.press({Key::Escape, {}, 0}).empty());
+  CHECK_FALSE(desk.ui.figure.wanted);
+  desk.settle();
+  only<SetPlaying>(desk.press({Key::Space, {}, 0}));
+}
+
+TEST_CASE("the picture dialog offers sizes, panels and no ground") {
+  Desk desk;
+  desk.open();
+  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.settle();
+  desk.ui.figure.size = 2;
+  choose(desk, "figure/transparent", 0.1f);
+  CHECK(desk.ui.figure.transparent);
+  SavePicture wish = only<SavePicture>(desk.click("figure/save"));
+  CHECK(wish.width == 3840);
+  CHECK(wish.height == 2160);
+  CHECK(wish.transparent);
+
+  desk.ui.figure.wanted = FigureDialog::Kind::picture;  // with what was chosen the last time
+  desk.ui.figure.panels = true;
+  desk.settle();
+  choose(desk, "figure/size", 0.5f);  // the last of the sizes: one's own
+  CHECK(desk.ui.figure.own == std::array<int, 2>{3840, 2160});
+  desk.ui.figure.own = {1600, 20};
+  desk.settle();
+  CHECK(desk.click("figure/save").empty());  // too low
+  desk.ui.figure.own = {1600, 1200};
+  desk.settle();
+  wish = only<SavePicture>(desk.click("figure/save"));
+  CHECK(wish.width == 1600);
+  CHECK(wish.panels);
+  CHECK_FALSE(wish.transparent);  // panels have a ground
+}
+
+TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
+  Desk desk;
+  desk.open();
+  desk.act({SeekTo{desk.session.timeline->known() / 2}});
+  desk.ui.figure.wanted = FigureDialog::Kind::animation;
+  desk.settle();
+  SaveAnimation wish = only<SaveAnimation>(desk.click("figure/save"));
+  CHECK(wish.stretch == Stretch{0, desk.session.timeline->known()});
+  CHECK(wish.frames == 120);
+  CHECK(wish.frames_per_second == 20.0);
+  CHECK(wish.path.extension() == ".gif");
+
+  desk.ui.figure.wanted = FigureDialog::Kind::animation;
+  desk.ui.figure.of = FigureDialog::Of::row;
+  desk.settle();
+  wish = only<SaveAnimation>(desk.press({Key::Enter, {}, 0}));
+  CHECK(wish.stretch.begin < desk.session.timeline->position());
+  CHECK(wish.stretch.end >= desk.session.timeline->position());
+  const knit::Place first = desk.session.timeline->step(wish.stretch.begin).place;
+  const knit::Place last = desk.session.timeline->step(wish.stretch.end - 1).place;
+  CHECK(first.row == last.row);
+  CHECK(first.stage == last.stage);
+
+  desk.act({SetLoop{Stretch{10, 20}}});
+  desk.ui.figure.wanted = FigureDialog::Kind::animation;
+  desk.ui.figure.of = FigureDialog::Of::loop;
+  desk.settle();
+  CHECK(only<SaveAnimation>(desk.press({Key::Enter, {}, 0})).stretch == Stretch{10, 20});
+  desk.act({SetLoop{}});
+  desk.ui.figure.wanted = FigureDialog::Kind::animation;
+  desk.ui.figure.frames = 0;
+  desk.settle();
+  CHECK(desk.ui.figure.of == FigureDialog::Of::run);
+  CHECK(desk.press({Key::Enter, {}, 0}).empty());  // no frames
+  CHECK(desk.ui.figure.wanted);
+}
+
+TEST_CASE("an animation in the making shows how far it has come and can be cancelled") {
+  Desk desk;
+  desk.open();
+  CHECK(desk.ui.controls.count("animation/cancel") == 0);
+  AnimationRun run;
+  run.wish.path = "a.gif";
+  run.frames = 100;
+  run.done = 30;
+  desk.session.animation = std::make_shared<const AnimationRun>(run);
+  desk.settle();
+  only<CancelAnimation>(desk.click("animation/cancel"));
+}
+
+TEST_CASE("the file menu leads to both dialogs") {
+  Desk desk;
+  desk.open();
+  desk.click("menu/file");
+  desk.settle();
+  desk.click("menu/Save an animation...");
+  CHECK(desk.ui.figure.wanted == FigureDialog::Kind::animation);
+  desk.settle();
+  CHECK(desk.ui.controls.count("figure/rate") == 1);
+}

@@ -1,0 +1,150 @@
+// The strip of a lesson and the card that asks for a guess: what is clicked becomes answers.
+#include "app/core/predict.h"
+#include "tests/support/desk.h"
+#include "tests/support/lesson.h"
+
+using namespace desk;
+using test_support::contains;
+using test_support::lesson_of;
+
+namespace {
+
+// A page of a lesson on the desk, the run worked out, with the strip laid out.
+void lay_out(Desk& desk, const std::string& key, std::int32_t page) {
+  desk.session.assets = KNIT_ASSETS_DIR;
+  apply(desk.session, StartLesson{key});
+  REQUIRE(desk.session.lesson);
+  REQUIRE(!go_to_lesson_page(desk.session, page));
+  desk.session.timeline->extend_to_end();
+  desk.layout = layout_of(1280, 720, 1, layout_wish(desk.session));
+  desk.session.aspect = desk.layout.view_aspect();
+  go_to_lesson_page(desk.session, page);
+  desk.settle();
+}
+
+// The place of a vertex in the view, as part of it.
+MouseMove over_vertex(const Desk& desk, knit::VertexId vertex) {
+  const Session& session = desk.session;
+  const View view = session.camera.view(session.aspect);
+  const glm::vec4 at = view.projection * view.view *
+                       glm::vec4(glm::vec3(session.timeline->input().mesh.positions[vertex]), 1.0f);
+  const Box& box = desk.layout.view;
+  return {box.x + (0.5f + 0.5f * at.x / at.w) * box.width, box.y + (0.5f - 0.5f * at.y / at.w) * box.height};
+}
+
+// A click in the view counts once it can be no double click.
+Actions click_at(Desk& desk, const MouseMove& place) {
+  Actions all =
+      desk.frames({place, MouseClick{MouseButton::Left, true}, MouseClick{MouseButton::Left, false}});
+  for (int i = 0; i < 40; ++i) {
+    for (Action& wish : desk.frame()) all.push_back(std::move(wish));
+  }
+  return all;
+}
+
+template <class T>
+std::vector<T> all_of_kind(const Actions& actions) {
+  std::vector<T> found;
+  for (const Action& action : actions) {
+    if (const auto* one = action.template get_if<T>()) found.push_back(*one);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a lesson has a strip of its own below the view, and its ways on") {
+  Desk desk(1280, 720);
+  lay_out(desk, "what-it-does", 1);
+  CHECK(desk.layout.lesson.height == 150.0f);
+  CHECK(desk.ui.controls.count("lesson/task") == 1);
+  const auto& task = desk.ui.controls.at("lesson/task");
+  CHECK(task.right() <= desk.layout.lesson.right());
+  CHECK(task.bottom() <= desk.layout.lesson.bottom());
+  CHECK(only<AnswerLesson>(desk.click("lesson/skip")).answer == "skip");
+  apply(desk.session, Orbit{0.1, 0.0});
+  desk.settle();
+  CHECK(desk.ui.controls.count("lesson/skip") == 0);
+  CHECK(only<TurnLesson>(desk.click("lesson/next")).direction == 1);
+  CHECK(only<TurnLesson>(desk.click("lesson/again")).direction == 0);
+  CHECK(desk.click("lesson/back").empty());  // the first page
+  CHECK(desk.click("lesson/leave").size() == 1);
+}
+
+TEST_CASE("choices and typed numbers become answers") {
+  Desk desk(1280, 720);
+  lay_out(desk, "what-it-does", 7);
+  CHECK(only<AnswerLesson>(desk.click("lesson/choice/fewer")).answer == "fewer");
+  lay_out(desk, "what-it-does", 6);
+  CHECK(desk.click("lesson/field").empty());
+  desk.type("0.05");
+  CHECK(only<AnswerLesson>(desk.frames({KeyPress{Key::Enter, true, {}}})).answer == "0.05");
+}
+
+TEST_CASE("while a question waits for a vertex, a click in the view answers it") {
+  Desk desk(1280, 720);
+  lay_out(desk, "what-it-does", 4);
+  const auto truth = truth_of(desk.session, *open_question(desk.session));
+  REQUIRE(truth.answers.size() == 1);
+  const auto vertex = static_cast<knit::VertexId>(std::stoul(truth.answers[0].substr(7)));
+  const Actions wishes = click_at(desk, over_vertex(desk, vertex));
+  const auto answers = all_of_kind<AnswerLesson>(wishes);
+  REQUIRE(answers.size() == 1);
+  CHECK(answers[0].answer == truth.answers[0]);
+  CHECK(count_of<ShowWhy>(wishes) == 0);
+  desk.act({answers[0]});
+  CHECK(lesson_of(desk.session).outcome() == PageOutcome::first_try);
+  // Answered, a click asks why again.
+  desk.settle();
+  CHECK(count_of<AnswerLesson>(click_at(desk, over_vertex(desk, vertex))) == 0);
+}
+
+TEST_CASE("a control that a page lights is scrolled into its panel's sight") {
+  Desk desk(1280, 720);
+  lay_out(desk, "what-it-does", 8);
+  REQUIRE(desk.ui.controls.count("knob/epsilon") == 1);
+  const Box& knob = desk.ui.controls.at("knob/epsilon");
+  CHECK(knob.y >= desk.layout.parameters.y);
+  CHECK(knob.bottom() <= desk.layout.parameters.bottom());
+}
+
+TEST_CASE("the end of a lesson offers the next one") {
+  Desk desk(1280, 720);
+  lay_out(desk, "what-it-does", 11);
+  apply(desk.session, ToLast{});
+  apply(desk.session, TurnLesson{1});
+  REQUIRE(lesson_of(desk.session).at_end());
+  desk.settle();
+  CHECK(desk.ui.controls.count("lesson/score") == 1);
+  CHECK(only<StartLesson>(desk.click("lesson/next-lesson")).key == "timing-and-axis");
+  CHECK(only<StartLesson>(desk.click("lesson/once-more")).key == "what-it-does");
+}
+
+TEST_CASE("the menu Learn lists the lessons") {
+  Desk desk(1280, 720);
+  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.open();
+  CHECK(desk.click("menu/learn").empty());
+  desk.settle();
+  CHECK(only<StartLesson>(desk.click("menu/lesson/closing-a-row")).key == "closing-a-row");
+}
+
+TEST_CASE("the card over the view asks for a guess") {
+  Desk desk(1280, 720);
+  desk.open();
+  CHECK(desk.ui.controls.count("predict/question") == 0);
+  apply(desk.session, SetPredicting{true});
+  apply(desk.session, SeekPlace{{knit::Stage::rows, 2, 1}});
+  REQUIRE(asked_vertex(desk.session));
+  desk.settle();
+  CHECK(only<Guess>(desk.click("predict/near")).verdict == knit::Verdict::too_near);
+  CHECK(only<Guess>(desk.click("predict/accepted")).verdict == knit::Verdict::accepted);
+  CHECK(only<Guess>(desk.click("predict/far")).verdict == knit::Verdict::too_far);
+  CHECK(only<StepBy>(desk.click("predict/skip")).direction == 1);
+  CHECK(only<Guess>(desk.press({Key::W, {}, 0})).verdict == knit::Verdict::accepted);
+  CHECK(!only<SetPredicting>(desk.click("predict/close")).on);
+  CHECK(!only<SetPredicting>(desk.press({Key::G, {}, 0})).on);
+  apply(desk.session, Guess{knit::Verdict::too_near});
+  desk.settle();
+  CHECK(desk.ui.controls.count("predict/told") == 1);
+}

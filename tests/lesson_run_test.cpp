@@ -1,0 +1,175 @@
+// Beginning, turning, skipping and leaving lessons; what is kept.
+#include "app/core/command_line.h"
+#include "tests/support/lesson.h"
+
+using namespace app;
+using namespace test_support;
+
+namespace {
+
+Session in_lesson(const std::string& key = "what-it-does") {
+  Session session = example_session("torus");
+  apply(session, StartLesson{key});
+  REQUIRE(session.lesson);
+  return session;
+}
+
+}  // namespace
+
+TEST_CASE("leaving a lesson puts everything back as it was") {
+  Session session = example_session("egg");
+  knit::Parameters parameters = session.timeline->parameters();
+  parameters.epsilon = 0.03;
+  apply(session, Tune{parameters});
+  apply(session, SeekPlace{{knit::Stage::rows, 7, 20}});
+  apply(session, SetLayer{Layer::wire, true});
+  apply(session, Orbit{0.3, 0.1});
+  apply(session, ShowSide{SidePanel::report});
+  const knit::Place place = session.timeline->place();
+  const Camera camera = session.camera;
+  const auto layers = session.layers;
+  apply(session, StartLesson{"where-it-breaks"});
+  CHECK(session.source.example == "torus");
+  apply(session, StartLesson{"picking-a-row"});  // from one into the next
+  apply(session, SetTheme{ThemeKind::light});
+  apply(session, LeaveLesson{});
+  CHECK(!session.lesson);
+  CHECK(session.source.example == "egg");
+  CHECK(session.timeline->parameters().epsilon == 0.03);
+  CHECK(session.timeline->place() == place);
+  CHECK(session.camera == camera);
+  CHECK(session.layers == layers);
+  CHECK(session.side == SidePanel::report);
+  CHECK(session.preferences.theme == ThemeKind::light);  // the program's own stays
+  apply(session, Undo{});
+  CHECK(session.timeline->parameters().epsilon == session.defaults.epsilon);
+}
+
+TEST_CASE("a lesson that cannot be had changes nothing") {
+  Session session = example_session("egg");
+  apply(session, StartLesson{"cooking"});
+  CHECK(!session.lesson);
+  REQUIRE(session.notices.size() == 1);
+  CHECK(is_one_sentence(session.notices[0].text));
+  apply(session, TurnLesson{1});
+  apply(session, AnswerLesson{"4"});
+  apply(session, LeaveLesson{});
+  CHECK(session.source.example == "egg");
+}
+
+TEST_CASE("skipping goes on, says what was right, and does not count") {
+  Session session = in_lesson();
+  apply(session, AnswerLesson{"skip"});
+  CHECK(lesson_of(session).outcome() == PageOutcome::skipped);
+  apply(session, TurnLesson{1});
+  CHECK(lesson_of(session).page == 1);
+  apply(session, AnswerLesson{"skip"});
+  CHECK(contains(lesson_of(session).progress.judgement->words, "vertex 0"));
+  apply(session, AnswerLesson{"vertex:0"});  // too late
+  CHECK(lesson_of(session).outcome() == PageOutcome::skipped);
+  CHECK(lesson_of(session).score().right == 0);
+  apply(session, TurnLesson{-1});
+  CHECK(lesson_of(session).page == 0);
+  apply(session, TurnLesson{-1});
+  CHECK(lesson_of(session).page == 0);
+}
+
+TEST_CASE("an answer that is none is not counted as a try") {
+  Session session = in_lesson();
+  REQUIRE(!go_to_lesson_page(session, 6));
+  apply(session, AnswerLesson{"a few"});
+  CHECK(lesson_of(session).progress.judgement->said == Said::unclear);
+  CHECK(lesson_of(session).progress.tries == 0);
+  apply(session, AnswerLesson{"0,05"});  // a decimal comma will do
+  CHECK(lesson_of(session).outcome() == PageOutcome::first_try);
+  CHECK(session.preferences.lessons.at("what-it-does").right == 1);
+}
+
+TEST_CASE("the best score is kept, a worse one does not replace it") {
+  Session session = in_lesson();
+  session.preferences.lessons["what-it-does"] = LessonScore{3, 6};
+  go_to_lesson_page(session, 6);
+  apply(session, AnswerLesson{"0.05"});
+  CHECK(session.preferences.lessons.at("what-it-does") == LessonScore{3, 6});
+}
+
+TEST_CASE("a page is set up again as it was") {
+  Session session = in_lesson("picking-a-row");
+  REQUIRE(!go_to_lesson_page(session, 7));
+  CHECK(session.timeline->parameters().epsilon == 0.012);
+  set_by_text(session, "epsilon", "0.05");
+  apply(session, SetLayer{Layer::surface, false});
+  apply(session, TurnLesson{0});
+  CHECK(session.timeline->parameters().epsilon == 0.012);
+  CHECK(session.shows(Layer::surface));
+  CHECK(lesson_of(session).page == 6);
+  CHECK(session.timeline->place().stage == knit::Stage::rows);
+  CHECK(session.timeline->place().row == 64);
+}
+
+TEST_CASE("a page out of range is refused with the range") {
+  Session session = in_lesson();
+  for (const std::int32_t page : {0, -3, 12, 1000}) {
+    const auto error = go_to_lesson_page(session, page);
+    REQUIRE(error);
+    CHECK(is_one_sentence(*error));
+    CHECK(contains(*error, "1 to 11"));
+  }
+  CHECK(lesson_of(session).page == 0);
+}
+
+TEST_CASE("opening another mesh by hand ends the lesson and says so") {
+  Session session = in_lesson();
+  apply(session, OpenExample{"cone"});
+  CHECK(!session.lesson);
+  CHECK(session.source.example == "cone");
+  REQUIRE(!session.notices.empty());
+  CHECK(contains(session.notices.back().text, "lesson"));
+}
+
+TEST_CASE("what a page waits for is seen when it happens, not before") {
+  Session session = in_lesson("picking-a-row");
+  const std::size_t from = session.timeline->position();
+  for (int i = 0; i < 5; ++i) apply(session, StepBy{});
+  CHECK(lesson_of(session).outcome() == PageOutcome::open);
+  apply(session, StepBy{Unit::item, -1});
+  apply(session, StepBy{});
+  CHECK(lesson_of(session).outcome() == PageOutcome::open);
+  apply(session, StepBy{});
+  CHECK(session.timeline->position() == from + 6);
+  CHECK(lesson_of(session).outcome() == PageOutcome::done);
+}
+
+TEST_CASE("in a window pages open while the run is worked out, and answers wait for it") {
+  Session session = example_session("torus");
+  session.beside = true;
+  apply(session, StartLesson{"increases-and-decreases"});
+  apply(session, AnswerLesson{"4"});
+  CHECK(lesson_of(session).progress.judgement->said == Said::unclear);
+  CHECK(lesson_of(session).progress.tries == 0);
+  for (int i = 0; i < 5000 && (!session.timeline->complete() || session.timeline->sought()); ++i)
+    apply(session, PassTime{0.01});
+  CHECK(session.timeline->place().stage == knit::Stage::stitches);
+  apply(session, AnswerLesson{"4"});
+  CHECK(lesson_of(session).outcome() == PageOutcome::first_try);
+}
+
+TEST_CASE("the command line begins a lesson at a page") {
+  const auto parsed = parse_command_line(
+      {"--example", "cone", "--lesson", "closing-a-row", "--lesson-page", "2"}, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<CommandLine>(parsed));
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  REQUIRE(!open_as_asked(session, std::get<CommandLine>(parsed)));
+  CHECK(lesson_of(session).page == 1);
+  apply(session, LeaveLesson{});
+  CHECK(session.source.example == "cone");
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--lesson-page", "2"},
+                                                {"--lesson", "closing-a-row", "--lesson-page", "no"}}) {
+    const auto refused = parse_command_line(words, KNIT_ASSETS_DIR);
+    REQUIRE(std::holds_alternative<Answer>(refused));
+    CHECK(is_one_sentence(std::get<Answer>(refused).error));
+  }
+  const auto list = parse_command_line({"--list-lessons"}, KNIT_ASSETS_DIR);
+  CHECK(lines_of(std::get<Answer>(list).out).size() == 6);
+}

@@ -1,0 +1,117 @@
+// The plots as files: the numbers are the run's, and the drawing can be read.
+#include "app/core/plots_file.h"
+
+#include <map>
+
+#include "app/core/export.h"
+#include "app/core/words.h"
+#include "knit/quality.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+#include "tests/support/xml_check.h"
+
+using namespace app;
+
+namespace {
+
+struct Value {
+  double from = 0.0, to = 0.0, value = 0.0;
+};
+using Series = std::map<std::string, std::vector<Value>>;  // by "plot/series"
+
+Series read_csv(const std::string& text) {
+  const auto lines = test_support::lines_of(text);
+  REQUIRE(!lines.empty());
+  CHECK(lines[0] == "plot,series,from,to,value");
+  Series series;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto cells = split(lines[i], ',');
+    REQUIRE(cells.size() == 5);
+    const auto number = [&](std::size_t cell) { return std::stod(std::string(cells[cell])); };
+    series[std::string(cells[0]) + "/" + std::string(cells[1])].push_back({number(2), number(3), number(4)});
+  }
+  return series;
+}
+
+double sum_of(const std::vector<Value>& values) {
+  double sum = 0.0;
+  for (const Value& value : values) sum += value.value;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the plots as CSV hold the run's numbers") {
+  const Session session = test_support::finished_small_session();
+  const knit::State& state = session.timeline->state();
+  Series series = read_csv(plots_file_text(session, PlotsFormat::csv));
+  const std::vector<int> sizes = test_support::row_sizes(state);
+  const auto& made = series["stitches/made"];
+  REQUIRE(made.size() == sizes.size());
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    CHECK(made[i].from == static_cast<double>(i + 1));
+    CHECK(made[i].to == made[i].from);
+    CHECK(made[i].value == sizes[i]);
+  }
+  CHECK(series["stitches/ideal"].size() == sizes.size());
+  CHECK(series["course-length/made"].size() == sizes.size());
+  const knit::Parameters& parameters = session.timeline->parameters();
+  const knit::Quality quality = knit::measure_quality(
+      session.timeline->input(), state, parameters.stitch_width, knit::stitch_height_of(parameters));
+  CHECK(sum_of(series["course/count"]) == static_cast<double>(quality.course.count));
+  CHECK(sum_of(series["wale/count"]) == static_cast<double>(quality.wale.count));
+  CHECK(sum_of(series["corner/count"]) == static_cast<double>(quality.corner.count));
+  const auto& course = series["course/count"];
+  CHECK(course.front().from == Approx(quality.course.histogram.low).margin(1e-12));
+  CHECK(course.back().to == Approx(quality.course.histogram.high));
+  for (std::size_t i = 1; i < course.size(); ++i) CHECK(course[i].from == Approx(course[i - 1].to));
+}
+
+TEST_CASE("the plots as SVG can be read as XML, with a bar for each bin that counts something") {
+  const Session session = test_support::finished_small_session();
+  const std::string svg = plots_file_text(session, PlotsFormat::svg);
+  CHECK(test_support::xml_fault(svg) == "");
+  CHECK(svg == plots_file_text(session, PlotsFormat::svg));
+  for (const char* part : {"class=\"stitches\"", "class=\"course-length\"", "class=\"course\"",
+                           "class=\"wale\"", "class=\"corner\"", "Stitches a row", ">row<", "180mm"}) {
+    CAPTURE(part);
+    CHECK(test_support::contains(svg, part));
+  }
+  std::size_t bars = 0;
+  const Series series = read_csv(plots_file_text(session, PlotsFormat::csv));
+  for (const char* plot : {"course/count", "wale/count", "corner/count"}) {
+    for (const Value& bin : series.at(plot)) bars += bin.value > 0.0 ? 1U : 0U;
+  }
+  CHECK(test_support::occurrences(svg, "class=\"bar\"") == bars);
+  CHECK_FALSE(test_support::contains(svg, "nan"));
+  CHECK_FALSE(test_support::contains(svg, "inf"));
+}
+
+TEST_CASE("plots of an unfinished run show what there is") {
+  Session session = test_support::small_session();
+  CHECK(plots_missing(session).has_value());
+  apply(session, SeekPlace{{knit::Stage::cast_on, 1, 1000}});
+  apply(session, StepBy{});
+  REQUIRE(session.timeline->state().rows.size() == 1);
+  CHECK_FALSE(plots_missing(session).has_value());
+  const std::string svg = plots_file_text(session, PlotsFormat::svg);
+  CHECK(test_support::xml_fault(svg) == "");
+  CHECK(test_support::occurrences(svg, "after the faces") == 2);
+  CHECK_FALSE(test_support::contains(svg, "nan"));
+  const Series series = read_csv(plots_file_text(session, PlotsFormat::csv));
+  CHECK(series.count("wale/count") == 0);
+}
+
+TEST_CASE("a wrong ending and a missing run are said in a sentence") {
+  Session session = test_support::small_session();
+  const test_support::Folder folder;
+  for (const char* name : {"p.svg", "p.pdf"}) {
+    const auto error = export_to_file(session, ExportKind::plots, folder.path() / name);
+    REQUIRE(error.has_value());
+    CHECK(test_support::is_one_sentence(*error));
+  }
+  apply(session, ToLast{});
+  CHECK_FALSE(export_to_file(session, ExportKind::plots, folder.path() / "p.svg").has_value());
+  CHECK_FALSE(export_to_file(session, ExportKind::plots, folder.path() / "p.CSV").has_value());
+  CHECK(folder.files() == 2);
+}

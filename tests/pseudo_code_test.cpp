@@ -1,0 +1,308 @@
+// The pseudo-code against real runs: every kind of step has its line, every line has its step, and every number
+// of a step is the value of a variable.
+#include "app/core/pseudo_code.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/core/code_variable_table.h"
+#include "app/core/code_variables.h"
+#include "app/core/queries.h"
+#include "app/core/step_table.h"
+#include "knit/machine.h"
+#include "knit/narrate.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using test_support::contains;
+
+namespace {
+
+Session run_with(const knit::Parameters& parameters) {
+  Session session = test_support::small_session();
+  session.timeline.emplace(session.timeline->input_pointer(), parameters);
+  session.timeline->extend_to_end();
+  return session;
+}
+
+template <class Change>
+Session run_changed(Change change) {
+  knit::Parameters parameters = test_support::small_parameters();
+  change(parameters);
+  return run_with(parameters);
+}
+
+Session example_with(const std::string& name) {
+  Session session = test_support::example_session(name);
+  session.timeline->extend_to_end();
+  return session;
+}
+
+// Together they take every way through the algorithm.
+std::vector<Session> all_ways() {
+  using knit::Parameters;
+  std::vector<Session> runs;
+  const auto add = [&](auto change) { runs.push_back(run_changed(change)); };
+  add([](Parameters& p) { p.start = 100, p.end = 500; });
+  for (const auto kind :
+       {knit::TimingKind::arc_length, knit::TimingKind::geodesic, knit::TimingKind::harmonic}) {
+    add([&](Parameters& p) { p.timing = kind, p.start = 100, p.end = 300, p.stitch_width = 0.5; });
+    add([&](Parameters& p) { p.timing = kind; });
+  }
+  add([](Parameters& p) { p.start = 7, p.end = 7; });
+  add([](Parameters& p) { p.epsilon = 0.01; });
+  add([](Parameters& p) { p.epsilon = 0.01, p.on_stall = knit::OnStall::stop; });
+  add([](Parameters& p) { p.stitch_width = 9.0; });
+  add([](Parameters& p) { p.cast_on = 3, p.last_anchor = knit::LastAnchor::drop; });
+  add([](Parameters& p) { p.cast_on = 3, p.resample = knit::Resample::off; });
+  add([](Parameters& p) { p.placement = knit::PlacementPolicy::even, p.cast_on = 13; });
+  add([](Parameters& p) { p.placement = knit::PlacementPolicy::nearest; });
+  add([](Parameters& p) { p.rows = knit::RowSource::contours; });
+  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.cast_on = 4; });
+  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_height = 0.7; });
+  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_height = 1e-7; });
+  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_width = 9.0; });
+  runs.push_back(example_with("torus"));
+  runs.push_back(example_with("thesis-sphere"));
+  knit::Parameters contours = runs.back().timeline->parameters();
+  contours.rows = knit::RowSource::contours;
+  contours.stitch_width = 0.15;
+  contours.stitch_height = 0.09;
+  runs.back().timeline->tune(contours);
+  runs.back().timeline->extend_to_end();
+  runs.push_back(example_with("thesis-sphere"));
+  return runs;
+}
+
+struct Reached {
+  std::set<std::size_t> kinds;  // of Happening
+  std::set<std::pair<Listing, std::size_t>> lines;
+  std::size_t wrong = 0;  // steps beyond their listing
+
+  void take(const knit::Step& step, const knit::Parameters& parameters) {
+    const Listing listing = listing_of(step, parameters);
+    const LinesRun run = lines_of(step, parameters);
+    wrong += run.first <= run.last && run.last < code_of(listing).lines.size() ? 0U : 1U;
+    wrong += line_of(step, parameters) == run.last ? 0U : 1U;
+    kinds.insert(step.what.index());
+    for (std::size_t line = run.first; line <= run.last; ++line) lines.emplace(listing, line);
+  }
+  void take(const knit::Timeline& timeline) {
+    for (std::size_t i = 0; i < timeline.known(); ++i) take(timeline.step(i), timeline.parameters_of_step(i));
+    if (timeline.stop() != nullptr) take(*timeline.stop(), timeline.parameters_of_stop());
+  }
+};
+
+// No small run is so crowded that mains find no room.
+void take_crowded_rows(Reached& reached) {
+  for (const auto placement : {knit::PlacementPolicy::thesis, knit::PlacementPolicy::even}) {
+    knit::Parameters parameters;
+    parameters.placement = placement;
+    const knit::SpacingChosen dense{knit::Rule::dense, knit::Rule::remainder_last, true, 0, 0, 5};
+    reached.take({{knit::Stage::stitches, 3, 1}, dense}, parameters);
+  }
+}
+
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::vector<Listing> all_listings() {
+  std::vector<Listing> all;
+  for (std::size_t i = 0; i < listing_count; ++i) all.push_back(static_cast<Listing>(i));
+  return all;
+}
+
+// "docs/algorithm.md, Rows: Stalls" names headings or bold words of that file.
+std::vector<std::string> places_in_docs(const std::string& source) {
+  const std::string file = "docs/algorithm.md, ";
+  const std::size_t at = source.find(file);
+  std::vector<std::string> names;
+  if (at == std::string::npos) return names;
+  std::string rest = source.substr(at + file.size());
+  for (std::size_t colon = rest.find(": "); colon != std::string::npos; colon = rest.find(": ")) {
+    names.push_back(rest.substr(0, colon));
+    rest = rest.substr(colon + 2);
+  }
+  names.push_back(rest);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of step has its line, and every line that is no mere head is some step's") {
+  Reached reached;
+  for (const Session& session : all_ways()) reached.take(*session.timeline);
+  take_crowded_rows(reached);
+  CHECK(reached.wrong == 0);
+  CHECK(reached.kinds.size() == std::variant_size_v<knit::Happening>);
+  for (const Listing listing : all_listings()) {
+    const PseudoCode& code = code_of(listing);
+    for (std::size_t line = 0; line < code.lines.size(); ++line) {
+      INFO(code.title << ", line " << line + 1 << ": " << code.lines[line].text);
+      CHECK((code.lines[line].structural || reached.lines.count({listing, line}) == 1));
+    }
+  }
+}
+
+TEST_CASE("each verdict, reason to stop and rule ends at a line of its own") {
+  const knit::Parameters parameters;
+  const knit::Place place{knit::Stage::rows, 5, 3};
+  const auto text = [&](const knit::Step& step) {
+    return shown_text(code_of(listing_of(step, parameters)).lines[line_of(step, parameters)]);
+  };
+  const auto measured = [&](knit::Verdict verdict) {
+    return text({place, knit::CandidateMeasured{1, 2, 0, 1, 1, verdict, 0.1}});
+  };
+  CHECK(contains(measured(knit::Verdict::too_near), "if d"));
+  CHECK(contains(measured(knit::Verdict::accepted), "v0 \xE2\x86\x90 vi"));
+  CHECK(contains(measured(knit::Verdict::too_far), "else if d >"));
+  const auto stopped = [&](knit::StopReason reason) {
+    return text({place, knit::Stopped{reason, {}, 3, 2, 2, 0, 0.0, 0.5}});
+  };
+  CHECK(contains(stopped(knit::StopReason::stall), "or stop"));
+  CHECK(contains(stopped(knit::StopReason::changes_too_much), "if not p"));
+  CHECK(contains(stopped(knit::StopReason::splits), "order v"));
+  const knit::Place index{knit::Stage::stitches, 5, 1};
+  std::set<std::string> rules;
+  for (const auto rule : {knit::Rule::from_cast_on, knit::Rule::plain, knit::Rule::equal, knit::Rule::follow,
+                          knit::Rule::remainder_last, knit::Rule::dense})
+    rules.insert(text({index, knit::SpacingChosen{rule, rule, false, 1, 0, 1}}));
+  CHECK(rules.size() == 6);
+}
+
+TEST_CASE("lines fit their panel and say what they mean and where they come from") {
+  const std::string docs = test_support::read_text(std::string(KNIT_SOURCE_DIR) + "/docs/algorithm.md");
+  for (const Listing listing : all_listings()) {
+    const PseudoCode& code = code_of(listing);
+    CHECK_FALSE(code.title.empty());
+    CHECK(code.lines.size() >= 5);
+    CHECK(code.lines.size() <= 12);
+    for (const CodeLine& line : code.lines) {
+      INFO(code.title << ": " << line.text);
+      CHECK(columns(shown_text(line)) <= most_code_columns);
+      CHECK(shown_text(line).find('{') == std::string::npos);
+      CHECK(test_support::is_one_sentence(std::string(line.meaning)) == (line.meaning.size() > 20));
+      CHECK(line.meaning.back() == '.');
+      CHECK_FALSE(line.source.empty());
+      for (const std::string& name : places_in_docs(std::string(line.source))) {
+        INFO(name);
+        std::string coded = name;
+        for (const char* policy : {"thesis", "even", "nearest"}) {
+          if (name == std::string("Placement ") + policy) coded = std::string("Placement `") + policy + "`";
+        }
+        CHECK(contains(docs, coded));
+      }
+    }
+  }
+}
+
+TEST_CASE("every variable has a symbol and a meaning, and stands in the table once") {
+  std::set<std::string_view> used;
+  for (const Listing listing : all_listings()) {
+    for (const std::string_view name : variable_names_of(listing)) {
+      INFO(name);
+      used.insert(name);
+      const VariableInfo info = variable_named(name);
+      CHECK(info.name == name);
+      CHECK_FALSE(info.symbol.empty());
+      CHECK(info.meaning.size() > 10);
+      CHECK(info.meaning.back() == '.');
+    }
+  }
+  std::set<std::string_view> names;
+  for (const VariableInfo& info : variable_table) {
+    INFO(info.name);
+    CHECK(names.insert(info.name).second);
+    CHECK(used.count(info.name) == 1);
+  }
+  CHECK(variable_named("nonsense").name.empty());
+}
+
+TEST_CASE("every number of a step is the value of a variable") {
+  std::set<std::string> missing;
+  for (Session& session : all_ways()) {
+    const std::size_t known = session.timeline->known();
+    const std::size_t stride = known > 6000 ? 31 : 1;
+    for (std::size_t position = 1; position <= known; position += stride) {
+      session.timeline->seek(position);
+      const knit::Step* step = last_step(session);
+      if (std::holds_alternative<knit::FieldSolved>(step->what)) continue;
+      const std::vector<Variable> variables = variables_of(session);
+      for (const auto& [name, value] : numbers_of(*step)) {
+        const bool found = std::any_of(variables.begin(), variables.end(),
+                                       [&](const Variable& variable) { return variable.value == value; });
+        if (!found && !stop_shown(session)) missing.insert(std::string(knit::kind_name(*step)) + ": " + name);
+      }
+    }
+  }
+  CHECK(missing == std::set<std::string>{});
+}
+
+TEST_CASE("the variables of a measured candidate are those of its step, by the thesis's symbols") {
+  Session session = test_support::finished_small_session();
+  apply(session, SeekPlace{{knit::Stage::rows, 5, 9}});
+  const auto& step = std::get<knit::CandidateMeasured>(last_step(session)->what);
+  const std::vector<Variable> variables = variables_of(session);
+  const auto value = [&](std::string_view symbol) {
+    const auto at = std::find_if(variables.begin(), variables.end(),
+                                 [&](const Variable& v) { return v.symbol == symbol; });
+    REQUIRE(at != variables.end());
+    return at->value;
+  };
+  CHECK(value("d") == knit::short_number(step.distance));
+  CHECK(value("v0") == std::to_string(step.anchor));
+  CHECK(value("vi") == std::to_string(step.candidate));
+  CHECK(value("w") == "0.3");
+  CHECK(value("\xCE\xB5") == "0.15");
+  CHECK(value("g").empty());  // not before the row closes
+}
+
+TEST_CASE("before the first step the listing is that of what comes, and no line is lit") {
+  Session session = run_changed([](knit::Parameters& p) { p.timing = knit::TimingKind::harmonic; });
+  session.timeline->seek(0);
+  const auto at = explained(session);
+  REQUIRE(at);
+  CHECK(at->step == nullptr);
+  CHECK(at->listing == Listing::timing_harmonic);
+  CHECK_FALSE(at->lines);
+  CHECK_FALSE(explained(Session{}));
+  CHECK(variables_of(Session{}).empty());
+}
+
+TEST_CASE("the option explain prints the code with one mark, the values and the sentence") {
+  Session session = test_support::finished_small_session();
+  apply(session, SeekPlace{{knit::Stage::rows, 5, 9}});
+  const Answer answer = explain_answer(session);
+  CHECK(answer.exit_code == exit_done);
+  const auto lines = test_support::lines_of(answer.out);
+  CHECK(lines[0] == "rows:5:9\tAlgorithm 2: a row from a ring");
+  CHECK(lines[1] == sentence(session));
+  CHECK(std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line[0] == '>'; }) == 1);
+  CHECK(contains(answer.out, "\nepsilon\t\xCE\xB5\t0.15\t"));
+  CHECK(explain_answer(Session{}).exit_code == exit_usage);
+
+  Session stopped =
+      run_changed([](knit::Parameters& p) { p.epsilon = 0.01, p.on_stall = knit::OnStall::stop; });
+  apply(stopped, ToLast{});
+  CHECK(contains(explain_answer(stopped).out, "\tstopped\t"));
+  CHECK_FALSE(fault_of_point("epsilon"));
+  CHECK_FALSE(fault_of_point(""));
+  REQUIRE(fault_of_point("speed"));
+  CHECK(test_support::is_one_sentence(*fault_of_point("speed")));
+}
+
+TEST_CASE("the command line asks to explain and to point, and refuses what is no variable") {
+  const auto parsed = parse_command_line({"--headless", "--explain", "--point", "d"}, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<CommandLine>(parsed));
+  CHECK(std::get<CommandLine>(parsed).explain);
+  Session session;
+  session.assets = KNIT_ASSETS_DIR;
+  CHECK_FALSE(open_as_asked(session, std::get<CommandLine>(parsed)));
+  CHECK(session.pointed_variable == "d");
+  const auto refused = parse_command_line({"--point", "speed"}, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<Answer>(refused));
+  CHECK(std::get<Answer>(refused).exit_code == exit_usage);
+}
