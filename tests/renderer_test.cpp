@@ -219,6 +219,48 @@ TEST_CASE("a shape is uploaded once and freed when nobody holds it") {
   CHECK(studio.renderer.counters().shapes_kept == 2);
 }
 
+TEST_CASE("what two scenes have in common from the beginning is not sent again") {
+  Studio studio;
+  Scene scene = scene_of_wall();
+  for (int i = 0; i < 4; ++i)
+    scene.line_sets.push_back(std::make_shared<const std::vector<Line>>(
+        std::vector<Line>{{{-0.8f, 0.3f * float(i), 0.01f}, {0.8f, 0.3f * float(i), 0.01f}, green, 4.0f}}));
+  const auto all = scene.line_sets;
+  studio.draw(scene);
+  CHECK(studio.renderer.counters().uploads == 5);
+  scene.line_sets.resize(2);
+  studio.draw(scene);
+  CHECK(studio.renderer.counters().lines == 2);
+  CHECK_FALSE(greenish(studio.at(0.0f, 0.9f)));
+  scene.line_sets = all;
+  studio.draw(scene);
+  CHECK(studio.renderer.counters().uploads == 5);
+  CHECK(greenish(studio.at(0.0f, 0.9f)));
+  scene.line_sets[1] = std::make_shared<const std::vector<Line>>(
+      std::vector<Line>{{{-0.8f, -0.6f, 0.01f}, {0.8f, -0.6f, 0.01f}, green, 4.0f}});
+  studio.draw(scene);
+  CHECK(studio.renderer.counters().uploads == 8);  // it and those after it
+  CHECK(greenish(studio.at(0.0f, -0.6f)));
+  CHECK_FALSE(greenish(studio.at(0.0f, 0.3f)));
+  CHECK(greenish(studio.at(0.0f, 0.9f)));
+  CHECK(studio.renderer.counters().draw_calls <= 4);
+}
+
+TEST_CASE("of very many lines only those in the view are drawn") {
+  Studio studio;
+  Scene scene = scene_of_wall();
+  std::vector<Line> lines;
+  for (int i = 0; i < 20000; ++i) {
+    const float x = -100.0f + 0.01f * float(i);  // the view shows -2 to 2
+    lines.push_back({{x, -0.5f, 0.01f}, {x + 0.01f, -0.5f, 0.01f}, green, 4.0f});
+  }
+  scene.line_sets = {std::make_shared<const std::vector<Line>>(lines)};
+  studio.draw(scene);
+  CHECK(studio.renderer.counters().lines >= 400);
+  CHECK(studio.renderer.counters().lines < 700);
+  for (const float x : {-1.9f, -0.4f, 0.0f, 1.9f}) CHECK(greenish(studio.at(x, -0.5f)));
+}
+
 TEST_CASE("an empty scene and a viewport inside the picture are drawn") {
   Studio studio;
   Scene scene;

@@ -124,13 +124,13 @@ constexpr ActionName named(For<ResetLayout>) {
   return {"Reset the layout", control, "menu/Reset the layout"};
 }
 constexpr ActionName named(For<ForgetRecent>) {
-  return {"Forget what was opened", control, "menu/Forget these"};
+  return {"Forget what was opened", control, "recent/forget"};
 }
 
 // Learning.
 constexpr ActionName named(For<StartLesson>) { return {"Start a lesson", control, "menu/learn"}; }
 constexpr ActionName named(For<LeaveLesson>) { return {"Leave the lesson", control, "lesson/leave"}; }
-constexpr ActionName named(For<TurnLesson>) { return {"Turn the lesson's page", control, "lesson/next"}; }
+constexpr ActionName named(For<TurnLesson>) { return {"Turn the lesson's page", control, "lesson/back"}; }
 constexpr ActionName named(For<AnswerLesson>) {
   return {"Answer the lesson's question", control, "lesson/answer"};
 }

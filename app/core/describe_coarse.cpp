@@ -88,6 +88,7 @@ void Coarse::describe(const Session& session, int stride, Scene& scene) {
   stride_ = stride;
   const knit::State& state = session.timeline->state();
   std::size_t i = 0;
+  std::size_t made = 0;  // cells
   for (std::size_t low = 0; low < state.rows.size(); low += static_cast<std::size_t>(stride), ++i) {
     if (i == kept_.size()) kept_.emplace_back();
     Kept& kept = kept_[i];
@@ -98,15 +99,23 @@ void Coarse::describe(const Session& session, int stride, Scene& scene) {
     const auto below = state.rows[low].pointer();
     const auto above = covered ? state.rows[high].pointer() : nullptr;
     const auto strip = covered ? state.strips[low].pointer() : nullptr;
+    const bool same_faces = !covered || (kept.above == above && kept.strip == strip);
+    if (kept.below != below || !same_faces) {
+      if (session.beside && made > cells_a_frame) {
+        scene.unfinished = true;
+        return;
+      }
+      made += 2 * cells_of(*below, stride);
+    }
     if (kept.below != below)
       kept = {below, nullptr, nullptr, edges_of(*below, stride, theme_->row_edge), nullptr};
-    if (kept.above != above || kept.strip != strip) {
+    if (covered && (kept.above != above || kept.strip != strip)) {
       kept.above = above;
       kept.strip = strip;
-      kept.faces = covered ? faces_of(*theme_, *below, *above, *strip, stride) : nullptr;
+      kept.faces = faces_of(*theme_, *below, *above, *strip, stride);
     }
     if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
-    if (session.shows(Layer::faces) && kept.faces) scene.faces.push_back(kept.faces);
+    if (session.shows(Layer::faces) && covered) scene.faces.push_back(kept.faces);
   }
   if (state.rows.size() > 1 && session.shows(Layer::row_edges)) {
     const knit::Row& last = *state.rows.back();

@@ -10,8 +10,9 @@
 
 namespace app {
 
+inline constexpr std::size_t cells_a_frame = 10000;  // made anew in a window
 inline constexpr std::size_t always_whole_stitches = 30000;
-inline constexpr double coarse_stitch_px = 6.0;
+inline constexpr double coarse_stitch_px = 9.0;
 
 // How many rows, and stitches of a row, stand for one, so that what is drawn is at least so many
 // pixels wide, in a view `height_px` high. 1: every stitch is drawn.
@@ -20,7 +21,8 @@ int coarseness(const Session& session, double height_px);
 // Keeps the shapes between two rows drawn as long as these are the same.
 class Coarse {
  public:
-  // Row edges and faces, as the layers say; stitches and column edges are left out.
+  // Row edges and faces, as the layers say; stitches and column edges are left out. In a window only so many shapes
+  // are made at once, from below; the rest follows with the next frames (Scene::unfinished).
   void describe(const Session& session, int stride, Scene& scene);
 
  private:

@@ -84,8 +84,9 @@ struct Scene {
   Colour time_low, time_middle, time_high;  // the ramp over [0, 1]
   std::optional<Band> band;
   std::vector<std::shared_ptr<const FaceShape>> faces;  // opaque
-  bool calm = false;  // line_sets and point_sets stand back behind this frame's own
-  int coarse = 1;     // so many rows and stitches stand for one: describe_coarse.h
+  bool calm = false;        // line_sets and point_sets stand back behind this frame's own
+  bool unfinished = false;  // more of what is shared comes with the next frame
+  int coarse = 1;           // so many rows and stitches stand for one: describe_coarse.h
   // Hidden parts of lines and points are drawn faintly through the surface, so that nothing is lost behind
   // it.
   std::vector<std::shared_ptr<const std::vector<Line>>> line_sets;  // shared: finished rows

@@ -82,6 +82,7 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
   drawn.layout = layout_of(shape.width, shape.height, scale, layout_wish(session));
   apply(session, SetAspect{drawn.layout.view_aspect()});
   drawn.scene = describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds)});
+  unfinished_ = drawn.scene.unfinished;
   drawn.wishes = draw_ui(session, ui_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
   return drawn;

@@ -60,7 +60,7 @@ class FrameDrawer {
   [[nodiscard]] const ImGuiGlue& glue() const { return glue_; }
   // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
   [[nodiscard]] bool busy() const {
-    return glue_.busy() || ui_.click.has_value() || since_step_s_ < motion_s;
+    return glue_.busy() || ui_.click.has_value() || since_step_s_ < motion_s || unfinished_;
   }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
@@ -84,6 +84,7 @@ class FrameDrawer {
   Target target_;
   Describer describer_;
   UiState ui_;
+  bool unfinished_ = false;  // the last scene
   std::size_t last_position_ = 0;
   double since_step_s_ = motion_s;  // since the last step was taken; motion_s: long ago
   Fonts fonts_;

@@ -1,0 +1,171 @@
+// What is drawn of stitches too small to be told apart, of the last step's movement and of symbols come near.
+#include "app/core/describe_coarse.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/core/describe.h"
+#include "app/core/describe_motion.h"
+#include "app/core/describe_symbols.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+
+namespace {
+
+// A run of more stitches than are always drawn whole.
+Session fine_session() {
+  Session session;
+  session.timeline.emplace(knit::make_input(knit::sphere(48, 25, false)), [] {
+    knit::Parameters fine;
+    fine.rows = knit::RowSource::contours;
+    fine.placement = knit::PlacementPolicy::even;
+    fine.stitch_width = fine.stitch_height = 0.019;
+    fine.epsilon = 0.009;
+    return fine;
+  }());
+  session.camera.frame(session.timeline->input().bounds, session.aspect);
+  apply(session, ToLast{});
+  return session;
+}
+
+std::size_t stitches_of(const Session& session) {
+  std::size_t count = 0;
+  for (const auto& row : session.timeline->state().rows) count += row->stitches.size();
+  return count;
+}
+
+std::size_t triangles_of(const Scene& scene) {
+  std::size_t count = 0;
+  for (const auto& shape : scene.faces) count += shape->vertices.size() / 3;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("stitches smaller than some pixels are drawn coarsely, and as they are from near") {
+  Session session = fine_session();
+  REQUIRE(stitches_of(session) > always_whole_stitches);
+  const int stride = coarseness(session, 600.0);
+  CHECK(stride > 1);
+  CHECK(coarseness(session, 1200.0) < stride);
+  const Scene far = Describer().describe(session);
+  CHECK(far.coarse == stride);
+  CHECK(far.point_sets.empty());
+  const auto all = static_cast<double>(stitches_of(session));
+  const double share = static_cast<double>(triangles_of(far)) / (2.0 * all);
+  CHECK(share < 1.3 / (stride * stride));
+  CHECK(share > 0.7 / (stride * stride));
+  session.camera.distance *= 0.2;
+  const Scene near = Describer().describe(session);
+  CHECK(near.coarse == 1);
+  CHECK(static_cast<double>(triangles_of(near)) > 1.8 * all);
+}
+
+TEST_CASE("drawn coarsely, it reaches from the first row to the last, and shows the rarer labels") {
+  const Session session = fine_session();
+  const Scene scene = Describer().describe(session);
+  const auto& rows = session.timeline->state().rows;
+  const glm::vec3 first(rows.front()->stitches.front().position);
+  const glm::vec3 last(rows.back()->stitches.front().position);
+  bool starts = false;
+  bool ends = false;
+  std::set<std::array<int, 3>> colours;
+  for (const auto& shape : scene.faces) {
+    for (const FaceShape::Vertex& v : shape->vertices) {
+      starts = starts || v.position == first;
+      ends = ends || v.position == last;
+      colours.insert({v.colour.r, v.colour.g, v.colour.b});
+    }
+  }
+  CHECK(starts);
+  CHECK(ends);
+  for (const knit::Label label : {knit::Label::knit, knit::Label::main, knit::Label::m1r}) {
+    const Colour colour = dark_theme.of(label);
+    CHECK(colours.count({colour.r, colour.g, colour.b}) == 1);
+  }
+}
+
+TEST_CASE("few stitches are always drawn whole, however far away") {
+  Session session = test_support::finished_small_session();
+  session.camera.distance *= 50.0;
+  CHECK(coarseness(session, 300.0) == 1);
+}
+
+TEST_CASE("in a window coarse shapes are made over some frames, without one all at once") {
+  Session session = fine_session();
+  const std::size_t all = Describer().describe(session).faces.size();
+  session.beside = true;
+  Describer describer;
+  // So near that much is made.
+  const Showing large{5000.0, 1.0};
+  session.beside = false;
+  const Scene whole = Describer().describe(session, large);
+  session.beside = true;
+  Scene scene = describer.describe(session, large);
+  if (whole.coarse > 1 && triangles_of(whole) > 4 * cells_a_frame) CHECK(scene.unfinished);
+  int frames = 1;
+  while (scene.unfinished && frames < 100) {
+    scene = describer.describe(session, large);
+    ++frames;
+  }
+  CHECK_FALSE(scene.unfinished);
+  CHECK(triangles_of(scene) == triangles_of(whole));
+  CHECK(all > 0);
+}
+
+TEST_CASE("a step's movement ends where it says, and is not there without a place or a wish for it") {
+  Session session = test_support::finished_small_session();
+  apply(session, ToFirst{});
+  while (last_step(session) == nullptr ||
+         !std::holds_alternative<knit::CandidateMeasured>(last_step(session)->what))
+    apply(session, StepBy{Unit::item, 1});
+  const auto at = place_of_step(session, *last_step(session));
+  REQUIRE(at.has_value());
+  const auto& measured = std::get<knit::CandidateMeasured>(last_step(session)->what);
+  CHECK(*at == glm::vec3(session.timeline->input().mesh.positions[measured.candidate]));
+  const auto points = [&](double appeared) {
+    return Describer().describe(session, {600.0, appeared}).points;
+  };
+  const std::size_t still = points(1.0).size();
+  REQUIRE(points(0.0).size() == still + 1);
+  CHECK(points(0.0).back().position == *at);
+  CHECK(points(0.0).back().diameter_px > points(0.9).back().diameter_px);
+  session.preferences.motion = false;
+  CHECK(points(0.0).size() == still);
+}
+
+TEST_CASE("every step that makes something at one place has it") {
+  Session session = test_support::finished_small_session();
+  for (std::size_t i = 0; i < session.timeline->known(); ++i) {
+    apply(session, SeekTo{i + 1});
+    const knit::Step& step = session.timeline->step(i);
+    const bool places = std::holds_alternative<knit::VertexTimed>(step.what) ||
+                        std::holds_alternative<knit::StitchCastOn>(step.what) ||
+                        std::holds_alternative<knit::CandidateMeasured>(step.what) ||
+                        std::holds_alternative<knit::MainPlaced>(step.what) ||
+                        std::holds_alternative<knit::ShapingPlaced>(step.what) ||
+                        std::holds_alternative<knit::FaceMade>(step.what);
+    if (places != place_of_step(session, step).has_value()) FAIL_CHECK("step " << i);
+  }
+}
+
+TEST_CASE("faces bear their symbols when they are near") {
+  Session session = test_support::finished_small_session();
+  const auto ink = [&](double height_px) {
+    const Scene scene = Describer().describe(session, {height_px, 1.0});
+    return std::count_if(scene.lines.begin(), scene.lines.end(), [&](const Line& line) {
+      return with_alpha(line.colour, 255) == with_alpha(scene.theme->symbol, 255);
+    });
+  };
+  CHECK(ink(60.0) == 0);
+  const auto drawn = ink(2000.0);
+  std::size_t shaping = 0;
+  for (const auto& strip : session.timeline->state().strips)
+    for (const knit::Face& face : strip->faces) shaping += knit::is_shaping(face.label) ? 1U : 0U;
+  CHECK(static_cast<std::size_t>(drawn) >= shaping);
+  CHECK(static_cast<std::size_t>(drawn) <= 2 * shaping);
+  apply(session, SetLayer{Layer::faces, false});
+  CHECK(ink(2000.0) == 0);
+}
