@@ -231,10 +231,12 @@ TEST_CASE("every number of a step is the value of a variable") {
       const knit::Step* step = last_step(session);
       if (std::holds_alternative<knit::FieldSolved>(step->what)) continue;
       const std::vector<Variable> variables = variables_of(session);
-      for (const auto& [name, value] : numbers_of(*step)) {
-        const bool found = std::any_of(variables.begin(), variables.end(),
-                                       [&](const Variable& variable) { return variable.value == value; });
-        if (!found && !stop_shown(session)) missing.insert(std::string(knit::kind_name(*step)) + ": " + name);
+      for (const auto& number : numbers_of(*step)) {
+        const bool found = std::any_of(variables.begin(), variables.end(), [&](const Variable& variable) {
+          return variable.value == number.second;
+        });
+        if (!found && !stop_shown(session))
+          missing.insert(std::string(knit::kind_name(*step)) + ": " + number.first);
       }
     }
   }

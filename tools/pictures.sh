@@ -12,7 +12,7 @@ scenes=(start row stall labels finished lesson chart)
 options_of() {
   case $1 in
     start) echo "--example thesis-sphere --at 0" ;;
-    row) echo "--example thesis-sphere --at rows:14:60 --list candidates" ;;
+    row) echo "--example thesis-sphere --at rows:14:12 --list candidates" ;;
     stall) echo "--example thesis-sphere --epsilon 0.012 --break stall --list candidates" ;;
     labels) echo "--example thesis-sphere --at stitches:8:9" ;;
     finished) echo "--example thesis-sphere" ;;
