@@ -155,9 +155,13 @@ TEST_CASE("faces bear their symbols when they are near") {
   Session session = test_support::finished_small_session();
   const auto ink = [&](double height_px) {
     const Scene scene = Describer().describe(session, {height_px, 1.0});
-    return std::count_if(scene.lines.begin(), scene.lines.end(), [&](const Line& line) {
-      return with_alpha(line.colour, 255) == with_alpha(scene.theme->symbol, 255);
-    });
+    std::ptrdiff_t count = 0;
+    for (const auto& set : scene.line_sets) {
+      count += std::count_if(set->begin(), set->end(), [&](const Line& line) {
+        return with_alpha(line.colour, 255) == with_alpha(scene.theme->symbol, 255);
+      });
+    }
+    return count;
   };
   CHECK(ink(60.0) == 0);
   const auto drawn = ink(2000.0);

@@ -123,9 +123,7 @@ constexpr ActionName named(For<SetSplit>) { return {"Set the size of a panel", c
 constexpr ActionName named(For<ResetLayout>) {
   return {"Reset the layout", control, "menu/Reset the layout"};
 }
-constexpr ActionName named(For<ForgetRecent>) {
-  return {"Forget what was opened", control, "recent/forget"};
-}
+constexpr ActionName named(For<ForgetRecent>) { return {"Forget what was opened", control, "recent/forget"}; }
 
 // Learning.
 constexpr ActionName named(For<StartLesson>) { return {"Start a lesson", control, "menu/learn"}; }

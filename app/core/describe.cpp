@@ -177,7 +177,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   ghost_.describe(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);
-  describe_symbols(session, showing.height_px, scene);
+  symbols_.describe(session, showing.height_px, scene);
   describe_selected(session, scene);
   describe_variable(session, scene);
   describe_motion(session, showing.appeared, scene);

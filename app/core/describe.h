@@ -8,6 +8,7 @@
 
 #include "app/core/describe_coarse.h"
 #include "app/core/describe_ghost.h"
+#include "app/core/describe_symbols.h"
 #include "app/core/scene.h"
 #include "app/core/session.h"
 
@@ -52,6 +53,7 @@ class Describer {
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
   Coarse coarse_;
+  Symbols symbols_;
   Ghost ghost_;
 };
 

@@ -64,7 +64,8 @@ std::optional<Square> square_of(const knit::Face& face, const StripPlaces& place
   return Square{0.5F * (low + high), half * glm::normalize(right), half * up / height};
 }
 
-void draw(const Square& square, std::span<const ChartStroke> strokes, Colour colour, Scene& scene) {
+void draw(const Square& square, std::span<const ChartStroke> strokes, Colour colour,
+          std::vector<Line>& lines) {
   for (const ChartStroke& stroke : strokes) {
     const int parts = stroke.bend ? bend_parts : 1;
     glm::vec3 from = square.at(stroke.from);
@@ -77,7 +78,7 @@ void draw(const Square& square, std::span<const ChartStroke> strokes, Colour col
       };
       const glm::vec3 to =
           square.at({along(stroke.from.x, bend.x, stroke.to.x), along(stroke.from.y, bend.y, stroke.to.y)});
-      scene.lines.push_back({from, to, colour, stroke_px});
+      lines.push_back({from, to, colour, stroke_px});
       from = to;
     }
   }
@@ -94,7 +95,7 @@ double stitch_px(const Session& session, double height_px) {
 
 }  // namespace
 
-void describe_symbols(const Session& session, double height_px, Scene& scene) {
+void Symbols::describe(const Session& session, double height_px, Scene& scene) {
   if (!session.shows(Layer::faces) || scene.coarse > 1) return;
   const double size_px = stitch_px(session, height_px);
   const double share = (size_px - symbol_first_px) / (symbol_full_px - symbol_first_px);
@@ -102,14 +103,20 @@ void describe_symbols(const Session& session, double height_px, Scene& scene) {
   const Colour ink =
       with_alpha(scene.theme->symbol, static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0))));
   const knit::State& state = session.timeline->state();
+  std::vector<Line> lines;
   for (const MadeStrip& strip : made_strips(state)) {
     const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (const knit::Face& face : strip.faces) {
       const auto symbol = symbol_of(face.label);
       const auto square = symbol ? square_of(face, places) : std::nullopt;
-      if (square) draw(*square, shape_of(*symbol).strokes, ink, scene);
+      if (square) draw(*square, shape_of(*symbol).strokes, ink, lines);
     }
   }
+  // Among what is finished: those of the far side do not shine through.
+  if (lines.empty()) return;
+  if (lines_ == nullptr || *lines_ != lines)
+    lines_ = std::make_shared<const std::vector<Line>>(std::move(lines));
+  scene.line_sets.push_back(lines_);
 }
 
 }  // namespace app

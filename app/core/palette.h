@@ -29,7 +29,7 @@ struct Theme {
   Colour too_far{160, 110, 90};
   Colour accepted{255, 255, 255};
   Colour anchor{255, 214, 64};
-  Colour band{255, 214, 64, 110};
+  Colour band{255, 214, 64, 190};
   Colour selected{140, 255, 150};
   Colour stitch{244, 240, 228};
   Colour row_edge{236, 232, 220};
@@ -95,7 +95,7 @@ constexpr Theme make_light_theme() {
   theme.too_far = {150, 84, 58};
   theme.accepted = {14, 16, 20};
   theme.anchor = {176, 84, 0};
-  theme.band = {214, 120, 0, 110};
+  theme.band = {214, 120, 0, 190};
   theme.selected = {0, 128, 48};
   theme.stitch = {52, 50, 46};
   theme.row_edge = {84, 80, 72};

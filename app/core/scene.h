@@ -42,6 +42,7 @@ struct Line {
   glm::vec3 to;
   Colour colour;
   float width_px = 1.5f;
+  friend bool operator==(const Line&, const Line&) = default;
 };
 
 struct Point {

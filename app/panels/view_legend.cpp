@@ -64,7 +64,7 @@ void draw_labels(PanelFrame& frame) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float edge = frame.units(5.0f);
   list.AddRectFilled(ImVec2(left - edge, top - edge), ImVec2(view.right() - edge, view.bottom() - edge),
-                     style::packed(theme().background, 170), frame.units(4.0f));
+                     style::packed(theme().background, 215), frame.units(4.0f));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const float y = top + line * static_cast<float>(i);
     const float at = y + 0.5f * (line - swatch);
