@@ -93,26 +93,24 @@ TEST_CASE("few stitches are always drawn whole, however far away") {
   CHECK(coarseness(session, 300.0) == 1);
 }
 
-TEST_CASE("in a window coarse shapes are made over some frames, without one all at once") {
+TEST_CASE("in pieces coarse shapes are made over some frames, at once they are whole, in a window too") {
   Session session = fine_session();
-  const std::size_t all = Describer().describe(session).faces.size();
   session.beside = true;
+  // So large that much is made, and still coarsely.
+  Showing showing{600.0, 1.0};
+  while (coarseness(session, 1.2 * showing.height_px) > 1) showing.height_px *= 1.2;
+  const Scene whole = Describer().describe(session, showing);
+  CHECK_FALSE(whole.unfinished);
+  REQUIRE(whole.coarse > 1);
+  REQUIRE(triangles_of(whole) > 2 * cells_a_frame);
+  showing.in_pieces = true;
   Describer describer;
-  // So near that much is made.
-  const Showing large{5000.0, 1.0};
-  session.beside = false;
-  const Scene whole = Describer().describe(session, large);
-  session.beside = true;
-  Scene scene = describer.describe(session, large);
-  if (whole.coarse > 1 && triangles_of(whole) > 4 * cells_a_frame) CHECK(scene.unfinished);
-  int frames = 1;
-  while (scene.unfinished && frames < 100) {
-    scene = describer.describe(session, large);
-    ++frames;
-  }
+  Scene scene = describer.describe(session, showing);
+  CHECK(scene.unfinished);
+  CHECK(triangles_of(scene) < triangles_of(whole));
+  for (int frame = 0; scene.unfinished && frame < 100; ++frame) scene = describer.describe(session, showing);
   CHECK_FALSE(scene.unfinished);
   CHECK(triangles_of(scene) == triangles_of(whole));
-  CHECK(all > 0);
 }
 
 TEST_CASE("a step's movement ends where it says, and is not there without a place or a wish for it") {

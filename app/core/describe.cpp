@@ -169,7 +169,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   scene.coarse = coarseness(session, showing.height_px);
   scene.calm = in_the_making(state);
   if (scene.coarse > 1) {
-    coarse_.describe(session, scene.coarse, scene);
+    coarse_.describe(session, scene.coarse, showing.in_pieces, scene);
   } else {
     add_rows(session, scene);
     add_strips(session, scene);

@@ -18,6 +18,7 @@ namespace app {
 struct Showing {
   double height_px = 600.0;  // of the view, in pixels of a plain screen
   double appeared = 1.0;     // of the last step's movement: describe_motion.h
+  bool in_pieces = false;    // much that is new may come over some frames: Scene::unfinished
 };
 
 // Keeps the shapes of finished products, by the products' pointers, so that a renderer uploads each once.

@@ -82,7 +82,7 @@ int coarseness(const Session& session, double height_px) {
   return wide_enough != strides.end() ? *wide_enough : strides.back();
 }
 
-void Coarse::describe(const Session& session, int stride, Scene& scene) {
+void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene& scene) {
   if (theme_ != scene.theme || stride_ != stride) kept_.clear();
   theme_ = scene.theme;
   stride_ = stride;
@@ -101,7 +101,7 @@ void Coarse::describe(const Session& session, int stride, Scene& scene) {
     const auto strip = covered ? state.strips[low].pointer() : nullptr;
     const bool same_faces = !covered || (kept.above == above && kept.strip == strip);
     if (kept.below != below || !same_faces) {
-      if (session.beside && made > cells_a_frame) {
+      if (in_pieces && made > cells_a_frame) {
         scene.unfinished = true;
         return;
       }

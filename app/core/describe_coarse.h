@@ -10,7 +10,7 @@
 
 namespace app {
 
-inline constexpr std::size_t cells_a_frame = 10000;  // made anew in a window
+inline constexpr std::size_t cells_a_frame = 10000;  // made anew in a piece
 inline constexpr std::size_t always_whole_stitches = 30000;
 inline constexpr double coarse_stitch_px = 9.0;
 
@@ -21,9 +21,9 @@ int coarseness(const Session& session, double height_px);
 // Keeps the shapes between two rows drawn as long as these are the same.
 class Coarse {
  public:
-  // Row edges and faces, as the layers say; stitches and column edges are left out. In a window only so many shapes
+  // Row edges and faces, as the layers say; stitches and column edges are left out. `in_pieces`: only so many shapes
   // are made at once, from below; the rest follows with the next frames (Scene::unfinished).
-  void describe(const Session& session, int stride, Scene& scene);
+  void describe(const Session& session, int stride, bool in_pieces, Scene& scene);
 
  private:
   struct Kept {

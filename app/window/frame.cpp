@@ -71,7 +71,7 @@ void FrameDrawer::load_look(float scale, ThemeKind theme) {
 }
 
 FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shape,
-                                        const std::vector<InputEvent>& events) {
+                                        const std::vector<InputEvent>& events, bool in_pieces) {
   glue_.make_current();
   const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
   if (scale != fonts_scale_ || session.preferences.theme != theme_)
@@ -81,7 +81,8 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
   Drawn drawn;
   drawn.layout = layout_of(shape.width, shape.height, scale, layout_wish(session));
   apply(session, SetAspect{drawn.layout.view_aspect()});
-  drawn.scene = describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds)});
+  drawn.scene =
+      describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds), in_pieces});
   unfinished_ = drawn.scene.unfinished;
   drawn.wishes = draw_ui(session, ui_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
@@ -116,7 +117,7 @@ void FrameDrawer::paint(const Drawn& drawn, const FrameShape& shape, float chose
 }
 
 Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
-  Drawn drawn = lay_out(session, shape, events);
+  Drawn drawn = lay_out(session, shape, events, session.beside);
   paint(drawn, shape, static_cast<float>(session.preferences.scale));
   return std::move(drawn.wishes);
 }
@@ -129,7 +130,7 @@ Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
     RunCache run = std::move(ui_.run);  // of the whole run: it stays
     ui_ = UiState();
     ui_.run = std::move(run);
-    for (int i = 0; i < frames_to_settle; ++i) drawn = lay_out(session, shape, {});
+    for (int i = 0; i < frames_to_settle; ++i) drawn = lay_out(session, shape, {}, false);
   } else {
     drawn = lay_out_alone(session, shape);
     if (figure.transparent) drawn.scene.background = {0, 0, 0, 0};

@@ -73,7 +73,8 @@ class FrameDrawer {
   double appeared(const Session& session, float seconds);
   void load_look(float scale, ThemeKind theme);
   // The panels' part of a frame, without a picture yet.
-  Drawn lay_out(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events);
+  Drawn lay_out(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events,
+                bool in_pieces);
   Drawn lay_out_alone(Session& session, const FrameShape& shape);
   void paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale);
 
