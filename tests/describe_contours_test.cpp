@@ -76,12 +76,7 @@ bool has_point(const Scene& scene, const glm::dvec3& at, Colour colour) {
   return std::any_of(scene.points.begin(), scene.points.end(),
                      [&](const Point& p) { return p.position == glm::vec3(at) && p.colour == colour; });
 }
-std::size_t isoline_segments(const Scene& scene) {
-  std::size_t count = 0;
-  for (const auto& set : scene.line_sets)
-    count += !set->empty() && set->front().colour == dark_theme.isoline ? set->size() : 0U;
-  return count;
-}
+std::size_t isoline_segments(const Scene& scene) { return scene.isolines ? scene.isolines->size() : 0; }
 std::vector<std::string> captions_of(const Scene& scene) {
   std::vector<std::string> texts;
   for (const Caption& caption : scene.captions) texts.push_back(caption.text);
@@ -219,7 +214,7 @@ TEST_CASE("isolines are there with their layer once the times are, and are made 
     apply(session, SeekPlace{place});
     const Scene scene = describer.describe(session);
     REQUIRE(isoline_segments(scene) > 0);
-    return scene.line_sets.front();
+    return scene.isolines;
   };
   const auto first = isolines_at({Stage::rows, 3, 1});
   CHECK(isolines_at({Stage::rows, 3, 2}) == first);

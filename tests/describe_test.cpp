@@ -165,11 +165,13 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     });
     const Scene scene = scene_of(session);
     REQUIRE(scene.band);
-    // Once a candidate is accepted the band stands around it.
-    const knit::VertexId anchor = verdict == knit::Verdict::accepted ? measured.candidate : measured.anchor;
+    // The band that the verdict fell by, though an accepted candidate is the anchor by now.
+    const knit::VertexId anchor = measured.anchor;
     CHECK(scene.band->centre == vertex_place(session, anchor));
     CHECK(scene.band->inner == Approx(0.15));
+    CHECK(scene.band->middle == Approx(0.3));
     CHECK(scene.band->outer == Approx(0.45));
+    CHECK(glm::length(scene.band->normal) == Approx(1.0));
     CHECK(scene.band->colour == dark_theme.band);
     CHECK(has_point(scene, vertex_place(session, anchor), dark_theme.anchor));
 
@@ -177,7 +179,9 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     CHECK(scene.captions[0].text == knit::short_number(measured.distance));
     const glm::vec3 from = vertex_place(session, measured.anchor);
     const glm::vec3 to = vertex_place(session, measured.candidate);
-    CHECK(glm::distance(scene.captions[0].position, 0.5F * (from + to)) < 1e-6F);
+    REQUIRE(scene.captions[0].other_end);
+    CHECK(scene.captions[0].position == from);
+    CHECK(*scene.captions[0].other_end == to);
     const bool drawn = std::any_of(scene.lines.begin(), scene.lines.end(),
                                    [&](const Line& line) { return line.from == from && line.to == to; });
     CHECK(drawn);
@@ -188,6 +192,33 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     CHECK(count_points(scene, dark_theme.ring) + count_points(scene, dark_theme.too_near) >=
           ring->vertices.size());
   }
+}
+
+TEST_CASE("who guesses sees the band that the next verdict falls by") {
+  Session session = finished_small_session();
+  apply(session, SeekPlace{{Stage::rows, 5, 0}});
+  const auto accepted = seek_to_step<knit::CandidateMeasured>(session, [](const auto& measured) {
+    return measured.verdict == knit::Verdict::accepted && measured.anchor_order > 0;
+  });
+  CHECK(scene_of(session).band->centre == vertex_place(session, accepted.anchor));
+  apply(session, SetPredicting{true});
+  CHECK(scene_of(session).band->centre == vertex_place(session, accepted.candidate));
+}
+
+TEST_CASE("finished faces cover the surface from the first row to the last that they reach") {
+  Session session = finished_small_session();
+  const auto& rows = session.timeline->furthest().rows;
+  Scene scene = scene_of(session);
+  REQUIRE(scene.covered);
+  CHECK(scene.covered->from == static_cast<float>(rows.front()->time));
+  CHECK(scene.covered->to == static_cast<float>(rows.back()->time));
+  apply(session, SeekPlace{{Stage::faces, 4, 1}});
+  REQUIRE(session.timeline->state().strips.size() == 2);
+  scene = scene_of(session);
+  REQUIRE(scene.covered);
+  CHECK(scene.covered->to == static_cast<float>(rows[2]->time));
+  apply(session, SetLayer{Layer::faces, false});
+  CHECK_FALSE(scene_of(session).covered);
 }
 
 TEST_CASE("a row that closes shows its gap with its length") {
@@ -326,7 +357,7 @@ TEST_CASE("with all layers off nothing is left, at any step") {
       apply(session, SeekTo{position});
       const Scene scene = describer.describe(session);
       const bool empty = scene.points.empty() && scene.lines.empty() && scene.captions.empty() &&
-                         !scene.band && scene.faces.empty() && scene.line_sets.empty() &&
+                         !scene.band && scene.faces.empty() && !scene.isolines && scene.line_sets.empty() &&
                          scene.point_sets.empty();
       if (!empty) drawn.insert(std::string(knit::kind_name(*last_step(session))));
       CHECK_FALSE((scene.show_surface || scene.show_times || scene.show_wire));
@@ -339,6 +370,7 @@ TEST_CASE("each layer takes away its own and nothing else") {
   const auto amount = [](const Scene& scene) {
     std::size_t things =
         scene.points.size() + scene.lines.size() + scene.captions.size() + (scene.band ? 1U : 0U);
+    if (scene.isolines) things += scene.isolines->size();
     for (const auto& set : scene.line_sets) things += set->size();
     for (const auto& set : scene.point_sets) things += set->size();
     for (const auto& set : scene.faces) things += set->vertices.size();
@@ -406,7 +438,8 @@ TEST_CASE("finished products keep their shapes from frame to frame, forward and 
   const Scene later = describer.describe(session);
   CHECK(middle.mesh == first.mesh);
   CHECK(later.mesh == first.mesh);
-  REQUIRE(middle.line_sets.size() == 6);  // five rows and the isolines
+  REQUIRE(middle.line_sets.size() == 5);  // five rows
+  CHECK(middle.isolines == later.isolines);
   CHECK(later.line_sets == middle.line_sets);
   CHECK(later.point_sets == middle.point_sets);
 

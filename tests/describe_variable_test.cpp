@@ -96,7 +96,6 @@ TEST_CASE("w and epsilon are the band round the anchor of the step, though the n
     CHECK(says(scene, "[0.15, 0.45]"));
   }
   CHECK(scene_of(session).band->centre == place_of(session, step.anchor));
-  CHECK(pointed(session, "").band->centre == place_of(session, step.candidate));
 }
 
 TEST_CASE("the row below, the ring and the gap are lit") {

@@ -80,7 +80,7 @@ TEST_CASE("an answer that is none is not counted as a try") {
   apply(session, AnswerLesson{"a few"});
   CHECK(lesson_of(session).progress.judgement->said == Said::unclear);
   CHECK(lesson_of(session).progress.tries == 0);
-  apply(session, AnswerLesson{"0,05"});  // a decimal comma will do
+  apply(session, AnswerLesson{"0,07"});  // a decimal comma will do
   CHECK(lesson_of(session).outcome() == PageOutcome::first_try);
   CHECK(session.preferences.lessons.at("what-it-does").right == 1);
 }
@@ -89,7 +89,7 @@ TEST_CASE("the best score is kept, a worse one does not replace it") {
   Session session = in_lesson();
   session.preferences.lessons["what-it-does"] = LessonScore{3, 6};
   go_to_lesson_page(session, 6);
-  apply(session, AnswerLesson{"0.05"});
+  apply(session, AnswerLesson{"0.07"});
   CHECK(session.preferences.lessons.at("what-it-does") == LessonScore{3, 6});
 }
 

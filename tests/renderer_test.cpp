@@ -137,6 +137,36 @@ TEST_CASE("faces win over the surface although they cut below it") {
   CHECK(area < 700);
 }
 
+TEST_CASE("what faces cover of the surface is not drawn, and it does not show") {
+  Studio studio;
+  Scene scene = scene_of_wall();
+  // Three bands, one above another; the middle one has a face before it.
+  MeshShape shape;
+  for (const float y : {-1.0f, -0.4f, 0.4f, 1.0f}) {
+    shape.positions.insert(shape.positions.end(), {{-1, y, 0}, {1, y, 0}});
+    shape.times.insert(shape.times.end(), {0.5f + 0.5f * y, 0.5f + 0.5f * y});
+  }
+  shape.normals.assign(8, {0, 0, 1});
+  for (const std::uint32_t low : {0U, 2U, 4U}) {
+    for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) shape.triangles.push_back(low + corner);
+  }
+  scene.mesh = std::make_shared<const MeshShape>(shape);
+  FaceShape face;
+  const glm::vec3 a{-1, -0.4f, 0.01f}, b{1, -0.4f, 0.01f}, c{1, 0.4f, 0.01f}, d{-1, 0.4f, 0.01f};
+  for (const glm::vec3& place : {a, b, c, a, c, d}) face.vertices.push_back({place, {0, 0, 1}, red});
+  scene.faces = {std::make_shared<const FaceShape>(face)};
+  studio.draw(scene);
+  const Image whole = studio.image;
+  const std::size_t all = studio.renderer.counters().triangles;
+  scene.covered = TimeSpan{0.3f, 0.7f};
+  studio.draw(scene);
+  CHECK(studio.image.rgba == whole.rgba);
+  CHECK(studio.renderer.counters().triangles == all - 2);
+  scene.covered = TimeSpan{0.0f, 0.3f};
+  studio.draw(scene);
+  CHECK(studio.at(0.0f, -0.7f) == glm::ivec3(20, 30, 60));  // it really is left out
+}
+
 TEST_CASE("a line is as wide as it says, everywhere") {
   Studio studio;
   Scene scene = scene_of_wall();
@@ -181,7 +211,7 @@ TEST_CASE("a point is a disc with a dark rim") {
 TEST_CASE("the band is a ring on the surface, with or without the surface") {
   Studio studio;
   Scene scene = scene_of_wall();
-  scene.band = Band{{0, 0, 0}, 0.4f, 0.8f, red};
+  scene.band = Band{{0, 0, 0}, 0.4f, 0.0f, 0.8f, red};
   studio.draw(scene);
   const auto warmth = [&](float x, float y) { return studio.at(x, y).r - studio.at(x, y).b; };
   CHECK(std::abs(warmth(0.1f, 0.1f)) < 20);
@@ -189,6 +219,10 @@ TEST_CASE("the band is a ring on the surface, with or without the surface") {
   CHECK(warmth(0.0f, -0.6f) > 40);
   CHECK(std::abs(warmth(0.9f, 0.0f)) < 20);
   CHECK(warmth(0.8f, 0.0f) > warmth(0.6f, 0.0f));  // the edge stands out
+  const int plain = warmth(0.5f, 0.0f);
+  scene.band->middle = 0.5f;
+  studio.draw(scene);
+  CHECK(warmth(0.5f, 0.0f) > plain + 20);  // and so does the line at w
   scene.show_surface = false;
   studio.draw(scene);
   CHECK(studio.at(0.1f, 0.1f) == glm::ivec3(20, 30, 60));

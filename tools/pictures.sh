@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Takes the program's pictures by its own command line: seven scenes, in both themes, at three sizes.
+# Takes the program's pictures by its own command line: eight scenes, in both themes, at three sizes.
 #   tools/pictures.sh FOLDER          all of them, FOLDER/SCENE-THEME-WIDTHxHEIGHT.png
 #   tools/pictures.sh --docs          those of README and docs, into docs/pictures
 # KNIT_MESH: the program, else build/dev/knit-mesh.
@@ -7,14 +7,15 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${KNIT_MESH:-$root/build/dev/knit-mesh}
 
-scenes=(start row stall labels finished lesson chart)
+scenes=(empty start row stall labels finished lesson chart)
 
 options_of() {
   case $1 in
+    empty) echo "--empty" ;;
     start) echo "--example thesis-sphere --at 0" ;;
     row) echo "--example thesis-sphere --at rows:14:12 --list candidates" ;;
     stall) echo "--example thesis-sphere --epsilon 0.012 --break stall --list candidates" ;;
-    labels) echo "--example thesis-sphere --at stitches:8:9" ;;
+    labels) echo "--example vase --at stitches:15:14" ;;
     finished) echo "--example thesis-sphere" ;;
     lesson) echo "--lesson what-it-does --lesson-page 4" ;;
     chart) echo "--example vase --preset best-rows --centre chart --side pattern" ;;

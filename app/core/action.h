@@ -19,7 +19,8 @@ struct OpenExample {
 };
 struct OpenFile {
   std::filesystem::path path;
-};  // with default parameters for its size
+};                    // with default parameters for its size
+struct CloseMesh {};  // nothing is open then; a lesson is left, what was pinned is let go
 
 // The timeline.
 struct StepBy {
@@ -269,7 +270,7 @@ using ActionKinds =
              HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
-             ShowOpenDialog, DismissNotice, Quit>;
+             ShowOpenDialog, DismissNotice, Quit, CloseMesh>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

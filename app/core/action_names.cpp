@@ -15,6 +15,7 @@ using For = std::type_identity<A>;
 // Files and where one stands.
 constexpr ActionName named(For<OpenExample>) { return {"Open an example", control, "welcome/sphere"}; }
 constexpr ActionName named(For<OpenFile>) { return {"Open a mesh file", control, "open/open"}; }
+constexpr ActionName named(For<CloseMesh>) { return {"Close the mesh", control, "menu/Close"}; }
 constexpr ActionName named(For<StepBy>) { return {"Step by item, row or stage", control, "forward"}; }
 constexpr ActionName named(For<SeekTo>) { return {"Go to a position", control, "track"}; }
 constexpr ActionName named(For<SeekPlace>) { return {"Go to a place", control, "row/2"}; }

@@ -33,6 +33,34 @@ void notify(Session& session, Notice::Kind kind, std::string text) {
 
 void stop_playing(Session& session) { session.playback = {false, 1, session.playback.steps_per_second, 0.0}; }
 
+// What belongs to the open mesh and its run goes with them; what was pinned stays.
+void forget_mesh(Session& session) {
+  session.long_step.reset();
+  session.measuring_run.reset();
+  session.measuring = false;
+  session.timeline.reset();
+  session.original.reset();
+  session.source = {};
+  session.findings.clear();
+  session.run_ms = 0.0;
+  session.picking = Picking::nothing;
+  session.before_change.reset();
+  session.hovered_stitch.reset();
+  session.hovered_rounds.reset();
+  session.knit_along.reset();
+  session.knit_along_round = 1;
+  session.travel.history = {};
+  session.travel.left_by_seek.reset();
+  session.travel.selected.reset();
+  take(session, SetLoop{});
+  session.sweep.reset();
+  session.changes = {};
+  session.camera_kept = false;
+  session.notices.clear();
+  stop_playing(session);
+  session.camera = Camera{};
+}
+
 // One overload an action. Actions about a run do nothing while nothing is open.
 struct Apply {
   Session& session;
@@ -48,33 +76,16 @@ struct Apply {
       return;
     }
     auto& loaded = std::get<Loaded>(result);
+    forget_mesh(session);
     session.source = std::move(source);
     session.original = std::move(loaded.original);
     session.findings = std::move(loaded.findings);
     session.defaults = loaded.parameters;
     session.timeline.emplace(std::move(loaded.input), loaded.parameters);
     session.load_ms = milliseconds_since(start);
-    session.run_ms = 0.0;
-    session.picking = Picking::nothing;
-    session.long_step.reset();
-    session.before_change.reset();
-    session.hovered_stitch.reset();
-    session.hovered_rounds.reset();
-    session.knit_along.reset();
-    session.travel.history = {};
-    session.travel.left_by_seek.reset();
-    session.travel.selected.reset();
-    session.knit_along_round = 1;
-    app::take(session, SetLoop{});
-    session.sweep.reset();
-    session.changes = {};
-    session.camera_kept = false;
     session.open_dialog_open = false;
-    session.notices.clear();
     for (const knit::Finding& finding : session.findings)
       notify(session, Notice::Kind::warning, finding.sentence);
-    stop_playing(session);
-    session.camera = Camera{};
     session.camera.frame(session.timeline->input().bounds, session.aspect);
     note_opened(session);
   }
@@ -86,6 +97,19 @@ struct Apply {
   void operator()(const OpenFile& a) {
     const auto start = std::chrono::steady_clock::now();
     take_loaded(load_file(a.path), {{}, a.path}, start);
+  }
+
+  void operator()(const CloseMesh& /*a*/) {
+    if (session.lesson) app::take(session, LeaveLesson{});
+    if (!open()) return;
+    forget_mesh(session);
+    session.pinned.reset();
+    session.closeness.reset();
+    session.saved.reset();
+    session.place_note.clear();
+    session.prediction.reset();
+    session.animation.reset();
+    session.pointed_variable.clear();
   }
 
   // Does what may work the run out further, and counts the time if it did.

@@ -38,7 +38,7 @@ struct Words {
   std::string title, yarn, colour, needle;
   bool markers = false, stars = false;
   bool explain = false;
-  bool headless = false, list_examples = false, list_parameters = false, list_lessons = false;
+  bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
 };
 
 std::string list_parameters_text() {
@@ -75,6 +75,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
   app.add_option("--session", words.session, "open a saved session instead");
+  app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
@@ -297,6 +298,19 @@ std::optional<std::string> fault_of_endings(const Words& words) {
   return std::nullopt;
 }
 
+// With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
+std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
+  const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
+                    line.explain || line.at || line.knit_along;
+  const bool sets = !line.settings.empty() || !line.preset.empty();
+  const bool saves = line.picture || line.animation ||
+                     std::any_of(line.saves.begin(), line.saves.end(),
+                                 [](const Export& wish) { return wish.kind != ExportKind::picture; });
+  const bool needs = opens || !line.session.empty() || !line.lesson.empty() || asks || sets || saves;
+  if (!line.empty || !needs) return std::nullopt;
+  return "--empty opens nothing, so there is no mesh for the other options; leave it out.";
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -338,6 +352,9 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
   line.headless = words.headless;
   add_saves(words, line);
+  line.empty = words.empty;
+  if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
+    return bad_usage(*trouble);
   return line;
 }
 

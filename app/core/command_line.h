@@ -26,6 +26,7 @@ struct CommandLine {
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
   std::optional<At> at;  // none: the end when headless, the start in the window
   bool headless = false;
+  bool empty = false;  // nothing is to be opened
   knit::PatternOptions pattern;
   SidePanel side = SidePanel::step;        // what the right column shows
   std::optional<RunList> list;             // below the step

@@ -136,6 +136,18 @@ void Describer::add_strips(const Session& session, Scene& scene) {
   }
 }
 
+namespace {
+
+// From the first row to the last that a finished strip reaches.
+std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  if (!session.shows(Layer::faces) || state.strips.empty() || scene.unfinished) return std::nullopt;
+  return TimeSpan{static_cast<float>(state.rows.front()->time),
+                  static_cast<float>(state.rows[state.strips.size()]->time)};
+}
+
+}  // namespace
+
 Scene Describer::describe(const Session& session, const Showing& showing) {
   Scene scene;
   scene.theme = &theme_of(session.preferences.theme);
@@ -164,7 +176,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
       isolines_timing_ = state.timing.pointer();
       isolines_ = isolines_of(*scene.theme, session.timeline->input(), *state.timing);
     }
-    scene.line_sets.push_back(isolines_);
+    scene.isolines = isolines_;
   }
   scene.coarse = coarseness(session, showing.height_px);
   scene.calm = in_the_making(state);
@@ -174,6 +186,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
     add_rows(session, scene);
     add_strips(session, scene);
   }
+  scene.covered = covered_by_faces(session, scene);
   ghost_.describe(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);

@@ -12,7 +12,7 @@ namespace app {
 
 inline constexpr std::size_t cells_a_frame = 10000;  // made anew in a piece
 inline constexpr std::size_t always_whole_stitches = 30000;
-inline constexpr double coarse_stitch_px = 9.0;
+inline constexpr double coarse_stitch_px = 12.0;
 
 // How many rows, and stitches of a row, stand for one, so that what is drawn is at least so many
 // pixels wide, in a view `height_px` high. 1: every stitch is drawn.

@@ -63,7 +63,7 @@ void describe_cast_on(const Session& session, const knit::Step& step, const knit
   const Colour colour = scene.theme->anchor;
   add_arc(*row.ring, RingArc{0.0, cast_on.arc}, colour, 3.0F, scene);
   const glm::vec3 at(knit::point_at(*row.ring, cast_on.arc));
-  scene.captions.push_back({at, "s = " + knit::short_number(cast_on.arc), colour});
+  scene.captions.push_back({at, "s = " + knit::short_number(cast_on.arc) + " along the ring", colour});
 }
 
 void describe_gap(const Session& session, Scene& scene) {

@@ -1,5 +1,6 @@
 #include "app/core/describe_selected.h"
 
+#include "app/core/describe_band.h"
 #include "app/core/palette.h"
 #include "app/core/thing_places.h"
 #include "app/core/why_words.h"
@@ -42,10 +43,8 @@ std::string describe_measuring(const Session& session, const knit::VertexThing& 
   const auto& positions = timeline.input().mesh.positions;
   const glm::vec3 from(positions[anchor]);
   const glm::vec3 to(positions[thing.vertex]);
-  const knit::Band band = knit::band_of(timeline.parameters_of_step(*story.decided));
-  if (session.shows(Layer::band)) {
-    scene.band = Band{from, static_cast<float>(band.low), static_cast<float>(band.high), scene.theme->band};
-  }
+  if (session.shows(Layer::band))
+    scene.band = band_around(session, anchor, timeline.parameters_of_step(*story.decided), scene);
   scene.points.push_back({from, scene.theme->anchor, 10.0F});
   if (timeline.position() == *story.decided + 1 && session.shows(Layer::cycle)) return "";
   if (anchor == thing.vertex) return name;

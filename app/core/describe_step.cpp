@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/core/describe_asked.h"
+#include "app/core/describe_band.h"
 #include "app/core/describe_contours.h"
 #include "app/core/describe_meant.h"
 #include "app/core/palette.h"
@@ -40,10 +41,10 @@ void describe_walk(const Session& session, const knit::RowWork& work, Scene& sce
     if (session.shows(Layer::stitches)) scene.points.push_back({place(kept[i]), scene.theme->stitch, 7.0F});
   }
   if (session.shows(Layer::band)) {
-    const knit::Band band = knit::band_of(session.timeline->parameters());
-    scene.band = Band{place(work.walk.anchor), static_cast<float>(band.low), static_cast<float>(band.high),
-                      scene.theme->band};
-    scene.points.push_back({place(work.walk.anchor), scene.theme->anchor, 10.0F});
+    const knit::VertexId anchor =
+        anchor_shown(session, ring.vertices[static_cast<std::size_t>(work.walk.anchor)]);
+    scene.band = band_around(session, anchor, session.timeline->parameters(), scene);
+    scene.points.push_back({scene.band->centre, scene.theme->anchor, 10.0F});
   }
 }
 
@@ -66,7 +67,7 @@ void describe_distance(const Session& session, Scene& scene, knit::VertexId from
   const glm::vec3 b = place_of(session, to);
   scene.lines.push_back({a, b, colour, 3.0F});
   scene.points.push_back({b, colour, 9.0F});
-  if (from != to) scene.captions.push_back({0.5F * (a + b), knit::short_number(distance), colour});
+  if (from != to) scene.captions.push_back({a, knit::short_number(distance), colour, b});
 }
 
 void describe_ends(const Session& session, const knit::EndsFound& ends, Scene& scene) {

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/core/code_variables.h"
+#include "app/core/describe_band.h"
 #include "app/core/describe_contours.h"
 #include "app/core/describe_quantity.h"
 #include "app/core/describe_step.h"
@@ -181,8 +182,8 @@ void Light::band() {
   const knit::VertexId anchor = measured().anchor;
   if (anchor == knit::no_vertex) return;
   const knit::Band band = knit::band_of(parameters());
-  scene_.band = Band{place(anchor), static_cast<float>(band.low), static_cast<float>(band.high),
-                     with_alpha(colour_, 140)};
+  scene_.band = band_around(session_, anchor, parameters(), scene_);
+  scene_.band->colour = with_alpha(colour_, 140);
   point(place(anchor), "[" + knit::short_number(band.low) + ", " + knit::short_number(band.high) + "]");
 }
 

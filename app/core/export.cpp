@@ -118,6 +118,8 @@ std::optional<std::string> export_pattern(const Session& session, const std::fil
 
 std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
                                           const std::filesystem::path& path) {
+  if (!session.timeline)
+    return "nothing is open, so " + path.string() + " was not written; open a mesh first.";
   switch (kind) {
     case ExportKind::mesh:
       return write_file(path, mesh_text(session));

@@ -62,6 +62,7 @@ void read_call(JsonFields& fields, const JudgeInfo& info, JudgeCall& call) {
   const bool wants_row = info.needs == JudgeNeeds::row || info.needs == JudgeNeeds::row_and_word;
   if (wants_row) call.row = static_cast<std::int32_t>(need_whole(fields, "row", 1, most_rows));
   if (info.needs == JudgeNeeds::word || info.needs == JudgeNeeds::row_and_word) read_word(fields, info, call);
+  if (info.name == "band-edge" && fields.has("with")) call.settings = read_settings(fields, "with");
   if (info.needs != JudgeNeeds::change) return;
   call.settings = read_settings(fields, "with");
   if (info.name != "what-if") return;

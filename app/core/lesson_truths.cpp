@@ -63,7 +63,8 @@ Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
 }
 
 Truth band_edge(const Session& session, const JudgeCall& call) {
-  const knit::Parameters& parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.timeline->parameters();
+  for (const auto& [info, text] : call.settings) knit::set_value(*info, parameters, text);
   const knit::Band band = knit::band_of(parameters);
   const bool low = call.word == "low";
   const std::string w = knit::short_number(parameters.stitch_width);

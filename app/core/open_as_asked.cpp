@@ -65,7 +65,7 @@ std::optional<std::string> begin_lesson(Session& session, const CommandLine& lin
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
   const bool saved = !line.session.empty();
-  app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
+  if (!line.empty) app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
   if (!saved || line.side_given) apply(session, ShowSide{line.side});
   if (line.theme) apply(session, SetTheme{*line.theme});
   if (line.scale) apply(session, SetScale{*line.scale});
@@ -74,6 +74,7 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
+  if (line.empty) return std::nullopt;
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
   if (!line.breaks.empty()) {

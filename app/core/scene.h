@@ -51,19 +51,29 @@ struct Point {
   float diameter_px = 6.0f;
 };
 
-// A word or number that stands at a place in the view; the panels' overlay writes it.
+// A word or number that stands at a place in the view; the panels' overlay writes it. With `other_end` it is about
+// the line from one to the other and stands below its middle.
 struct Caption {
   glm::vec3 position;
   std::string text;
   Colour colour;
+  std::optional<glm::vec3> other_end = std::nullopt;
 };
 
-// The anchor's reach on the surface: w - epsilon to w + epsilon, drawn as an annulus on the mesh.
+// The anchor's reach on the surface: w - epsilon to w + epsilon, drawn as an annulus on the mesh with a thin line
+// at w itself.
 struct Band {
   glm::vec3 centre;
   float inner = 0.0f;
+  float middle = 0.0f;
   float outer = 0.0f;
   Colour colour;
+  glm::vec3 normal{0.0f};  // of the surface there
+};
+
+// Of the mesh's vertices.
+struct TimeSpan {
+  float from = 0.0f, to = 0.0f;
 };
 
 struct View {
@@ -81,6 +91,9 @@ struct Scene {
   bool show_wire = true;
   bool show_times = true;            // else the calm ground colour
   std::uint32_t timed_vertices = 0;  // vertices [0, this) carry their time's colour
+  // Faces cover the surface where its times lie within: it need not be drawn there. One span is right for one
+  // tube only.
+  std::optional<TimeSpan> covered;
   Colour ground;
   Colour time_low, time_middle, time_high;  // the ramp over [0, 1]
   std::optional<Band> band;
@@ -90,6 +103,7 @@ struct Scene {
   int coarse = 1;           // so many rows and stitches stand for one: describe_coarse.h
   // Hidden parts of lines and points are drawn faintly through the surface, so that nothing is lost behind
   // it.
+  std::shared_ptr<const std::vector<Line>> isolines;  // null: none; no line_set, as it comes and goes
   std::vector<std::shared_ptr<const std::vector<Line>>> line_sets;  // shared: finished rows
   std::vector<std::shared_ptr<const std::vector<Point>>> point_sets;
   std::vector<Line> lines;  // this frame's own

@@ -39,6 +39,7 @@ std::string sentence(const Session& session) {
   if (const knit::Step* stop = stop_shown(session))
     return knit::narrate(*stop, session.timeline->parameters());
   const knit::Step* step = last_step(session);
+  if (step == nullptr && session.lesson) return "Nothing has been done yet.";  // what to do the lesson says
   if (step == nullptr)
     return "Nothing has been done yet: press Space to play, or the right arrow for one step.";
   return knit::narrate(*step, parameters_of_last_step(session));

@@ -216,6 +216,7 @@ const std::array table{
                 guess<knit::Verdict::too_far>},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
+    CommandInfo{Command::close_mesh, program, "Close the mesh", on(Key::W, ctrl), false, plain<CloseMesh>},
     CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
                 on(Key::C, ctrl_shift), false, plain<CopyLink>},
     CommandInfo{

@@ -154,12 +154,25 @@ std::string counted(const char* name, std::size_t count) {
   return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
 }
 
+// Of a line of buttons with these names.
+float width_of_buttons(std::span<const std::string_view> names) {
+  float width = 0.0f;
+  for (const std::string_view name : names) {
+    width += ImGui::CalcTextSize(name.data(), name.data() + name.size(), true).x +
+             2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemInnerSpacing.x;
+  }
+  return width;
+}
+
 void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
   const std::string rows_name = counted("Rows", rows);
   const std::string problems_name = counted("Problems", count_problems(frame));
   const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
-  const std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
+  std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
+  // The number of rows gives way where there is too little room: the list ends with it.
+  const std::string rows_alone = counted("Rows", 0);
+  if (width_of_buttons(names) > ImGui::GetContentRegionAvail().x) names.front() = rows_alone;
   ImGui::BeginGroup();
   const int clicked = segmented("list", names, static_cast<int>(frame.session.list), 0.0f);
   ImGui::EndGroup();

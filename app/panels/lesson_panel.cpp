@@ -31,7 +31,7 @@ bool lit_button(const char* words, bool lit) {
 
 void draw_ways(PanelFrame& frame, const LessonRun& run) {
   const bool open = run.outcome() == PageOutcome::open;
-  const char* on = open ? "Skip" : "Next";
+  const char* on = open ? "Skip page" : "Next";
   const ImVec2 square(ImGui::GetFrameHeight(), ImGui::GetFrameHeight());
   if (!run.at_end()) {
     if (icon_button("again", Icon::reset, square)) frame.wish(TurnLesson{0});
@@ -60,7 +60,7 @@ void draw_head(PanelFrame& frame, const LessonRun& run) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();
   const float side = ImGui::GetFrameHeight();
-  const char* on = run.outcome() == PageOutcome::open ? "Skip" : "Next";
+  const char* on = run.outcome() == PageOutcome::open ? "Skip page" : "Next";
   const float middle = run.at_end() ? 0.0f : side + gap + button_width(on) + gap;
   const float ways = middle + button_width("Back") + gap + side;
   const float right = left + ImGui::GetContentRegionAvail().x - ways;

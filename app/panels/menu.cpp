@@ -48,6 +48,7 @@ void draw_file_menu(PanelFrame& frame) {
     ImGui::EndMenu();
   }
   draw_recent_menu(frame);
+  command_item(frame, info_of(Command::close_mesh), "Close", frame.timeline() != nullptr);
   ImGui::Separator();
   for (const SaveKind& kind : save_kinds()) {
     const std::string label = "Save the " + std::string(kind.words) + "...";

@@ -12,7 +12,7 @@ namespace {
 
 void draw_streak(PanelFrame& frame, const Prediction& prediction) {
   const std::int32_t longest = frame.session.preferences.longest_streak;
-  const std::string words = std::to_string(prediction.streak) + " in a row" +
+  const std::string words = "streak " + std::to_string(prediction.streak) +
                             (longest > 0 ? ", longest " + std::to_string(longest) : "");
   const float side = ImGui::GetFrameHeight();
   const float width = ImGui::CalcTextSize(words.c_str()).x + side + ImGui::GetStyle().ItemSpacing.x;
@@ -42,7 +42,7 @@ void draw_guesses(PanelFrame& frame) {
     frame.mark(offer.mark);
     ImGui::SameLine(0.0f, frame.units(6.0f));
   }
-  if (ImGui::Button("Let it go")) frame.wish(StepBy{Unit::item, 1});
+  if (ImGui::Button("Just show it")) frame.wish(StepBy{Unit::item, 1});
   frame.mark("predict/skip");
   tooltip(frame, "See the verdict without guessing; it does not count (" +
                      keys_of(info_of(Command::forward_item)) + ")");

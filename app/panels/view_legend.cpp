@@ -15,7 +15,7 @@ namespace {
 void draw_time_ramp(const PanelFrame& frame) {
   const Session& session = frame.session;
   if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
-  if (frame.scene.timed_vertices == 0 || session.knit_along) return;
+  if (frame.scene.timed_vertices == 0 || session.knit_along || session.prediction) return;
   const Box& view = frame.layout.view;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = frame.units(90.0f);
@@ -26,9 +26,12 @@ void draw_time_ramp(const PanelFrame& frame) {
   const ImU32 a = style::packed(frame.scene.time_low);
   const ImU32 b = style::packed(frame.scene.time_middle);
   const ImU32 c = style::packed(frame.scene.time_high);
+  const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
+  const float edge = frame.units(5.0f);
+  list.AddRectFilled(ImVec2(low.x - edge, y - edge), ImVec2(high.x + edge, high.y + edge),
+                     style::packed(theme().background, 190), frame.units(4.0f));
   list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
   list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
-  const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
   const ImU32 colour = style::packed(theme().faint_text);
   list.AddText(ImVec2(low.x, y), colour, "t = 0");
   list.AddText(ImVec2(high.x - ImGui::CalcTextSize("1").x, y), colour, "1");

@@ -124,17 +124,6 @@ void handle_clicks(PanelFrame& frame) {
   }
 }
 
-// Readable over whatever is in the picture.
-void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour) {
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const ImVec2 edge(frame.units(5.0f), frame.units(2.0f));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
-                     ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
-                     style::packed(theme().background, 190), frame.units(4.0f));
-  list.AddText(at, style::packed(colour), words.c_str());
-}
-
 void draw_hint(const PanelFrame& frame) {
   std::string hint;
   for (const MouseHelp& help : mouse_help) {
@@ -150,19 +139,6 @@ void draw_hint(const PanelFrame& frame) {
 }
 
 }  // namespace
-
-void draw_captions(PanelFrame& frame) {
-  const Box& view = frame.layout.view;
-  const glm::mat4 onto = frame.scene.view.projection * frame.scene.view.view;
-  for (const Caption& caption : frame.scene.captions) {
-    const glm::vec4 place = onto * glm::vec4(caption.position, 1.0f);
-    if (place.w <= 0.0f) continue;
-    const ImVec2 size = ImGui::CalcTextSize(caption.text.c_str());
-    const ImVec2 at(view.x + (0.5f + 0.5f * place.x / place.w) * view.width + frame.units(9.0f),
-                    view.y + (0.5f - 0.5f * place.y / place.w) * view.height - size.y - frame.units(7.0f));
-    boxed_text(frame, at, caption.text, caption.colour);
-  }
-}
 
 void draw_view(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));

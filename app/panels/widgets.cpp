@@ -182,4 +182,14 @@ std::string words_of(const knit::Place& place) {
   return words + ", item " + std::to_string(place.item);
 }
 
+void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 edge(frame.units(5.0f), frame.units(2.0f));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
+                     ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
+                     style::packed(theme().background, 190), frame.units(4.0f));
+  list.AddText(at, style::packed(colour), words.c_str());
+}
+
 }  // namespace app

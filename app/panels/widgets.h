@@ -73,4 +73,7 @@ std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
 std::string with_capital(std::string words);     // what begins a sentence
 std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"
 
+// Readable over whatever is in the picture; `at`: the text's top left, on the screen.
+void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour);
+
 }  // namespace app

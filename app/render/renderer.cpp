@@ -116,6 +116,8 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
 void Renderer::upload(const Scene& scene) {
   meshes_.drop_dead();
   faces_.show(scene.faces);
+  // Kept while they are not shown.
+  if (scene.isolines) isolines_.show({&scene.isolines, 1});
   line_sets_.show(scene.line_sets);
   point_sets_.show(scene.point_sets);
   frame_lines_.show_once(scene.lines);
@@ -146,7 +148,7 @@ void Renderer::start(const Program& program, const Frame& frame) const {
   program.set("u_band_colour", scene.band ? rgba(scene.band->colour) : glm::vec4(0.0f));
   if (scene.band) {
     program.set("u_band_centre", scene.band->centre);
-    program.set("u_band_reach", glm::vec2(scene.band->inner, scene.band->outer));
+    program.set("u_band_reach", glm::vec3(scene.band->inner, scene.band->middle, scene.band->outer));
   }
 }
 
@@ -157,9 +159,8 @@ void Renderer::draw_surface(const Frame& frame) {
   depth(true, true);
   blend(false);
   start(frame.scene.band ? surface_ : surface_plain_, frame);
-  frame.mesh->draw_triangles();
+  last_.triangles += frame.mesh->draw_triangles(frame.scene.covered);
   ++last_.draw_calls;
-  last_.triangles += frame.mesh->triangle_count();
 }
 
 void Renderer::draw_faces(const Frame& frame) {
@@ -222,7 +223,10 @@ void Renderer::draw_lines(const Frame& frame, bool hidden) {
     ++last_.draw_calls;
     last_.lines += hidden ? 0 : drawn;
   };
-  if (!hidden || shows_hidden_sets(frame.scene)) draw(line_sets_);
+  if (!hidden || shows_hidden_sets(frame.scene)) {
+    if (frame.scene.isolines) draw(isolines_);
+    draw(line_sets_);
+  }
   line_.set("u_alpha", hidden ? hidden_now : 1.0f);
   draw(frame_lines_);
 }
@@ -260,8 +264,10 @@ std::string Renderer::shader_problem() const {
 
 Renderer::Counters Renderer::counters() const {
   Counters counters = last_;
-  counters.uploads = meshes_.uploads() + faces_.uploads() + line_sets_.uploads() + point_sets_.uploads();
-  counters.shapes_kept = meshes_.kept() + faces_.kept() + line_sets_.kept() + point_sets_.kept();
+  counters.uploads = meshes_.uploads() + faces_.uploads() + isolines_.uploads() + line_sets_.uploads() +
+                     point_sets_.uploads();
+  counters.shapes_kept =
+      meshes_.kept() + faces_.kept() + isolines_.kept() + line_sets_.kept() + point_sets_.kept();
   return counters;
 }
 

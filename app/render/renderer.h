@@ -58,7 +58,7 @@ class Renderer {
   Program surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
   ShapeCache<MeshShape, MeshBuffers> meshes_;
   Batch<FaceShape> faces_;
-  Batch<std::vector<Line>> line_sets_, frame_lines_;
+  Batch<std::vector<Line>> isolines_, line_sets_, frame_lines_;
   Batch<std::vector<Point>> point_sets_, frame_points_;
   Counters last_;
 };

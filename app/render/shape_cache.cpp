@@ -31,6 +31,45 @@ float mean_edge_length(const MeshShape& shape) {
                                 : static_cast<float>(2.0 * sum / static_cast<double>(shape.edges.size()));
 }
 
+// Sorting more would hold up a frame.
+constexpr std::size_t most_sorted = 200000;
+
+struct ByTime {
+  std::vector<std::uint32_t> triangles;
+  std::vector<float> earliest;
+  float longest = 0.0f;
+};
+
+// The triangles by their earliest vertex; as they come where there are no times, or too many.
+ByTime by_time(const MeshShape& shape) {
+  const std::size_t count = shape.triangles.size() / 3;
+  const bool timed = shape.times.size() == shape.positions.size() &&
+                     std::ranges::all_of(shape.times, [](float time) { return time >= 0.0f; });
+  if (!timed || count > most_sorted) return {shape.triangles, {}, 0.0f};
+  struct Entry {
+    float earliest;
+    std::uint32_t triangle;
+  };
+  ByTime sorted;
+  std::vector<Entry> order;
+  order.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto [low, high] =
+        std::minmax({shape.times[shape.triangles[3 * i]], shape.times[shape.triangles[3 * i + 1]],
+                     shape.times[shape.triangles[3 * i + 2]]});
+    order.push_back({low, i});
+    sorted.longest = std::max(sorted.longest, high - low);
+  }
+  std::ranges::stable_sort(order, {}, &Entry::earliest);
+  sorted.triangles.reserve(shape.triangles.size());
+  for (const Entry& entry : order) {
+    const auto first = shape.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(entry.triangle);
+    sorted.triangles.insert(sorted.triangles.end(), first, first + 3);
+    sorted.earliest.push_back(entry.earliest);
+  }
+  return sorted;
+}
+
 }  // namespace
 
 MeshBuffers::MeshBuffers(const MeshShape& shape)
@@ -44,6 +83,9 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
       triangle_indices_(static_cast<GLsizei>(shape.triangles.size())),
       edge_indices_(static_cast<GLsizei>(shape.edges.size())),
       mean_edge_(mean_edge_length(shape)) {
+  ByTime sorted = by_time(shape);
+  earliest_ = std::move(sorted.earliest);
+  longest_ = sorted.longest;
   Extent box;
   std::ranges::for_each(shape.positions, [&](const glm::vec3& place) { box.add(place); });
   extent_ = box.diagonal();
@@ -59,7 +101,8 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
       fill(GL_ARRAY_BUFFER, positions_, std::span(shape.positions), GL_STATIC_DRAW);
       fill(GL_ARRAY_BUFFER, normals_, std::span<const glm::vec3>(normals), GL_STATIC_DRAW);
       fill(GL_ARRAY_BUFFER, times_, std::span<const float>(times), GL_STATIC_DRAW);
-      fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span(shape.triangles), GL_STATIC_DRAW);
+      fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span<const std::uint32_t>(sorted.triangles),
+           GL_STATIC_DRAW);
     } else {
       fill(GL_ELEMENT_ARRAY_BUFFER, edge_list_, std::span(shape.edges), GL_STATIC_DRAW);
     }
@@ -73,9 +116,27 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
   glBindVertexArray(0);
 }
 
-void MeshBuffers::draw_triangles() const {
+std::size_t MeshBuffers::draw_triangles(const std::optional<TimeSpan>& covered) const {
+  const auto all = static_cast<std::size_t>(triangle_indices_) / 3;
+  std::size_t below = all, above = all;  // up to the first, and from the second on
+  if (covered && !earliest_.empty()) {
+    const auto at = [&](float time) {
+      const auto found = std::ranges::lower_bound(earliest_, time);
+      return static_cast<std::size_t>(found - earliest_.begin());
+    };
+    below = at(covered->from);
+    above =
+        std::max(below, at(covered->to - longest_));  // some of these end in time, and are drawn all the same
+  }
+  const auto draw = [](std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   at_offset(3 * first * sizeof(GLuint)));
+  };
   glBindVertexArray(triangles_.id());
-  glDrawElements(GL_TRIANGLES, triangle_indices_, GL_UNSIGNED_INT, nullptr);
+  draw(0, below);
+  draw(above, all - above);
+  return below + (all - above);
 }
 
 void MeshBuffers::draw_edges() const {

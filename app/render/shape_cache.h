@@ -16,9 +16,9 @@ namespace app {
 class MeshBuffers {
  public:
   explicit MeshBuffers(const MeshShape& shape);
-  void draw_triangles() const;
+  // Without what lies within `covered`, as far as that can be told quickly. Gives how many were drawn.
+  std::size_t draw_triangles(const std::optional<TimeSpan>& covered = std::nullopt) const;
   void draw_edges() const;
-  std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
   float extent() const { return extent_; }        // diagonal of the bounding box
   float mean_edge() const { return mean_edge_; }  // 0 without edges
   glm::vec3 centre() const { return centre_; }
@@ -27,6 +27,8 @@ class MeshBuffers {
   GlVertexArray triangles_, edges_;
   GlBuffer positions_, normals_, times_, triangle_list_, edge_list_;
   GLsizei triangle_indices_ = 0, edge_indices_ = 0;
+  std::vector<float> earliest_;  // of each triangle, ascending as they are drawn; empty: in no order
+  float longest_ = 0.0f;         // in time, of any triangle
   float extent_ = 0.0f, mean_edge_ = 0.0f;
   glm::vec3 centre_{0.0f};
 };

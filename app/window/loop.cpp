@@ -163,7 +163,6 @@ std::optional<std::string> save_animation_asked(Session& session, const CommandL
 
 int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer& drawer) {
   int code = exit_done;
-  if (!session.timeline) return code;
   const auto note = [&](const std::optional<std::string>& error) {
     if (!error) return;
     std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
@@ -173,6 +172,9 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
     note(wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
                                           : export_to_file(session, wish.kind, wish.path));
   }
+  if (!session.timeline && (line.picture || line.animation))
+    note("nothing is open any more, so its picture or animation was not saved.");
+  if (!session.timeline) return code;
   if (const auto& wish = line.picture)
     note(save_figure(session, {wish->path, wish->width, wish->height, wish->panels, wish->transparent}));
   if (line.animation) note(save_animation_asked(session, line));

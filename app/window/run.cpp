@@ -20,6 +20,7 @@ namespace {
 void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line.c_str()); }
 
 void make_whole(Session& session) {
+  if (!session.timeline) return;
   session.timeline->extend_to_end();  // so that the timeline in the picture is whole
   apply(session, PassTime{0.0});      // and its marks
   finish_pin(session);
@@ -109,7 +110,7 @@ int run_headless(Session& session, const CommandLine& line) {
   // A session or a lesson brings its own place.
   const bool stays = (!line.session.empty() || session.lesson) && !line.at;
   const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});
-  const auto nearest = stays ? std::nullopt : go_to(session, line.at.value_or(otherwise));
+  const auto nearest = stays || line.empty ? std::nullopt : go_to(session, line.at.value_or(otherwise));
   if (nearest) say(*nearest);
   const Answer broke = line.breaks.empty() ? Answer{} : break_answer(session);
   if (!broke.error.empty()) say(broke.error);

@@ -15,11 +15,13 @@ using Json = nlohmann::ordered_json;
 struct Shown {
   const char* name;
   app::Session session;
+  std::unique_ptr<app::FrameDrawer>
+      drawer;  // its own, as each window has one: what it keeps is of one session
   std::vector<Cost> costs;
 };
 
 Shown shown_at(const char* name, const std::filesystem::path& assets, const app::At& at, bool times) {
-  Shown shown{name, {}, {}};
+  Shown shown{name, {}, std::make_unique<app::FrameDrawer>(assets), {}};
   shown.session.assets = assets;
   app::apply(shown.session, app::OpenExample{"thesis-sphere"});
   app::go_to(shown.session, app::At(app::AtEnd{}));
@@ -35,14 +37,13 @@ Json measure(const std::filesystem::path& assets, int samples) {
   all.push_back(shown_at("timed", assets, app::At(knit::Place{knit::Stage::cast_on, 1, 0}), true));
   all.push_back(shown_at("half_picked", assets, app::At(knit::Place{knit::Stage::rows, 32, 20}), true));
   all.push_back(shown_at("finished", assets, app::At(app::AtEnd{}), true));
-  app::FrameDrawer drawer(assets);
   app::FrameShape shape = shape_of(1280, 720);
   shape.samples = samples;
   constexpr int turns = 40;
   for (int i = 0; i < turns + 3; ++i) {
     for (Shown& shown : all) {
       const Cost cost = cost_of([&] {
-        drawer.draw(shown.session, shape, {});
+        shown.drawer->draw(shown.session, shape, {});
         glFinish();
       });
       if (i >= 3) shown.costs.push_back(cost);
