@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "knit/check_topology.h"
+#include "knit/edge_table.h"
 
 namespace knit {
 
@@ -102,6 +103,12 @@ bool check_numbers(const Mesh& mesh, Report& report) {
                    ", which has " + std::to_string(mesh.positions.size()) + ". Export the mesh again.");
   }
   return unusable.empty() && astray == 0;
+}
+
+void report_no_surface(const Mesh& mesh, Report& report) {
+  report.add(FindingKind::no_extent, Severity::error, mesh.triangles.size(), {mesh.triangles.front()[0]},
+             "Every face has two corners or more at one place, so there is no surface; the first is at " +
+                 report.place(mesh.triangles.front()[0]) + ". Open a mesh of a solid shape.");
 }
 
 // Whether the used vertices have some thickness in every direction: farthest point, farthest from that line,
@@ -273,15 +280,24 @@ CheckResult check(const Mesh& mesh) {
   Report report(mesh);
   if (!check_numbers(mesh, report)) return report.finish();
 
+  // A triangle with two corners at one place is no part of the surface, wherever it lies.
+  const std::vector<VertexId> twin = find_twins(mesh.positions);
   std::vector<std::uint8_t> used(mesh.positions.size(), 0);
-  for (const Triangle& triangle : mesh.triangles)
+  bool surface = false;
+  for (const Triangle& triangle : mesh.triangles) {
+    if (collapsed(twins_of(triangle, twin))) continue;
+    surface = true;
     for (const VertexId v : triangle) used[v] = 1;
+  }
+  if (!surface) {
+    report_no_surface(mesh, report);
+    return report.finish();
+  }
   std::vector<glm::dvec3> corners;
   corners.reserve(mesh.positions.size());
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v] != 0) corners.push_back(mesh.positions[v]);
   const Bounds bounds = bounds_of(corners);
-  const std::vector<VertexId> twin = find_twins(mesh.positions);
   const Topology topology = study_topology(mesh.triangles, twin);
 
   check_extent(mesh, used, bounds.diagonal(), report);

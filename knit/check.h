@@ -25,7 +25,7 @@ enum class FindingKind {
   flipped_faces,        // warning: orientable, yet neighbours disagree
   inside_out,           // warning: closed and consistent, but of negative volume
   zero_area,            // warning
-  no_extent,            // error: all vertices at one place, or in one plane of no volume
+  no_extent,            // error: all vertices at one place or in one plane, or no face has three places
   unreferenced,         // warning
   coincident,           // warning: vertices at the same place; welding merges them
 };

@@ -153,9 +153,11 @@ std::shared_ptr<const Input> make_input(Mesh mesh) {
   for (const Triangle& triangle : input->mesh.triangles) {
     const bool has_sides = !collapsed(twins_of(triangle, input->twin));
     for (const VertexId v : triangle) {
-      input->referenced[v] = 1;
-      used_place[input->twin[v]] = 1;
-      if (has_sides) input->first_corner[input->twin[v]] = corner;
+      if (has_sides) {
+        input->referenced[v] = 1;
+        used_place[input->twin[v]] = 1;
+        input->first_corner[input->twin[v]] = corner;
+      }
       ++corner;
     }
   }

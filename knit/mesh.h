@@ -45,7 +45,7 @@ struct Input {
   Bounds bounds;
   glm::dvec3 centroid{0.0};              // mean of the distinct, referenced positions
   std::vector<VertexId> twin;            // per vertex: lowest index at the same position
-  std::vector<std::uint8_t> referenced;  // per vertex: 1 if a triangle uses it
+  std::vector<std::uint8_t> referenced;  // per vertex: 1 if a triangle with three places uses it
   // Neighbours across an edge, by twins, ascending: those of v are neighbours[first_neighbour[v] .. [v + 1]).
   // Only lowest-index vertices have entries.
   std::vector<std::uint32_t> first_neighbour;

@@ -1,5 +1,6 @@
 #include "knit/obj.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -97,10 +98,10 @@ std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, con
                                   std::size_t expected) {
   try {
     std::string text;
-    constexpr std::size_t chunk = 1 << 20;
+    constexpr std::size_t least = 4096;
     std::size_t size = 0;
     do {
-      text.resize(size + (size < expected ? expected - size : chunk));
+      text.resize(size < expected ? expected : size + std::max(size, least));
       in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
       size += static_cast<std::size_t>(in.gcount());
     } while (in);

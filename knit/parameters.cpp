@@ -242,6 +242,26 @@ glm::dvec3 knitting_direction(const Parameters& p, const Mesh& mesh) {
   return mesh.positions[p.end] - mesh.positions[p.start];
 }
 
+// Whether a face has a corner there; one with two corners at the same place is no part of the surface.
+bool is_on_surface(VertexId vertex, const Mesh& mesh) {
+  const glm::dvec3 place = mesh.positions[vertex];
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    const glm::dvec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+    return (a == place || b == place || c == place) && a != b && b != c && c != a;
+  });
+}
+
+std::optional<std::string> picked_vertex_fault(std::string_view option, VertexId vertex, const Mesh& mesh) {
+  if (vertex == no_vertex) return std::nullopt;
+  const std::string picked = std::string(option) + " " + std::to_string(vertex);
+  if (vertex >= mesh.positions.size()) {
+    return picked + " is not a vertex of this mesh; it has " + std::to_string(mesh.positions.size()) +
+           ", counted from 0.";
+  }
+  if (is_on_surface(vertex, mesh)) return std::nullopt;
+  return picked + " belongs to no face of this mesh; pick a vertex of the surface, or auto.";
+}
+
 std::optional<std::string> start_direction_fault(const Parameters& p, const Mesh& mesh) {
   if (!p.start_direction) return std::nullopt;
   const glm::dvec3 along = knitting_direction(p, mesh);
@@ -259,12 +279,8 @@ std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
     Parameters read_back = p;
     if (auto fault = set_value(info, read_back, value_text(info, p))) return fault;
   }
-  const std::size_t vertices = mesh.positions.size();
-  for (const auto& [key, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
-    if (vertex != no_vertex && vertex >= vertices) {
-      return std::string(key) + " " + std::to_string(vertex) + " is not a vertex of this mesh; it has " +
-             std::to_string(vertices) + ", counted from 0.";
-    }
+  for (const auto& [option, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
+    if (auto fault = picked_vertex_fault(option, vertex, mesh)) return fault;
   }
   if (p.start != no_vertex && p.start == p.end) {
     return "--start and --end are both vertex " + std::to_string(p.start) + "; pick two different ones.";

@@ -118,6 +118,34 @@ TEST_CASE("check: no faces", "[check]") {
   CHECK_FALSE(check({}).fit());
 }
 
+TEST_CASE("check: faces that are all lines are no surface, though they lie far apart", "[check]") {
+  Mesh mesh = tetrahedron();
+  mesh.triangles = {{1, 2, 1}, {3, 2, 3}, {0, 0, 3}};
+  const CheckResult result = check(mesh);
+  CHECK_FALSE(result.fit());
+  CHECK(kinds(result) == Kinds{FindingKind::no_extent});
+  CHECK(result.findings[0].count == 3);
+  CHECK_FALSE(check(weld(mesh)).fit());
+  mesh.positions[3] = mesh.positions[0];  // three corners that are two places
+  mesh.triangles = {{0, 1, 3}, {3, 2, 0}};
+  CHECK_FALSE(check(mesh).fit());
+}
+
+TEST_CASE("check: a face that is a line does not thicken a flat mesh nor stretch a solid one", "[check]") {
+  Mesh flat;
+  flat.positions = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+  flat.triangles = {{0, 2, 1}, {3, 1, 1}, {1, 2, 0}};
+  CHECK(find(check(flat), FindingKind::no_extent) != nullptr);
+
+  Mesh spiked = tetrahedron();
+  spiked.positions.push_back({0, 1e6, 0});
+  spiked.triangles.push_back({2, 4, 4});
+  CHECK(check(spiked).fit());
+  const auto input = make_input(spiked);
+  CHECK(input->referenced[4] == 0);
+  CHECK(input->bounds.high.y == make_input(tetrahedron())->bounds.high.y);
+}
+
 TEST_CASE("check: coordinates that are no numbers, or too large to calculate with", "[check]") {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308, -1e51}) {

@@ -108,6 +108,27 @@ TEST_CASE("what does not fit together or the mesh is said") {
   CHECK(fault_of(p, mesh)->find("not below the stitch width") != std::string::npos);
 }
 
+TEST_CASE("a picked vertex that is no part of the surface is a fault, whatever the timing") {
+  Mesh mesh = sphere(16, 8);
+  const auto stray = static_cast<VertexId>(mesh.positions.size());
+  mesh.positions.emplace_back(0, 5, 0);
+  for (const bool on_a_line : {false, true}) {
+    if (on_a_line) mesh.triangles.push_back({0, stray, stray});
+    Parameters p;
+    p.timing = TimingKind::harmonic;
+    p.end = stray;
+    REQUIRE(fault_of(p, mesh));
+    CHECK(fault_of(p, mesh)->find("--end " + std::to_string(stray) + " belongs to no face") == 0);
+    p.end = stray - 1;
+    CHECK_FALSE(fault_of(p, mesh));
+  }
+  // A copy that no face uses lies on the surface all the same.
+  mesh.positions.push_back(mesh.positions[3]);
+  Parameters p;
+  p.start = stray + 1;
+  CHECK_FALSE(fault_of(p, mesh));
+}
+
 TEST_CASE("a value that no text could have given is a fault") {
   const Mesh mesh = sphere(16, 9, false);
   const auto fault_with = [&](auto change) {

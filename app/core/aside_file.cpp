@@ -21,6 +21,7 @@ std::variant<AsideFile, std::string> AsideFile::open(const fs::path& path) {
     as_it_is = !fs::is_regular_file(path, ignored);
     if (!as_it_is) made.target_ = fs::canonical(path, ignored);
   }
+  if (!as_it_is) clear_leftovers(made.target_);
   made.aside_ = as_it_is ? made.target_ : aside_of(made.target_);
   errno = 0;
   made.file_.reset(std::fopen(made.aside_.string().c_str(), "wb"));

@@ -3,9 +3,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+
+#include "app/core/words.h"
 
 namespace app {
 
@@ -33,9 +36,38 @@ std::optional<std::string> write_whole(const std::filesystem::path& path, std::s
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view aside_mark = ".part-";
+
+// The process that `name` belongs to, if it is an aside of a file called `target`.
+std::optional<pid_t> writer_of(const std::string& name, const std::string& target) {
+  const std::string beginning = target + std::string(aside_mark);
+  if (name.rfind(beginning, 0) != 0) return std::nullopt;
+  const auto id = whole_number<pid_t>(name.substr(beginning.size()));
+  return id && *id > 0 ? id : std::nullopt;
+}
+
+bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+}  // namespace
+
+void clear_leftovers(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::string target = path.filename().string();
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error); !error && it != fs::directory_iterator();
+       it.increment(error)) {
+    const auto writer = writer_of(it->path().filename().string(), target);
+    std::error_code ignored;
+    if (writer && is_gone(*writer)) fs::remove_all(it->path(), ignored);
+  }
+}
+
 std::filesystem::path aside_of(const std::filesystem::path& path) {
   std::filesystem::path aside = path;
-  aside += ".part-" + std::to_string(::getpid());
+  aside += std::string(aside_mark) + std::to_string(::getpid());
   return aside;
 }
 
@@ -61,6 +93,7 @@ std::optional<std::string> write_file(const std::filesystem::path& path, std::st
     }
     target = std::filesystem::canonical(path, ignored);
   }
+  clear_leftovers(target);
   const std::filesystem::path aside = aside_of(target);
   if (const auto trouble = write_whole(aside, content)) {
     std::filesystem::remove(aside, ignored);

@@ -12,6 +12,9 @@ namespace app {
 // "-" writes to standard output; a device or a pipe is written to as it is. The error is one sentence.
 std::optional<std::string> write_file(const std::filesystem::path& path, std::string_view content);
 
+// Removes what was written aside of `path` by programs that are no longer there: they were killed before the rename.
+void clear_leftovers(const std::filesystem::path& path);
+
 // The name to write `path` under before it is renamed: beside it, and nobody else's.
 std::filesystem::path aside_of(const std::filesystem::path& path);
 

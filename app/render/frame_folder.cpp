@@ -30,7 +30,12 @@ class FrameFolder : public AnimationFile {
   }
 
   std::optional<std::string> add(const Image& image) override {
-    return save_png((aside_ / frame_name(++count_)).string(), image);
+    auto trouble = save_png((aside_ / frame_name(++count_)).string(), image);
+    if (!trouble) return trouble;
+    // People know the folder by the name that they gave it.
+    const std::size_t at = trouble->find(aside_.string());
+    if (at != std::string::npos) trouble->replace(at, aside_.string().size(), folder_.string());
+    return trouble;
   }
 
   // Other files of the folder stay.
@@ -58,6 +63,7 @@ OpenedAnimation open_frame_folder(const fs::path& path, const AnimationShape& /*
            ": it is a file, and numbered pictures need a folder; give another name, or one that ends in .gif "
            "or .png.";
   }
+  clear_leftovers(folder);
   const fs::path aside = aside_of(folder);
   fs::create_directory(aside, error);
   if (error) return cannot_write(path, error.message());

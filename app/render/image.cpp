@@ -1,9 +1,6 @@
 #include "app/render/image.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
+#include "app/core/files.h"
 
 // Only this file sees stb's functions; the system's library may hold the same names.
 #if defined(__GNUC__)
@@ -21,8 +18,6 @@ namespace app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 std::vector<std::uint8_t> encode(const Image& image) {
   std::vector<std::uint8_t> bytes;
   const auto append = [](void* context, void* data, int size) {
@@ -35,62 +30,6 @@ std::vector<std::uint8_t> encode(const Image& image) {
     bytes.clear();
   }
   return bytes;
-}
-
-std::string reason() { return std::error_code(errno, std::generic_category()).message(); }
-
-bool write_and_close(std::FILE* file, const std::vector<std::uint8_t>& bytes) {
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const int error = errno;
-  const bool closed = std::fclose(file) == 0;
-  errno = written ? errno : error;
-  return written && closed;
-}
-
-// A new file beside `path`, or null with errno set.
-std::FILE* open_beside(const fs::path& path, fs::path& beside) {
-  for (int i = 0; i < 1000; ++i) {
-    beside = path;
-    beside += ".part" + std::to_string(i);
-    if (std::FILE* file = std::fopen(beside.string().c_str(), "wbx"); file != nullptr || errno != EEXIST) {
-      return file;
-    }
-  }
-  return nullptr;
-}
-
-std::optional<std::string> write_file(const std::string& name, const std::vector<std::uint8_t>& bytes) {
-  const std::string failed = "Cannot write the picture " + name + ": ";
-  std::error_code ignored;
-  fs::path path = name;
-  if (fs::exists(path, ignored)) {
-    if (fs::is_directory(path, ignored)) {
-      return failed + "it is a folder. Give a file name.";
-    }
-    if (!fs::is_regular_file(path, ignored)) {  // a pipe or /dev/null is written to, never replaced
-      std::FILE* file = std::fopen(name.c_str(), "wb");
-      return file != nullptr && write_and_close(file, bytes) ? std::nullopt
-                                                             : std::optional(failed + reason() + ".");
-    }
-    path = fs::canonical(path, ignored);  // a link stays a link
-  }
-  fs::path beside;
-  std::FILE* file = open_beside(path, beside);
-  if (file == nullptr) {
-    return failed + reason() + ".";
-  }
-  if (!write_and_close(file, bytes)) {
-    const std::string why = reason();
-    fs::remove(beside, ignored);
-    return failed + why + ".";
-  }
-  std::error_code error;
-  fs::rename(beside, path, error);
-  if (error) {
-    fs::remove(beside, ignored);
-    return failed + error.message() + ".";
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -110,13 +49,7 @@ std::optional<std::string> save_png(const std::string& path, const Image& image)
   if (bytes.empty()) {
     return "The picture for " + path + " is too large for a PNG file.";
   }
-  if (path == "-") {
-    const bool good =
-        std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0;
-    return good ? std::nullopt
-                : std::optional("Cannot write the picture to standard output: " + reason() + ".");
-  }
-  return write_file(path, bytes);
+  return write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace app

@@ -1,0 +1,122 @@
+// A small mesh and any parameters, made from bytes, for the pipeline's fuzz target.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <vector>
+
+#include "knit/parameters.h"
+#include "knit/shapes.h"
+#include "tests/fuzz/bytes.h"
+
+namespace fuzz {
+
+inline glm::dvec3 vector_of(Bytes& bytes) {
+  const double x = bytes.between(-1, 1), y = bytes.between(-1, 1), z = bytes.between(-1, 1);
+  return {x, y, z};
+}
+
+inline knit::Mesh revolved(Bytes& bytes) {
+  const unsigned segments = 3 + bytes.below(6);
+  std::vector<knit::ProfilePoint> profile{{0.0, 0.0}};
+  for (unsigned rings = 1 + bytes.below(6); rings > 0; --rings) {
+    const double y = profile.back().y + bytes.between(-0.1, 1.0);
+    profile.push_back({bytes.between(0.05, 1.6), y});
+  }
+  profile.push_back({0.0, profile.back().y + bytes.between(-0.1, 1.0)});
+  return knit::revolve("mesh", profile, segments, bytes.below(2) == 1);
+}
+
+// Any triangles between a few places on a coarse grid, so that places coincide.
+inline knit::Mesh soup(Bytes& bytes) {
+  knit::Mesh mesh;
+  const unsigned vertices = 4 + bytes.below(9);
+  for (unsigned i = 0; i < vertices; ++i) {
+    const unsigned at = bytes.byte();
+    mesh.positions.emplace_back(at % 6, at / 6 % 6, at / 36);
+  }
+  for (unsigned count = 4 + bytes.below(24); count > 0; --count)
+    mesh.triangles.push_back({bytes.below(vertices), bytes.below(vertices), bytes.below(vertices)});
+  return mesh;
+}
+
+inline knit::Mesh shape_of(Bytes& bytes) {
+  switch (bytes.below(6)) {
+    case 0:
+    case 1:
+      return revolved(bytes);
+    case 2:
+      return knit::icosphere(0);
+    case 3:
+      return knit::icosphere(1);
+    case 4:
+      return knit::torus(3 + bytes.below(5), 3 + bytes.below(4), bytes.between(0.6, 1.5),
+                         bytes.between(0.1, 0.6));
+    default:
+      return soup(bytes);
+  }
+}
+
+// Moved about, stretched, set on a grid, turned inside out, scaled: as the bytes say.
+inline knit::Mesh mesh_of(Bytes& bytes) {
+  const unsigned how = bytes.byte();
+  knit::Mesh mesh = shape_of(bytes);
+  if ((how & 1U) != 0) {
+    const std::array<glm::dvec3, 3> column{vector_of(bytes), vector_of(bytes), vector_of(bytes)};
+    for (glm::dvec3& p : mesh.positions) p += p.x * column[0] + p.y * column[1] + p.z * column[2];
+  }
+  if ((how & 2U) != 0)
+    for (glm::dvec3& p : mesh.positions) p += 0.4 * vector_of(bytes);
+  if ((how & 4U) != 0)
+    for (glm::dvec3& p : mesh.positions) p = glm::floor(4.0 * p + 0.5) / 4.0;
+  if ((how & 8U) != 0)
+    for (knit::Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  if ((how & 16U) != 0 && !mesh.triangles.empty()) std::swap(mesh.triangles[0][0], mesh.triangles[0][2]);
+  if ((how & 32U) != 0) mesh.positions.emplace_back(vector_of(bytes));
+  constexpr std::array scales{1.0, 1e-9, 1e9, 1e45};
+  const double scale = scales.at(how >> 6U);
+  for (glm::dvec3& p : mesh.positions) p *= scale;
+  return mesh;
+}
+
+// A length: mostly some tenths of the mesh, now and then far from it.
+inline double length_of(Bytes& bytes, double size) {
+  const unsigned drawn = bytes.byte();
+  if (drawn >= 252) return std::array{1e-13, 1e-3, 1e3, 1e11}.at(drawn - 252);
+  return size * (0.1 + drawn / 200.0);
+}
+
+inline glm::dvec3 direction_of(Bytes& bytes) {
+  const double scale = std::array{1.0, 1.0, 1e-12, 1e12}.at(bytes.below(4));
+  return scale * vector_of(bytes);
+}
+
+// Any parameters, also those that fault_of refuses. `size`: of the mesh.
+inline knit::Parameters parameters_of(Bytes& bytes, double size, unsigned vertices) {
+  knit::Parameters p;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    if (const auto* choice = std::get_if<knit::Choice>(&info.kind))
+      choice->set(p, static_cast<int>(bytes.below(static_cast<unsigned>(choice->names.size()))));
+  }
+  p.axis.kind = static_cast<knit::AxisKind>(bytes.below(4));
+  if (p.axis.kind == knit::AxisKind::custom) p.axis.custom = direction_of(bytes);
+  const unsigned picks = bytes.byte();
+  if ((picks & 1U) != 0) p.start = bytes.below(vertices + 1);
+  if ((picks & 2U) != 0) p.end = bytes.below(vertices + 1);
+  if ((picks & 4U) != 0) p.start_direction = direction_of(bytes);
+  if ((picks & 8U) != 0)
+    p.cast_on =
+        (picks & 16U) != 0 ? static_cast<int>(4 * bytes.byte()) : 3 + static_cast<int>(bytes.below(16));
+  if ((picks & 32U) != 0) p.level_tolerance = bytes.between(0.0, 0.1);
+  if ((picks & 64U) != 0) p.stitch_height = length_of(bytes, size);
+  if ((picks & 128U) != 0) p.gauge = {bytes.between(0.5, 60.0), bytes.between(0.5, 60.0)};
+  p.stitch_width = length_of(bytes, size);
+  const unsigned band = bytes.byte();
+  p.epsilon = band == 255 ? length_of(bytes, size) : p.stitch_width * (band + 1) / 256.0;
+  p.height_cm = p.sizes == knit::SizesFrom::gauge ? bytes.between(0.1, 4.0) : 12.0;
+  p.stacking_penalty = bytes.below(2) == 1 ? bytes.between(0.0, 10.0) : 0.0;
+  return p;
+}
+
+}  // namespace fuzz
