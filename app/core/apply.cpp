@@ -45,12 +45,18 @@ struct Apply {
     if (const auto* error = std::get_if<std::string>(&result)) {
       notify(session, Notice::Kind::error, *error);
       note_not_opened(session, source);
+      session.mend_offer.reset();
       return;
     }
     auto& loaded = std::get<Loaded>(result);
     session.source = std::move(source);
     session.original = std::move(loaded.original);
     session.findings = std::move(loaded.findings);
+    session.mended = std::move(loaded.mended);
+    session.source.mends.clear();
+    for (const knit::MendStep& step : session.mended) session.source.mends.push_back(step.kind);
+    session.mend_offer.reset();
+    session.before_mend.reset();
     session.defaults = loaded.parameters;
     session.timeline.emplace(std::move(loaded.input), loaded.parameters);
     session.load_ms = milliseconds_since(start);
@@ -71,6 +77,7 @@ struct Apply {
     session.camera_kept = false;
     session.open_dialog_open = false;
     session.notices.clear();
+    for (const knit::MendStep& step : session.mended) notify(session, Notice::Kind::info, step.did);
     for (const knit::Finding& finding : session.findings)
       notify(session, Notice::Kind::warning, finding.sentence);
     stop_playing(session);
@@ -81,11 +88,7 @@ struct Apply {
 
   void operator()(const OpenExample& a) {
     const auto start = std::chrono::steady_clock::now();
-    take_loaded(load_example(session.assets, a.name), {a.name, {}}, start);
-  }
-  void operator()(const OpenFile& a) {
-    const auto start = std::chrono::steady_clock::now();
-    take_loaded(load_file(a.path), {{}, a.path}, start);
+    take_loaded(load_example(session.assets, a.name), {a.name, {}, {}}, start);
   }
 
   // Does what may work the run out further, and counts the time if it did.

@@ -98,7 +98,7 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
   ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
 }
 
-// The list's lines, worst first: why the run stopped, findings about the mesh, unusual steps.
+// The list's lines, worst first: why the run stopped, what was mended, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
@@ -119,6 +119,9 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
     if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
     --i;
   }
+  const auto& mended = frame.session.mended;
+  if (i < mended.size()) return {"Mesh: " + mended[i].did, std::nullopt, ""};
+  i -= mended.size();
   const auto& findings = frame.session.findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
@@ -157,7 +160,7 @@ void wish_row(PanelFrame& frame, std::int32_t number) {
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
-  return frame.session.findings.size() + frame.ui.run.problems().size() +
+  return frame.session.mended.size() + frame.session.findings.size() + frame.ui.run.problems().size() +
          (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
@@ -187,6 +190,11 @@ void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
   const std::size_t count = count_problems(frame);
   if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
+  if (frame.session.before_mend) {
+    if (ImGui::SmallButton("Undo the mends")) frame.wish(UndoMend{});
+    frame.mark("mend/undo-here");
+    tooltip(frame, "Back to what was open before.");
+  }
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count));
   while (clipper.Step()) {
