@@ -1,6 +1,6 @@
 // The offer of mends in the program: made where they would do, shown, taken with one click and undone with one; saved
 // with the session, and said by the command line.
-#include <fstream>
+#include <tuple>
 
 #include "app/core/command_line.h"
 #include "app/core/link.h"
@@ -224,4 +224,29 @@ TEST_CASE("mends have a card with what is wrong and what each would do") {
   desk.settle();
   CHECK(desk.session.source.mends.empty());
   CHECK(desk.ui.controls.count("mend/undo") == 0);
+}
+
+TEST_CASE("mends are offered in the list for what is only warned of too") {
+  const Folder folder;
+  for (const auto& [name, control, kind] :
+       {std::tuple{"stray-vertex.obj", "mend/unreferenced", knit::MendKind::unreferenced},
+        std::tuple{"flipped-face.obj", "mend/reorient", knit::MendKind::reorient},
+        std::tuple{"inside-out.obj", "mend/reorient", knit::MendKind::reorient}}) {
+    CAPTURE(name);
+    Desk desk;
+    apply(desk.session, OpenFile{bad_file(folder, name)});
+    REQUIRE(desk.session.findings.size() == 1);
+    CHECK_FALSE(desk.session.before_mend);
+    desk.session.list = RunList::problems;
+    apply(desk.session, SeekTo{20});
+    desk.settle();
+    desk.act(desk.click(control));
+    CHECK(desk.session.findings.empty());
+    CHECK(desk.session.source.mends == std::vector{kind});
+    desk.settle();
+    desk.act(desk.click("mend/undo-here"));
+    CHECK(desk.session.findings.size() == 1);
+    CHECK(desk.session.source.mends.empty());
+    CHECK(desk.session.timeline->position() == 20);
+  }
 }

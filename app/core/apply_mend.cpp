@@ -37,7 +37,10 @@ void take(Session& session, const OpenFile& action) {
   const Source source{{}, action.path, {}};
   auto opened = open_mesh(action.path, action.mends);
   if (auto* loaded = std::get_if<Loaded>(&opened)) {
+    const bool mended = !loaded->mended.empty() && session.timeline;
+    auto before = mended ? put_by(session) : nullptr;
     show_loaded(session, std::move(*loaded), source, start);
+    session.before_mend = std::move(before);
     return tell_what_was_whole(session, action.mends);
   }
   auto& unfit = std::get<NotOpened>(opened);
