@@ -156,9 +156,9 @@ TEST_CASE("mend: a filled hole is closed and faces the way of its neighbours", "
 }
 
 TEST_CASE("mend: a hole across which there is an edge already is filled from its middle", "[mend]") {
-  // A tetrahedron less two faces: the rim's one diagonal is the edge between those that are left, and so is the other's.
+  // Two faces on either side of an edge: it is the shorter way across their common rim.
   Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.2}, {0.5, 0.3, 0.1}};
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.2}, {0.5, -1, 0.2}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
   for (glm::dvec3& p : mesh.positions) p *= 0.01;
   const auto base = static_cast<VertexId>(4);
@@ -167,6 +167,7 @@ TEST_CASE("mend: a hole across which there is an edge already is filled from its
   for (const Triangle& t : far.triangles) mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
   const Mended mended = mend(mesh, MendKind::holes);
   REQUIRE(mended.step.count == 1);
+  CHECK(mended.mesh.positions.size() == mesh.positions.size() + 1);
   const CheckResult checked = check(mended.mesh);
   for (const Finding& finding : checked.findings) {
     CAPTURE(finding.sentence);
@@ -174,8 +175,24 @@ TEST_CASE("mend: a hole across which there is an edge already is filled from its
   }
 }
 
-TEST_CASE("mend: what cannot be calculated with is left alone", "[mend]") {
+TEST_CASE("mend: a rim that touches another is left alone", "[mend]") {
   Mesh mesh = corpus::ball();
+  const auto has = [](const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; };
+  const auto first = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                  [&](const Triangle& t) { return has(t, 0); });
+  const Triangle one = *first;
+  mesh.triangles.erase(first);
+  const auto opposite = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return has(t, 0) && has(t, one[0]) + has(t, one[1]) + has(t, one[2]) == 1;
+  });
+  REQUIRE(opposite != mesh.triangles.end());
+  mesh.triangles.erase(opposite);
+  CHECK(mend(mesh, MendKind::holes).step.count == 0);
+  CHECK_FALSE(plan_mends(mesh));
+}
+
+TEST_CASE("mend: what cannot be calculated with is left alone", "[mend]") {
+  Mesh mesh = of_case("two-pieces.obj");
   mesh.positions[7].x = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(plan_mends(mesh));
   CHECK(carry_out(mesh, {all_kinds.begin(), all_kinds.end()}).steps.empty());

@@ -164,6 +164,10 @@ void add_topology(std::vector<Case>& all) {
   all.push_back(refused("pinched.obj", pinched(), {"vertex", "touch only there", "Pull the parts apart"}));
   all.push_back(refused("fin.obj", with_triangle(with_vertex(whole, {3, 0, 0}), {60, 61, 266}),
                         {"1 edge belongs to three or more triangles", "Remove"}, "fins"));
+  Mesh finned = without(with_vertex(whole, {3, 0, 0}), 200, 201);
+  finned.triangles.push_back({60, 61, 266});
+  all.push_back(refused("fin-and-hole.obj", finned, {"1 edge belongs to three or more triangles", "fins"},
+                        "fins,holes"));
   all.push_back(refused("small-hole.obj", without(whole, 100, 101),
                         {"1 hole (3 open edges)", "close every hole"}, "holes"));
   all.push_back(refused("two-holes-and-a-flipped-face.obj",
