@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include "knit/check.h"
@@ -208,4 +209,49 @@ TEST_CASE("mend: names lead back to their kind", "[mend]") {
   for (const MendKind kind : all_kinds) CHECK(mend_named(key_of(kind)) == kind);
   CHECK_FALSE(mend_named("all"));
   CHECK_FALSE(mend_named(""));
+}
+
+TEST_CASE("mend: whatever is done to a mesh a plan makes it fit or there is none", "[mend]") {
+  std::mt19937 random(7);  // seeded: the same meshes each time
+  std::size_t planned = 0;
+  for (int round = 0; round < 400; ++round) {
+    Mesh mesh = sphere(8, 5);
+    const auto any = [&](std::size_t count) { return static_cast<VertexId>(random() % count); };
+    for (auto changes = 1 + random() % 5; changes > 0; --changes) {
+      const VertexId t = any(mesh.triangles.size());
+      switch (random() % 7) {
+        case 0:
+          mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+          break;
+        case 1:
+          mesh.triangles.push_back(mesh.triangles[t]);
+          break;
+        case 2:
+          std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
+          break;
+        case 3:
+          mesh.triangles[t][any(3)] = any(mesh.positions.size());
+          break;
+        case 4:
+          mesh.positions[any(mesh.positions.size())] = mesh.positions[any(mesh.positions.size())];
+          break;
+        case 5:
+          mesh.positions.push_back(mesh.positions[mesh.triangles[t][0]] + glm::dvec3(1e-7));
+          mesh.triangles[t][0] = static_cast<VertexId>(mesh.positions.size() - 1);
+          break;
+        default:
+          mesh.triangles.push_back({any(mesh.positions.size()), any(mesh.positions.size()), 0});
+      }
+    }
+    CAPTURE(round);
+    const MendPlan all = carry_out(mesh, {all_kinds.begin(), all_kinds.end()});
+    CHECK(all.mesh.positions.size() <= mesh.positions.size() + mesh.triangles.size());
+    const auto plan = plan_mends(mesh);
+    if (!plan) continue;
+    ++planned;
+    CHECK_FALSE(check(mesh).fit());
+    CHECK(check(plan->mesh).fit());
+    CHECK(same(carry_out(mesh, plan->kinds()).mesh, plan->mesh));
+  }
+  CHECK(planned > 100);
 }
