@@ -207,12 +207,6 @@ void report_pieces(const Topology& topology, Report& report) {
 }
 
 void report_edges(const Topology& topology, Report& report) {
-  if (topology.open_edges > 0) {
-    report.add(FindingKind::open_edges, Severity::error, topology.holes.size(), topology.holes,
-               "The surface has " + counted(topology.holes.size(), "hole", "holes") + " (" +
-                   counted(topology.open_edges, "open edge", "open edges") + "); the first is at " +
-                   report.place(topology.holes.front()) + ". Close every hole and open the mesh again.");
-  }
   const auto& crowded = topology.crowded_edges;
   if (!crowded.empty()) {
     std::vector<VertexId> where;
@@ -221,36 +215,33 @@ void report_edges(const Topology& topology, Report& report) {
                counted(crowded.size(), "edge belongs", "edges belong") +
                    " to three or more triangles; the first runs from " + report.place(crowded.front()[0]) +
                    " to " + report.place(crowded.front()[1]) +
-                   ". Remove inner and doubled faces and open the mesh again.");
+                   ". Remove doubled faces, inner walls and fins there, and open the mesh again.");
+  }
+  if (topology.open_edges > 0) {
+    report.add(FindingKind::open_edges, Severity::error, topology.holes.size(), topology.holes,
+               "The surface has " + counted(topology.holes.size(), "hole", "holes") + " (" +
+                   counted(topology.open_edges, "open edge", "open edges") + "); the first is at " +
+                   report.place(topology.holes.front()) +
+                   ". Only a closed surface can be knitted: close every hole and open the mesh again.");
   }
   if (!topology.pinched.empty()) {
     report.add(FindingKind::vertex_not_manifold, Severity::error, topology.pinched.size(), topology.pinched,
                counted(topology.pinched.size(), "vertex joins", "vertices join") +
-                   " parts of the surface that touch nowhere else around it; the first is " +
-                   report.place(topology.pinched.front()) + ". Pull the parts away from each other there.");
+                   " parts of the surface that touch only there, like the two halves of an hourglass; the "
+                   "first is " +
+                   report.place(topology.pinched.front()) +
+                   ". Pull the parts apart there, or join them by more than a point.");
   }
-}
-
-double signed_volume(const Mesh& mesh, const Bounds& bounds) {
-  const glm::dvec3 centre = bounds.centre();
-  const double scale = 1.0 / bounds.diagonal();
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const glm::dvec3 a = (mesh.positions[t[0]] - centre) * scale;
-    const glm::dvec3 b = (mesh.positions[t[1]] - centre) * scale;
-    const glm::dvec3 c = (mesh.positions[t[2]] - centre) * scale;
-    sum += glm::dot(a, glm::cross(b, c));
-  }
-  return sum / 6.0;
 }
 
 void report_orientation(const Mesh& mesh, const Topology& topology, const Bounds& bounds, Report& report) {
   if (!topology.crowded_edges.empty()) return;
   if (topology.one_sided_at != no_vertex) {
-    report.add(FindingKind::not_orientable, Severity::error, 1, {topology.one_sided_at},
-               "The surface has only one side, like a Moebius strip; its sides meet at " +
-                   report.place(topology.one_sided_at) +
-                   ". Only a surface with an inside and an outside can be knitted.");
+    report.add(
+        FindingKind::not_orientable, Severity::error, 1, {topology.one_sided_at},
+        "The surface has only one side, like a Moebius strip; its sides meet at " +
+            report.place(topology.one_sided_at) +
+            ". Only a surface with an inside and an outside can be knitted; open a mesh of a solid shape.");
   } else if (!topology.minority.empty()) {
     std::vector<VertexId> where;
     for (const std::size_t t : topology.minority)
@@ -302,8 +293,9 @@ CheckResult check(const Mesh& mesh) {
 
   check_extent(mesh, used, bounds.diagonal(), report);
   report_pieces(topology, report);
+  report_orientation(mesh, topology, bounds,
+                     report);  // before holes: closing those of a one-sided surface is no help
   report_edges(topology, report);
-  report_orientation(mesh, topology, bounds, report);
   check_areas(mesh, bounds.diagonal(), report);
   check_vertices(used, twin, report);
   return report.finish();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/geometric.hpp>
 
 #include "knit/edge_table.h"
 
@@ -160,6 +161,30 @@ Topology study_topology(std::span<const Triangle> triangles, std::span<const Ver
   flood(surface, topology);
   find_pinched(surface, topology);
   return topology;
+}
+
+double signed_volume(const Mesh& mesh, const Bounds& bounds) {
+  const glm::dvec3 centre = bounds.centre();
+  const double scale = 1.0 / bounds.diagonal();
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = (mesh.positions[t[0]] - centre) * scale;
+    const glm::dvec3 b = (mesh.positions[t[1]] - centre) * scale;
+    const glm::dvec3 c = (mesh.positions[t[2]] - centre) * scale;
+    sum += glm::dot(a, glm::cross(b, c));
+  }
+  return sum / 6.0;
+}
+
+Bounds bounds_of_used(const Mesh& mesh) {
+  std::vector<glm::dvec3> corners;
+  corners.reserve(mesh.positions.size());
+  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const VertexId v : triangle) used[v] = 1;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) corners.push_back(mesh.positions[v]);
+  return bounds_of(corners);
 }
 
 }  // namespace knit

@@ -27,6 +27,12 @@ struct Topology {
       minority;  // triangles to flip so that all neighbours agree, the fewer ones of each piece
 };
 
+// Positive where triangles face outwards; meaningful for a closed surface, and in parts of the bounds' cube.
+double signed_volume(const Mesh& mesh, const Bounds& bounds);
+
+// Of the vertices that triangles use. Requires indices in range, and at least one triangle.
+Bounds bounds_of_used(const Mesh& mesh);
+
 // Requires indices in range.
 Topology study_topology(std::span<const Triangle> triangles, std::span<const VertexId> twin);
 

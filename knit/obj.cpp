@@ -23,6 +23,22 @@ namespace knit {
 
 namespace {
 
+// A larger file would take the memory of a small computer several times over; five million triangles with all that
+// can be said about them take half of this.
+constexpr std::uintmax_t most_bytes = 1'000'000'000;
+
+// A name must neither break a sentence into lines nor speak to a terminal.
+std::string shown(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  return name;
+}
+
+std::string gigabytes(std::uintmax_t bytes) {
+  const std::uintmax_t tenths = (bytes + 50'000'000) / 100'000'000;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
+}
+
 // A stream over text that is already in memory, without a copy.
 class TextBuffer : public std::streambuf {
  public:
@@ -104,6 +120,8 @@ std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, con
       text.resize(size < expected ? expected : size + std::max(size, least));
       in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
       size += static_cast<std::size_t>(in.gcount());
+      // A file may grow while it is read.
+      if (size > most_bytes) return ObjError{file + " has more than 1 GB. Reduce the mesh to fewer faces."};
     } while (in);
     if (in.bad())
       return ObjError{file + " cannot be read to its end. Check the disk or copy the file elsewhere."};
@@ -122,7 +140,7 @@ std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name)
 }
 
 std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path) {
-  const std::string file = path.string();
+  const std::string file = shown(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   switch (status.type()) {
@@ -139,16 +157,21 @@ std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path) {
     default:
       return ObjError{file + " is no ordinary file. Save the mesh to a file and open that."};
   }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > most_bytes) {
+    return ObjError{file + " has " + gigabytes(size) +
+                    "; at most 1 GB is read. Reduce the mesh to fewer faces and open it again."};
+  }
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
     const int reason = errno;
+    if (reason == ENOENT) return ObjError{file + " does not exist any more. Check the path."};
     return ObjError{file + " cannot be opened (" + std::generic_category().message(reason) +
                     "). Check its permissions."};
   }
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
   // One byte more than the file has, so that its end is met in the first read.
-  return read(in, file, path.stem().string(), error ? 0 : static_cast<std::size_t>(size) + 1);
+  return read(in, file, shown(path.stem().string()), error ? 0 : static_cast<std::size_t>(size) + 1);
 }
 
 }  // namespace knit

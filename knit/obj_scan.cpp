@@ -70,8 +70,11 @@ class Scanner {
 
   ObjScan run() {
     if (text.empty()) return failed(": the file is empty. Export the mesh again.");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+      return failed(" is not text as OBJ has it, but UTF-16. Save it as UTF-8 and open it again.");
+    }
     if (std::memchr(text.data(), '\0', text.size()) != nullptr) {
-      return failed(" is not text, so it is no Wavefront OBJ file. Export the mesh as OBJ.");
+      return failed(" is not text, so it is no Wavefront OBJ file. Export the mesh as OBJ and open that.");
     }
     if (text.starts_with("\xEF\xBB\xBF")) result.skip = 3;
     const char* at = text.data() + result.skip;
@@ -84,7 +87,9 @@ class Scanner {
       line += std::exchange(continued, 0);
     }
     if (result.error.empty() && result.vertices == 0 && result.faces == 0) {
-      return failed(" has no vertices and no faces. Is it a Wavefront OBJ file?");
+      return failed(
+          " has no vertices and no faces, so it is no Wavefront OBJ file. Export the mesh as OBJ and open "
+          "that.");
     }
     if (result.error.empty() && highest > result.vertices) {
       line = highest_line;
@@ -152,7 +157,8 @@ class Scanner {
                               return is_letter(c) || is_digit(c) || c == '-';
                             });
     if (!known_form || word == "V" || word == "F") {
-      fail("a line that begins with " + quoted(word) + " is not OBJ. Correct it or export the mesh again.");
+      fail("a line that begins with " + quoted(word) +
+           " is not OBJ; the file is damaged or of another kind. Export the mesh as OBJ again.");
     }
   }
 
@@ -166,7 +172,7 @@ class Scanner {
         return fail("a vertex needs three coordinates. Complete the line or export the mesh again.");
       if (!is_number(p, word_end)) {
         return fail("the coordinate " + quoted({p, static_cast<std::size_t>(word_end - p)}) +
-                    " is no finite decimal number. Correct it or export the mesh again.");
+                    " is no finite decimal number like 0.5. Correct it or export the mesh again.");
       }
       p = word_end;
     }

@@ -98,6 +98,12 @@ Controls all_controls() {
     desk.press({Key::Escape, {}, 0});
     desk.settle();
   }
+  desk.session.mend_offer =
+      MendOffer{{"", "ball.obj", {}}, "It has a hole.", std::make_shared<knit::MendPlan>()};
+  look(desk);
+  desk.session.mend_offer.reset();
+  desk.session.before_mend = std::make_shared<const Session>();
+  look(desk);
   desk.session.side = SidePanel::pattern;
   desk.ui.pattern_fields.open = true;
   look(desk);

@@ -19,8 +19,13 @@ struct OpenExample {
 };
 struct OpenFile {
   std::filesystem::path path;
+  knit::MendWish mends{};
 };                    // with default parameters for its size
 struct CloseMesh {};  // nothing is open then; a lesson is left, what was pinned is let go
+// Mends: knit/mend.h. What a mesh that could not be opened was offered.
+struct MendAndOpen {};
+struct DropMendOffer {};
+struct UndoMend {};  // back to what was open before
 
 // The timeline.
 struct StepBy {
@@ -270,7 +275,7 @@ using ActionKinds =
              HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
-             ShowOpenDialog, DismissNotice, Quit, CloseMesh>;
+             ShowOpenDialog, DismissNotice, Quit, CloseMesh, MendAndOpen, DropMendOffer, UndoMend>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

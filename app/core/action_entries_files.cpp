@@ -31,6 +31,12 @@ void add_opening(EntryList& list, const ActionSources& sources) {
   for (const auto& [path, opening] : sources.recent) {
     list.add({"Open again: " + path, files, "", opening, "", "", true});
   }
+  const std::string no_offer = list.session.mend_offer ? "" : "No mesh waits for mends.";
+  list.add({"Mend the mesh and open it", files, "What was found wrong with it is mended.", MendAndOpen{},
+            no_offer});
+  list.add({"Do not mend the mesh", files, "What is open stays.", DropMendOffer{}, no_offer});
+  list.add({"Undo the mends", files, "Back to what was open before.", UndoMend{},
+            list.session.before_mend ? "" : "No mesh was mended in this window."});
   const bool none = list.session.preferences.recent.empty();
   list.add(
       {"Forget what was opened lately", files, "", ForgetRecent{}, none ? "Nothing is remembered." : ""});

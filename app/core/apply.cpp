@@ -42,6 +42,9 @@ void forget_mesh(Session& session) {
   session.original.reset();
   session.source = {};
   session.findings.clear();
+  session.mended.clear();
+  session.mend_offer.reset();
+  session.before_mend.reset();
   session.run_ms = 0.0;
   session.picking = Picking::nothing;
   session.before_change.reset();
@@ -73,6 +76,7 @@ struct Apply {
     if (const auto* error = std::get_if<std::string>(&result)) {
       notify(session, Notice::Kind::error, *error);
       note_not_opened(session, source);
+      session.mend_offer.reset();
       return;
     }
     auto& loaded = std::get<Loaded>(result);
@@ -80,10 +84,14 @@ struct Apply {
     session.source = std::move(source);
     session.original = std::move(loaded.original);
     session.findings = std::move(loaded.findings);
+    session.mended = std::move(loaded.mended);
+    session.source.mends.clear();
+    for (const knit::MendStep& step : session.mended) session.source.mends.push_back(step.kind);
     session.defaults = loaded.parameters;
     session.timeline.emplace(std::move(loaded.input), loaded.parameters);
     session.load_ms = milliseconds_since(start);
     session.open_dialog_open = false;
+    for (const knit::MendStep& step : session.mended) notify(session, Notice::Kind::info, step.did);
     for (const knit::Finding& finding : session.findings)
       notify(session, Notice::Kind::warning, finding.sentence);
     session.camera.frame(session.timeline->input().bounds, session.aspect);
@@ -92,11 +100,7 @@ struct Apply {
 
   void operator()(const OpenExample& a) {
     const auto start = std::chrono::steady_clock::now();
-    take_loaded(load_example(session.assets, a.name), {a.name, {}}, start);
-  }
-  void operator()(const OpenFile& a) {
-    const auto start = std::chrono::steady_clock::now();
-    take_loaded(load_file(a.path), {{}, a.path}, start);
+    take_loaded(load_example(session.assets, a.name), {a.name, {}, {}}, start);
   }
 
   void operator()(const CloseMesh& /*a*/) {

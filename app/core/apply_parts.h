@@ -70,6 +70,12 @@ void note_opened(Session& session);
 // After it could not be: a file that has gone is not offered again.
 void note_not_opened(Session& session, const Source& source);
 
+// apply_mend.cpp
+void take(Session& session, const OpenFile& action);
+void take(Session& session, const MendAndOpen& action);
+void take(Session& session, const DropMendOffer& action);
+void take(Session& session, const UndoMend& action);
+
 // apply_lesson.cpp
 void take(Session& session, const StartLesson& action);
 void take(Session& session, const LeaveLesson& action);

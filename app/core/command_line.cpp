@@ -33,7 +33,7 @@ struct Words {
   std::string save_gltf, save_plots;
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
-  std::string theme, scale;
+  std::string theme, scale, mend;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   bool markers = false, stars = false;
@@ -64,6 +64,12 @@ std::string lessons_text(const std::filesystem::path& assets) {
   return text;
 }
 
+std::string mend_list() {
+  std::string text;
+  for (const std::string_view key : knit::mend_keys) text += (text.empty() ? "" : ", ") + std::string(key);
+  return text;
+}
+
 // An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
 void refuse_empty_values(CLI::App& app) {
   const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
@@ -76,6 +82,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
   app.add_option("--session", words.session, "open a saved session instead");
   app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
+  app.add_option("--mend", words.mend, "mend the mesh before it is opened: all, or some of " + mend_list());
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
@@ -311,6 +318,24 @@ std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   return "--empty opens nothing, so there is no mesh for the other options; leave it out.";
 }
 
+// Commas between; the order does not matter, for there is but one that is safe.
+std::optional<std::string> read_mends(const Words& words, CommandLine& line) {
+  if (words.mend.empty()) return std::nullopt;
+  if (words.mesh.empty() || !line.session.empty())
+    return "--mend needs a mesh's file; examples are whole, and a session has its own mends.";
+  knit::MendWish wish{words.mend == "all", {}};
+  for (const std::string_view key : wish.all ? std::vector<std::string_view>() : split(words.mend, ',')) {
+    const auto kind = knit::mend_named(key);
+    if (!kind)
+      return "--mend cannot be \"" + words.mend + "\"; give all, or some of " + mend_list() +
+             ", with commas between.";
+    if (std::find(wish.kinds.begin(), wish.kinds.end(), *kind) == wish.kinds.end())
+      wish.kinds.push_back(*kind);
+  }
+  line.open = OpenFile{words.mesh, std::move(wish)};
+  return std::nullopt;
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -343,6 +368,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_mends(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {

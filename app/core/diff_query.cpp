@@ -9,8 +9,9 @@ namespace app {
 namespace {
 
 std::variant<Loaded, std::string> load_source(const Session& session, const SavedRun& run) {
-  auto read =
-      run.source.file.empty() ? load_example(session.assets, run.source.example) : load_file(run.source.file);
+  const Source& source = run.source;
+  auto read = source.file.empty() ? load_example(session.assets, source.example)
+                                  : load_file(source.file, source.mends);
   if (std::holds_alternative<std::string>(read)) return read;
   return load_again(std::get<Loaded>(read).original, run.base);
 }

@@ -89,6 +89,10 @@ std::optional<std::string> link_by_options(const Session& session) {
     std::error_code error;
     const auto absolute = std::filesystem::absolute(source.file, error);
     link.add((error ? source.file : absolute).lexically_normal().string());
+    std::string mends;
+    for (const knit::MendKind kind : source.mends)
+      mends += (mends.empty() ? "" : ",") + std::string(knit::key_of(kind));
+    if (!mends.empty()) link.add("--mend", mends);
   }
   add_parameters(link, timeline.base_parameters(), session.defaults);
   add_place(link, timeline);

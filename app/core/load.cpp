@@ -32,6 +32,15 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   return loaded;
 }
 
+// As a person wishes; what helps is only looked for where it is wanted.
+knit::MendPlan mended_as(knit::Mesh mesh, const knit::MendWish& wish) {
+  if (!wish.kinds.empty()) return knit::carry_out(mesh, wish.kinds);
+  if (wish.all) {
+    if (auto plan = knit::plan_mends(mesh)) return std::move(*plan);
+  }
+  return {std::move(mesh), {}};
+}
+
 std::string text_of(const nlohmann::json& value) {
   if (value.is_string()) return value.get<std::string>();
   return value.dump();
@@ -56,10 +65,29 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
 
 }  // namespace
 
-std::variant<Loaded, std::string> load_file(const std::filesystem::path& path) {
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
+                                            const std::vector<knit::MendKind>& mends) {
   auto read = knit::read_obj_file(path);
   if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
-  return prepare(std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read))), nullptr);
+  return load_mended(mended_as(std::get<knit::Mesh>(std::move(read)), {false, mends}));
+}
+
+std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan) {
+  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr);
+  if (auto* ready = std::get_if<Loaded>(&loaded)) ready->mended = plan.steps;
+  return loaded;
+}
+
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish) {
+  auto read = knit::read_obj_file(path);
+  if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
+  const knit::Mesh& mesh = std::get<knit::Mesh>(read);
+  auto loaded = load_mended(mended_as(mesh, wish));
+  if (auto* ready = std::get_if<Loaded>(&loaded)) return std::move(*ready);
+  NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
+  if (auto plan = knit::plan_mends(mesh))
+    unfit.plan = std::make_shared<const knit::MendPlan>(std::move(*plan));
+  return unfit;
 }
 
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name) {

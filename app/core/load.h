@@ -8,19 +8,31 @@
 #include <vector>
 
 #include "knit/check.h"
+#include "knit/mend.h"
 #include "knit/parameters.h"
 
 namespace app {
 
 struct Loaded {
-  std::shared_ptr<const knit::Mesh> original;  // as read
+  std::shared_ptr<const knit::Mesh> original;  // as read, and mended where that was asked for
   std::shared_ptr<const knit::Input> input;    // welded where the parameters say so
   knit::Parameters parameters;
   std::vector<knit::Finding> findings;  // warnings
+  std::vector<knit::MendStep> mended;   // what was done
+};
+
+// Why nothing was opened, in one sentence, and what would make the mesh fit.
+struct NotOpened {
+  std::string sentence;
+  std::shared_ptr<const knit::MendPlan> plan;  // of the mesh as read; null: no mends would do
 };
 
 // The error is one sentence: what is wrong, where, and what to do.
-std::variant<Loaded, std::string> load_file(const std::filesystem::path& path);
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
+                                            const std::vector<knit::MendKind>& mends = {});
+// Likewise, with the mends that help if it is unfit.
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish = {});
+std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan);
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name);
 // The same mesh again, for parameters whose weld differs.
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,

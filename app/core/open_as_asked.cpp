@@ -61,6 +61,17 @@ std::optional<std::string> begin_lesson(Session& session, const CommandLine& lin
   return line.lesson_page ? go_to_lesson_page(session, *line.lesson_page) : std::nullopt;
 }
 
+// What is wrong, and which option would help.
+std::string words_of(const MendOffer& offer) {
+  std::string keys;
+  std::string effects;
+  for (const knit::MendStep& step : offer.plan->steps) {
+    keys += (keys.empty() ? "" : ",") + std::string(knit::key_of(step.kind));
+    effects += " " + step.would;
+  }
+  return offer.finding + " Or give --mend " + keys + "." + effects;
+}
+
 }  // namespace
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
@@ -75,6 +86,8 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
   if (line.empty) return std::nullopt;
+  if (!session.timeline && session.mend_offer)
+    return line.headless ? std::optional(words_of(*session.mend_offer)) : std::nullopt;  // a window offers it
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
   if (!line.breaks.empty()) {

@@ -97,6 +97,7 @@ Json report_json(const Session& session) {
   Json report;
   report["mesh"] = {
       {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
+  for (const knit::MendStep& step : session.mended) report["mesh"]["mended"].push_back(step.did);
   report["parameters"] = app::to_json(timeline.base_parameters());
   if (!timeline.edits().empty()) report["edits"] = edits_json(timeline);
   report["steps"] = timeline.position();

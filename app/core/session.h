@@ -18,6 +18,7 @@
 #include "app/core/worker.h"
 #include "knit/check.h"
 #include "knit/closeness.h"
+#include "knit/mend.h"
 #include "knit/timeline.h"
 #include "knit/written_pattern.h"
 
@@ -59,8 +60,16 @@ struct Notice {
 
 // Where the mesh came from: one of the two is set once something is open.
 struct Source {
-  std::string example;         // "thesis-sphere"
-  std::filesystem::path file;  // as given
+  std::string example;                  // "thesis-sphere"
+  std::filesystem::path file;           // as given
+  std::vector<knit::MendKind> mends{};  // carried out on what the file says, in this order
+};
+
+// A mesh that could not be opened, and what would make it fit. It is not open: what was open still is.
+struct MendOffer {
+  Source source;
+  std::string finding;  // the sentence: what is wrong with it
+  std::shared_ptr<const knit::MendPlan> plan;
 };
 
 // What the centre shows.
@@ -130,6 +139,9 @@ struct Session {
   std::shared_ptr<const knit::Mesh> original;  // as read, before welding
   std::optional<knit::Timeline> timeline;      // nothing open: none
   std::vector<knit::Finding> findings;         // warnings about the open mesh
+  std::vector<knit::MendStep> mended;          // what was done to it, as source.mends says
+  std::optional<MendOffer> mend_offer;         // of the mesh that could not be opened last
+  std::shared_ptr<const Session> before_mend;  // what undoing the mends goes back to; null: nothing to undo
   knit::Parameters defaults;                   // of the open mesh or example: what reset goes back to
   double load_ms = 0.0;                        // of the last opening
   double run_ms = 0.0;                         // spent on working the run out, so far

@@ -29,6 +29,7 @@ Json source_json(const SavedSession& saved) {
   } else {
     json["file"] = saved.source.file.generic_string();
   }
+  for (const knit::MendKind kind : saved.source.mends) json["mends"].push_back(knit::key_of(kind));
   if (!saved.mesh_hash.empty()) json["hash"] = saved.mesh_hash;
   return json;
 }

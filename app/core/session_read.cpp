@@ -62,6 +62,14 @@ Knobs read_knobs(JsonFields fields) {
   return knobs;
 }
 
+void read_mends(JsonFields& fields, std::vector<knit::MendKind>& mends) {
+  for (const Json& key : fields.array("mends")) {
+    const auto kind = key.is_string() ? knit::mend_named(key.get<std::string>()) : std::nullopt;
+    if (!kind) return fields.set_fault("mends", "has one that is not known; see --mend in knit-mesh --help.");
+    mends.push_back(*kind);
+  }
+}
+
 void read_source(JsonFields fields, SavedSession& saved) {
   if (fields.has("file")) {
     saved.source.file = fields.text("file");
@@ -71,6 +79,7 @@ void read_source(JsonFields fields, SavedSession& saved) {
   } else {
     fields.set_fault("file", "is missing; name the mesh's \"file\", or an \"example\".");
   }
+  if (fields.has("mends")) read_mends(fields, saved.source.mends);
   if (fields.has("hash")) saved.mesh_hash = fields.text("hash");
 }
 

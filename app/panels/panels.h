@@ -54,7 +54,8 @@ void draw_breaks(PanelFrame& frame);
 void draw_travel_marks(PanelFrame& frame,
                        const Track& track);  // on the track: hits of break conditions, the loop
 void draw_pattern_marks(PanelFrame& frame, const Track& track);  // and the round under the pointer
-void draw_rescue(PanelFrame& frame);  // over the view: a session from before a crash
+void draw_rescue(PanelFrame& frame);      // over the view: a session from before a crash
+void draw_mend_offer(PanelFrame& frame);  // over the view: what would make a mesh fit that is not
 void draw_timeline(PanelFrame& frame);
 void draw_transport(PanelFrame& frame);  // the timeline's parts
 void draw_track(PanelFrame& frame);

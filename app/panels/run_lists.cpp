@@ -98,7 +98,7 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
   ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
 }
 
-// The list's lines, worst first: why the run stopped, findings about the mesh, unusual steps.
+// The list's lines, worst first: why the run stopped, what was mended, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
@@ -119,6 +119,9 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
     if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
     --i;
   }
+  const auto& mended = frame.session.mended;
+  if (i < mended.size()) return {"Mesh: " + mended[i].did, std::nullopt, ""};
+  i -= mended.size();
   const auto& findings = frame.session.findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
@@ -141,6 +144,41 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   ImGui::PopID();
 }
 
+// What would mend a finding that is no more than a warning; none: nothing that is sure to.
+std::optional<knit::MendKind> mend_of(knit::FindingKind finding) {
+  switch (finding) {
+    case knit::FindingKind::flipped_faces:
+    case knit::FindingKind::inside_out:
+      return knit::MendKind::reorient;
+    case knit::FindingKind::unreferenced:
+      return knit::MendKind::unreferenced;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Over the list: mends of what stands in it, and the way back.
+void draw_mends(PanelFrame& frame) {
+  const Source& source = frame.session.source;
+  for (const knit::Finding& finding : frame.session.findings) {
+    const auto kind = mend_of(finding.kind);
+    if (!kind || source.file.empty()) continue;
+    const bool faces = kind == knit::MendKind::reorient;
+    if (ImGui::SmallButton(faces ? "Mend: turn faces round" : "Mend: drop stray vertices")) {
+      knit::MendWish wish{false, source.mends};
+      wish.kinds.push_back(*kind);
+      frame.wish(OpenFile{source.file, std::move(wish)});
+    }
+    frame.mark("mend/" + std::string(knit::key_of(*kind)));
+    tooltip(frame,
+            finding.sentence + "\n\nOpens the mesh again, mended, with its own parameters; can be undone.");
+  }
+  if (!frame.session.before_mend) return;
+  if (ImGui::SmallButton("Undo the mends")) frame.wish(UndoMend{});
+  frame.mark("mend/undo-here");
+  tooltip(frame, "Back to what was open before.");
+}
+
 }  // namespace
 
 std::int32_t row_at_hand(const PanelFrame& frame) {
@@ -157,7 +195,7 @@ void wish_row(PanelFrame& frame, std::int32_t number) {
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
-  return frame.session.findings.size() + frame.ui.run.problems().size() +
+  return frame.session.mended.size() + frame.session.findings.size() + frame.ui.run.problems().size() +
          (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
@@ -187,6 +225,7 @@ void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
   const std::size_t count = count_problems(frame);
   if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
+  draw_mends(frame);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count));
   while (clipper.Step()) {

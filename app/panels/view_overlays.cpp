@@ -79,6 +79,12 @@ void draw_notices(PanelFrame& frame) {
     draw_notice(frame, i);
     if (i > 0) ImGui::Separator();
   }
+  if (frame.session.before_mend) {
+    ImGui::Separator();
+    if (ImGui::Button("Undo the mends")) frame.wish(UndoMend{});
+    frame.mark("mend/undo");
+    tooltip(frame, "Back to what was open before.");
+  }
   ImGui::End();
 }
 
@@ -128,6 +134,7 @@ void draw_view_overlays(PanelFrame& frame) {
   draw_picking(frame);
   draw_waiting(frame);
   draw_rescue(frame);
+  draw_mend_offer(frame);
   draw_notices(frame);
 }
 

@@ -195,16 +195,16 @@ int run_window(Session& session, const CommandLine& line) {
     FrameDrawer drawer(session.assets);
     drawer.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
-    if (line.at) {
+    if (line.at && session.timeline) {
       if (const auto nearest = go_to(session, *line.at))
         session.notices.push_back({Notice::Kind::warning, *nearest});
     }
-    answer_in_window(session, line);
+    if (session.timeline) answer_in_window(session, line);
     const auto folder = rescue_folder();
     if (folder) session.rescued = find_rescued(*folder);
     session.beside = true;
     PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
-    if (!line.sweep.empty()) sweep_answer(session, line.sweep);
+    if (!line.sweep.empty() && session.timeline) sweep_answer(session, line.sweep);
     drawer.draw(session, shape_of(window, 0.0, 1), {});
     if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
     RescueKeeper keeper(session, folder);

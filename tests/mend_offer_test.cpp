@@ -1,0 +1,252 @@
+// The offer of mends in the program: made where they would do, shown, taken with one click and undone with one; saved
+// with the session, and said by the command line.
+#include <tuple>
+
+#include "app/core/command_line.h"
+#include "app/core/link.h"
+#include "app/core/report.h"
+#include "app/core/session_file.h"
+#include "tests/support/corpus.h"
+#include "tests/support/desk.h"
+#include "tests/support/session.h"
+
+using namespace desk;
+using test_support::contains;
+using test_support::Folder;
+using test_support::is_one_sentence;
+
+namespace {
+
+std::filesystem::path bad_file(const Folder& folder, const std::string& name) {
+  for (const corpus::Case& file : corpus::all_cases())
+    if (file.name == name) return corpus::write(file, folder.path());
+  FAIL("no case " << name);
+  return {};
+}
+
+std::variant<CommandLine, Answer> parsed(const std::vector<std::string>& words) {
+  return parse_command_line(words, KNIT_ASSETS_DIR);
+}
+
+// Opened as on the command line; the error, or nothing.
+std::optional<std::string> open_with(Session& session, const std::vector<std::string>& words) {
+  const auto line = parsed(words);
+  REQUIRE(std::holds_alternative<CommandLine>(line));
+  session.assets = KNIT_ASSETS_DIR;
+  return open_as_asked(session, std::get<CommandLine>(line));
+}
+
+std::string usage_error(const std::vector<std::string>& words) {
+  const auto answer = parsed(words);
+  REQUIRE(std::holds_alternative<Answer>(answer));
+  CHECK(std::get<Answer>(answer).exit_code == exit_usage);
+  return std::get<Answer>(answer).error;
+}
+
+std::string saved(const Session& session) { return session_text(session, "-").text; }
+
+}  // namespace
+
+TEST_CASE("mends are offered where they would do and what is open stays") {
+  const Folder folder;
+  Session session = test_support::example_session("sphere");
+  apply(session, SeekTo{500});
+  const std::string before = saved(session);
+  apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
+  REQUIRE(session.mend_offer);
+  CHECK(contains(session.mend_offer->finding, "2 pieces"));
+  REQUIRE(session.mend_offer->plan->steps.size() == 1);
+  CHECK(session.notices.empty());
+  CHECK(saved(session) == before);
+  apply(session, DropMendOffer{});
+  CHECK_FALSE(session.mend_offer);
+  CHECK(saved(session) == before);
+
+  apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
+  apply(session, OpenFile{bad_file(folder, "open-bowl.obj")});  // no mends would do
+  CHECK_FALSE(session.mend_offer);
+  REQUIRE(session.notices.size() == 1);
+  apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
+  apply(session, OpenExample{"egg"});  // opened something else
+  CHECK_FALSE(session.mend_offer);
+}
+
+TEST_CASE("mends are carried out with one click and undone with one") {
+  const Folder folder;
+  Session session = test_support::example_session("sphere");
+  apply(session, SeekTo{500});
+  const std::string before = saved(session);
+  const std::uint64_t state = hash_of(session.timeline->state());
+  const auto path = bad_file(folder, "two-holes-and-a-flipped-face.obj");
+  apply(session, OpenFile{path});
+  apply(session, MendAndOpen{});
+  CHECK(session.source.file == path);
+  CHECK(session.source.mends == std::vector{knit::MendKind::reorient, knit::MendKind::holes});
+  CHECK(session.timeline->input().mesh.triangles.size() == 528);
+  CHECK(session.findings.empty());
+  CHECK(session.list == RunList::problems);
+  REQUIRE(session.notices.size() == 2);
+  CHECK(session.notices[0].kind == Notice::Kind::info);
+  CHECK(session.notices[0].text == session.mended[0].did);
+  CHECK(contains(session.notices[1].text, "filled 2 holes of 7 edges with 3 triangles"));
+  CHECK(report_json(session)["mesh"]["mended"].size() == 2);
+  apply(session, ToLast{});
+  CHECK(session.timeline->state().finished());
+
+  apply(session, SetTheme{ThemeKind::light});
+  apply(session, UndoMend{});
+  CHECK(saved(session) == before);
+  CHECK(hash_of(session.timeline->state()) == state);
+  CHECK(session.preferences.theme == ThemeKind::light);  // what was set for the program stays
+  CHECK(session.mended.empty());
+  CHECK_FALSE(session.before_mend);
+  REQUIRE(session.mend_offer);  // as it was before the click
+  apply(session, MendAndOpen{});
+  CHECK(session.source.file == path);
+}
+
+TEST_CASE("mends undone with nothing open before leave nothing open") {
+  const Folder folder;
+  Session session;
+  apply(session, OpenFile{bad_file(folder, "fin.obj")});
+  apply(session, MendAndOpen{});
+  REQUIRE(session.timeline);
+  apply(session, UndoMend{});
+  CHECK_FALSE(session.timeline);
+  apply(session, DropMendOffer{});
+  apply(session, MendAndOpen{});
+  apply(session, UndoMend{});
+  CHECK_FALSE(session.timeline);
+}
+
+TEST_CASE("mends are undone no more once something else is open") {
+  const Folder folder;
+  Session session = test_support::example_session("sphere");
+  apply(session, OpenFile{bad_file(folder, "fin.obj")});
+  apply(session, MendAndOpen{});
+  apply(session, OpenExample{"egg"});
+  CHECK_FALSE(session.before_mend);
+  CHECK(session.mended.empty());
+  CHECK(session.source.mends.empty());
+  apply(session, UndoMend{});
+  CHECK(session.source.example == "egg");
+}
+
+TEST_CASE("mends are saved with the session and carried out when it is opened") {
+  const Folder folder;
+  const auto path = bad_file(folder, "two-holes-and-a-flipped-face.obj");
+  Session session;
+  apply(session, OpenFile{path});
+  apply(session, MendAndOpen{});
+  apply(session, SeekPlace{{knit::Stage::rows, 5, 2}});
+  const auto file = folder.path() / "ball.json";
+  REQUIRE_FALSE(save_session(session, file));
+  CHECK(contains(test_support::read_text(file), "\"mends\": [\n      \"reorient\",\n      \"holes\"\n    ]"));
+  Session again;
+  REQUIRE_FALSE(open_session(again, file));
+  CHECK(again.mended.size() == 2);
+  CHECK(again.source.mends == session.source.mends);
+  CHECK(saved(again) == saved(session));
+  CHECK(hash_of(again.timeline->state()) == hash_of(session.timeline->state()));
+  // Welding on the way is of the mended mesh.
+  knit::Parameters parameters = again.timeline->parameters();
+  parameters.weld = knit::Weld::on;
+  apply(again, Tune{parameters});
+  CHECK(again.timeline->input().mesh.triangles.size() == 528);
+
+  std::string text = test_support::read_text(file);
+  text.replace(text.find("\"holes\""), 7, "\"darning\"");
+  test_support::write_text(file, text);
+  const auto error = open_session(again, file);
+  REQUIRE(error);
+  CHECK(contains(*error, "mends"));
+  CHECK(is_one_sentence(*error));
+}
+
+TEST_CASE("mends by the command line") {
+  const Folder folder;
+  const std::string path = bad_file(folder, "two-pieces.obj").string();
+  {
+    Session session;
+    const auto error = open_with(session, {path, "--headless"});
+    REQUIRE(error);
+    CHECK(contains(*error, "2 pieces"));
+    CHECK(contains(*error, "--mend largest-piece"));
+    CHECK(contains(*error, "drops 1 piece of 4 triangles"));
+    CHECK(is_one_sentence(*error));
+  }
+  {
+    Session session;  // a window shows the offer
+    CHECK_FALSE(open_with(session, {path}));
+    CHECK(session.mend_offer);
+    CHECK_FALSE(session.timeline);
+  }
+  for (const char* wish : {"all", "largest-piece", "holes,largest-piece,holes"}) {
+    CAPTURE(wish);
+    Session session;
+    CHECK_FALSE(open_with(session, {path, "--headless", "--mend", wish}));
+    REQUIRE(session.timeline);
+    CHECK(session.source.mends == std::vector{knit::MendKind::largest_piece});
+    CHECK(contains(session.notices.at(0).text, "dropped 1 piece of 4 triangles"));
+    // What was asked for and not needed is said too.
+    CHECK(session.notices.size() == (contains(wish, "holes") ? 2 : 1));
+    const auto link = link_by_options(session);
+    REQUIRE(link);
+    CHECK(contains(*link, " --mend largest-piece "));
+  }
+  Session session;
+  CHECK(open_with(session, {path, "--headless", "--mend", "holes"}));
+  CHECK_FALSE(session.timeline);
+}
+
+TEST_CASE("mends that cannot be asked for") {
+  CHECK(contains(usage_error({"ball.obj", "--mend", "darn"}), "largest-piece"));
+  CHECK(contains(usage_error({"ball.obj", "--mend", "holes,"}), "--mend cannot be"));
+  CHECK(contains(usage_error({"--example", "egg", "--mend", "all"}), "needs a mesh's file"));
+  CHECK(contains(usage_error({"--session", "a.json", "--mend", "all"}), "needs a mesh's file"));
+  CHECK(contains(usage_error({"ball.obj", "--mend", ""}), "--mend"));
+}
+
+TEST_CASE("mends have a card with what is wrong and what each would do") {
+  const Folder folder;
+  Desk desk;
+  desk.open();
+  apply(desk.session, OpenFile{bad_file(folder, "two-holes-and-a-flipped-face.obj")});
+  desk.settle();
+  only<DropMendOffer>(desk.click("mend/not-now"));
+  desk.act(desk.click("mend/open"));
+  CHECK(desk.session.source.mends.size() == 2);
+  desk.settle();
+  CHECK(desk.ui.controls.count("mend/open") == 0);
+  REQUIRE(desk.ui.controls.count("problem/1") == 1);  // both are in the list
+  only<UndoMend>(desk.click("mend/undo-here"));
+  desk.act(desk.click("mend/undo"));
+  desk.settle();
+  CHECK(desk.session.source.mends.empty());
+  CHECK(desk.ui.controls.count("mend/undo") == 0);
+}
+
+TEST_CASE("mends are offered in the list for what is only warned of too") {
+  const Folder folder;
+  for (const auto& [name, control, kind] :
+       {std::tuple{"stray-vertex.obj", "mend/unreferenced", knit::MendKind::unreferenced},
+        std::tuple{"flipped-face.obj", "mend/reorient", knit::MendKind::reorient},
+        std::tuple{"inside-out.obj", "mend/reorient", knit::MendKind::reorient}}) {
+    CAPTURE(name);
+    Desk desk;
+    apply(desk.session, OpenFile{bad_file(folder, name)});
+    REQUIRE(desk.session.findings.size() == 1);
+    CHECK_FALSE(desk.session.before_mend);
+    desk.session.list = RunList::problems;
+    apply(desk.session, SeekTo{20});
+    desk.settle();
+    desk.act(desk.click(control));
+    CHECK(desk.session.findings.empty());
+    CHECK(desk.session.source.mends == std::vector{kind});
+    desk.settle();
+    desk.act(desk.click("mend/undo-here"));
+    CHECK(desk.session.findings.size() == 1);
+    CHECK(desk.session.source.mends.empty());
+    CHECK(desk.session.timeline->position() == 20);
+  }
+}

@@ -1,0 +1,257 @@
+// Mends: each does what its words say and no more, and a plan is found just where mends make a mesh fit.
+#include "knit/mend.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "knit/check.h"
+#include "knit/obj.h"
+#include "knit/shapes.h"
+#include "tests/support/catch.h"
+#include "tests/support/corpus.h"
+#include "tests/support/session.h"
+
+using namespace knit;
+using test_support::contains;
+
+namespace {
+
+Mesh read(const std::string& text) {
+  std::istringstream in(text);
+  auto result = read_obj(in, "test.obj");
+  REQUIRE(std::holds_alternative<Mesh>(result));
+  return std::get<Mesh>(std::move(result));
+}
+
+Mesh of_case(const std::string& name) {
+  for (const corpus::Case& file : corpus::all_cases())
+    if (file.name == name) return read(file.bytes());
+  FAIL("no case " << name);
+  return {};
+}
+
+bool same(const Mesh& a, const Mesh& b) {
+  return a.positions == b.positions && a.triangles == b.triangles && a.edges == b.edges;
+}
+
+std::string keys_of(const MendPlan& plan) {
+  std::string keys;
+  for (const MendStep& step : plan.steps) keys += (keys.empty() ? "" : ",") + std::string(key_of(step.kind));
+  return keys;
+}
+
+constexpr std::array<MendKind, mend_count> all_kinds{
+    MendKind::unreferenced,  MendKind::weld,     MendKind::doubles, MendKind::fins,
+    MendKind::largest_piece, MendKind::reorient, MendKind::holes};
+
+}  // namespace
+
+TEST_CASE("mend: a whole mesh has nothing to mend", "[mend]") {
+  for (const Mesh& mesh : {corpus::ball(), icosphere(2), torus(12, 8, 0.7, 0.3)}) {
+    for (const MendKind kind : all_kinds) {
+      CAPTURE(key_of(kind));
+      const Mended mended = mend(mesh, kind);
+      CHECK(mended.step.count == 0);
+      CHECK(same(mended.mesh, mesh));
+    }
+    CHECK_FALSE(plan_mends(mesh));
+  }
+}
+
+TEST_CASE("mend: the plan for each bad file is the one that the corpus expects", "[mend][corpus]") {
+  std::size_t planned = 0;
+  for (const corpus::Case& file : corpus::shape_cases()) {
+    CAPTURE(file.name);
+    const Mesh mesh = read(file.bytes());
+    const auto plan = plan_mends(mesh);
+    CHECK((plan ? keys_of(*plan) : "") == file.refused.mends);
+    if (!plan) continue;
+    ++planned;
+    CHECK(check(plan->mesh).fit());
+    for (const MendStep& step : plan->steps) {
+      CAPTURE(step.would, step.did);
+      CHECK(step.count > 0);
+      CHECK(test_support::is_one_sentence(step.would));
+      CHECK(test_support::is_one_sentence(step.did));
+    }
+    // By their names the same comes out, in whatever order they are given.
+    std::vector<MendKind> kinds = plan->kinds();
+    std::reverse(kinds.begin(), kinds.end());
+    const MendPlan again = carry_out(mesh, kinds);
+    CHECK(same(again.mesh, plan->mesh));
+    CHECK(keys_of(again) == file.refused.mends);
+  }
+  CHECK(planned >= 10);
+}
+
+TEST_CASE("mend: words have the numbers", "[mend]") {
+  const auto would = [](const char* name, MendKind kind) { return mend(of_case(name), kind).step.would; };
+  CHECK(would("two-pieces.obj", MendKind::largest_piece) ==
+        "Keep the largest piece: drops 1 piece of 4 triangles.");
+  CHECK(would("two-holes-and-a-flipped-face.obj", MendKind::reorient) ==
+        "Turn faces round: turns 1 face, so that all face outwards.");
+  CHECK(would("two-holes-and-a-flipped-face.obj", MendKind::holes) ==
+        "Fill small holes: fills 2 holes of 7 edges with 3 triangles.");
+  CHECK(would("stray-vertex.obj", MendKind::unreferenced) ==
+        "Drop stray vertices: drops 1 vertex that belongs to no face.");
+  CHECK(would("fin.obj", MendKind::fins) ==
+        "Drop fins: drops 1 sheet of 1 triangle that hangs on an edge of three or more.");
+  CHECK(would("every-face-twice.obj", MendKind::doubles) ==
+        "Drop doubled faces: drops 528 faces that stand there twice.");
+  CHECK(would("collapsed-faces.obj", MendKind::doubles) ==
+        "Drop doubled faces: drops 24 faces with two corners at one place.");
+  CHECK(contains(would("cracked.obj", MendKind::weld), "merges 1318 vertices with another within 3.5e-05"));
+  CHECK(mend(of_case("two-pieces.obj"), MendKind::largest_piece).step.did ==
+        "Kept the largest piece: dropped 1 piece of 4 triangles.");
+}
+
+TEST_CASE("mend: what is dropped leaves the rest as it was", "[mend]") {
+  const Mesh ball = read(corpus::obj_of(corpus::ball()));
+  CHECK(same(mend(of_case("two-pieces.obj"), MendKind::largest_piece).mesh, ball));
+  CHECK(same(mend(of_case("doubled-face.obj"), MendKind::doubles).mesh, ball));
+  CHECK(same(mend(of_case("every-face-twice.obj"), MendKind::doubles).mesh, ball));
+  CHECK(same(mend(of_case("fin.obj"), MendKind::fins).mesh, ball));
+  CHECK(same(mend(of_case("stray-vertex.obj"), MendKind::unreferenced).mesh, ball));
+  CHECK(same(mend(of_case("inside-out.obj"), MendKind::reorient).mesh, ball) == false);  // starts elsewhere
+  CHECK(check(mend(of_case("inside-out.obj"), MendKind::reorient).mesh).findings.empty());
+  CHECK(check(mend(of_case("flipped-face.obj"), MendKind::reorient).mesh).findings.empty());
+}
+
+TEST_CASE("mend: a crack closes and nothing moves further than the reach", "[mend]") {
+  const Mesh cracked = of_case("cracked.obj");
+  const Mended mended = mend(cracked, MendKind::weld);
+  CHECK(mended.mesh.positions.size() == 266);
+  CHECK(mended.mesh.triangles.size() == 528);
+  CHECK(check(mended.mesh).findings.empty());
+  // Two vertices further apart than the reach stay two.
+  Mesh near = corpus::ball();
+  near.positions.push_back(near.positions[50] +
+                           glm::dvec3(2.0 * weld_reach * bounds_of(near.positions).diagonal(), 0, 0));
+  near.triangles.push_back({50, 51, 266});
+  CHECK(mend(near, MendKind::weld).step.count == 0);
+}
+
+TEST_CASE("mend: a stray far away does not widen what counts as near or small", "[mend]") {
+  Mesh mesh = of_case("open-bowl.obj");
+  mesh.positions.push_back({1e40, 0, 0});
+  CHECK(mend(mesh, MendKind::weld).step.count == 0);
+  CHECK(mend(mesh, MendKind::holes).step.count == 0);
+}
+
+TEST_CASE("mend: a filled hole is closed and faces the way of its neighbours", "[mend]") {
+  const Mesh whole = icosphere(3);
+  std::size_t filled = 0;
+  for (std::size_t first = 0; first + 12 < whole.triangles.size(); first += 11) {
+    Mesh mesh = whole;
+    const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+    mesh.triangles.erase(begin, begin + static_cast<std::ptrdiff_t>(1 + first % 12));
+    if (check(mesh).findings.size() != 1) continue;  // more than open edges: rims touch, pieces fall off
+    const Mended mended = mend(mesh, MendKind::holes);
+    CAPTURE(first, mended.step.would);
+    for (const Finding& finding : check(mended.mesh).findings) CHECK(finding.sentence.empty());
+    ++filled;
+  }
+  CHECK(filled > 30);
+}
+
+TEST_CASE("mend: a hole across which there is an edge already is filled from its middle", "[mend]") {
+  // Two faces on either side of an edge: it is the shorter way across their common rim.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.2}, {0.5, -1, 0.2}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
+  for (glm::dvec3& p : mesh.positions) p *= 0.01;
+  const auto base = static_cast<VertexId>(4);
+  const Mesh far = corpus::ball();  // so that the hole is small
+  for (const glm::dvec3& p : far.positions) mesh.positions.push_back(p + glm::dvec3(3));
+  for (const Triangle& t : far.triangles) mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  const Mended mended = mend(mesh, MendKind::holes);
+  REQUIRE(mended.step.count == 1);
+  CHECK(mended.mesh.positions.size() == mesh.positions.size() + 1);
+  const CheckResult checked = check(mended.mesh);
+  for (const Finding& finding : checked.findings) {
+    CAPTURE(finding.sentence);
+    CHECK(finding.kind == FindingKind::several_pieces);
+  }
+}
+
+TEST_CASE("mend: a rim that touches another is left alone", "[mend]") {
+  Mesh mesh = corpus::ball();
+  const auto has = [](const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; };
+  const auto first = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                  [&](const Triangle& t) { return has(t, 0); });
+  const Triangle one = *first;
+  mesh.triangles.erase(first);
+  const auto opposite = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return has(t, 0) && has(t, one[0]) + has(t, one[1]) + has(t, one[2]) == 1;
+  });
+  REQUIRE(opposite != mesh.triangles.end());
+  mesh.triangles.erase(opposite);
+  CHECK(mend(mesh, MendKind::holes).step.count == 0);
+  CHECK_FALSE(plan_mends(mesh));
+}
+
+TEST_CASE("mend: what cannot be calculated with is left alone", "[mend]") {
+  Mesh mesh = of_case("two-pieces.obj");
+  mesh.positions[7].x = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(plan_mends(mesh));
+  CHECK(carry_out(mesh, {all_kinds.begin(), all_kinds.end()}).steps.empty());
+  Mesh astray = corpus::ball();
+  astray.triangles[3][1] = 4000;
+  CHECK_FALSE(plan_mends(astray));
+  CHECK(carry_out(astray, {all_kinds.begin(), all_kinds.end()}).steps.empty());
+  CHECK(carry_out({}, {all_kinds.begin(), all_kinds.end()}).steps.empty());
+  CHECK_FALSE(plan_mends({}));
+}
+
+TEST_CASE("mend: names lead back to their kind", "[mend]") {
+  for (const MendKind kind : all_kinds) CHECK(mend_named(key_of(kind)) == kind);
+  CHECK_FALSE(mend_named("all"));
+  CHECK_FALSE(mend_named(""));
+}
+
+TEST_CASE("mend: whatever is done to a mesh a plan makes it fit or there is none", "[mend]") {
+  std::mt19937 random(7);  // seeded: the same meshes each time
+  std::size_t planned = 0;
+  for (int round = 0; round < 400; ++round) {
+    Mesh mesh = sphere(8, 5);
+    const auto any = [&](std::size_t count) { return static_cast<VertexId>(random() % count); };
+    for (auto changes = 1 + random() % 5; changes > 0; --changes) {
+      const VertexId t = any(mesh.triangles.size());
+      switch (random() % 7) {
+        case 0:
+          mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+          break;
+        case 1:
+          mesh.triangles.push_back(mesh.triangles[t]);
+          break;
+        case 2:
+          std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
+          break;
+        case 3:
+          mesh.triangles[t][any(3)] = any(mesh.positions.size());
+          break;
+        case 4:
+          mesh.positions[any(mesh.positions.size())] = mesh.positions[any(mesh.positions.size())];
+          break;
+        case 5:
+          mesh.positions.push_back(mesh.positions[mesh.triangles[t][0]] + glm::dvec3(1e-7));
+          mesh.triangles[t][0] = static_cast<VertexId>(mesh.positions.size() - 1);
+          break;
+        default:
+          mesh.triangles.push_back({any(mesh.positions.size()), any(mesh.positions.size()), 0});
+      }
+    }
+    CAPTURE(round);
+    const MendPlan all = carry_out(mesh, {all_kinds.begin(), all_kinds.end()});
+    CHECK(all.mesh.positions.size() <= mesh.positions.size() + mesh.triangles.size());
+    const auto plan = plan_mends(mesh);
+    if (!plan) continue;
+    ++planned;
+    CHECK_FALSE(check(mesh).fit());
+    CHECK(check(plan->mesh).fit());
+    CHECK(same(carry_out(mesh, plan->kinds()).mesh, plan->mesh));
+  }
+  CHECK(planned > 100);
+}
