@@ -164,7 +164,7 @@ void check_areas(const Mesh& mesh, double diagonal, Report& report) {
   report.add(FindingKind::zero_area, Severity::warning, count, where,
              counted(count, "triangle has", "triangles have") + " no area; the first is at " +
                  report.place(where.front()) +
-                 ". They are harmless here; remove them if other programs stumble over them.");
+                 ". Such triangles are harmless here; remove them if other programs stumble over them.");
 }
 
 void check_vertices(std::span<const std::uint8_t> used, std::span<const VertexId> twin, Report& report) {
@@ -178,7 +178,7 @@ void check_vertices(std::span<const std::uint8_t> used, std::span<const VertexId
     report.add(FindingKind::unreferenced, Severity::warning, unreferenced.size(), unreferenced,
                counted(unreferenced.size(), "vertex belongs", "vertices belong") +
                    " to no face; the first is " + report.place(unreferenced.front()) +
-                   ". They are passed over; remove them from the mesh if they are strays.");
+                   ". Such vertices are passed over; remove them from the mesh if they are strays.");
   }
   if (!coincident.empty()) {
     const VertexId first = coincident.front();

@@ -139,6 +139,7 @@ ok "check names the line" [ "$(head -n 1 out)" = 'line 2: Rnd 1 makes 12 stitche
 printf 'hello, I am no mesh\n' >words.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n' >holed.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n' >beyond.obj
+{ cat holed.obj; printf 'f 2 3 4\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n'; } >pieces.obj
 : >empty.obj
 mkdir -p folder.obj
 refused() {
@@ -161,6 +162,9 @@ refused 'words.obj' words.obj --headless
 refused 'empty.obj' empty.obj --headless
 refused 'vertex' beyond.obj --headless
 refused 'hole' holed.obj --headless --save-report -
+refused '--mend largest-piece' pieces.obj --headless
+refused 'pieces' pieces.obj --mend holes --headless
+refused 'largest-piece' pieces.obj --mend darn --headless
 refused 'choose one of' --example teapot --headless
 refused 'not a vertex' --start 999999 --headless
 refused 'double or halve' index 6,13

@@ -209,6 +209,13 @@ TEST_CASE("mends that cannot be asked for") {
 
 TEST_CASE("mends have a card with what is wrong and what each would do") {
   const Folder folder;
+  {
+    Desk empty;  // the welcome gives way
+    apply(empty.session, OpenFile{bad_file(folder, "fin.obj")});
+    empty.settle();
+    CHECK(empty.ui.controls.count("mend/open") == 1);
+    CHECK(empty.ui.controls.count("welcome/open") == 0);
+  }
   Desk desk;
   desk.open();
   apply(desk.session, OpenFile{bad_file(folder, "two-holes-and-a-flipped-face.obj")});
