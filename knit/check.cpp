@@ -269,7 +269,11 @@ bool CheckResult::fit() const {
                       [](const Finding& finding) { return finding.severity == Severity::error; });
 }
 
-CheckResult check(const Mesh& mesh) {
+CheckResult check(const Mesh& mesh, Progress* progress) {
+  const auto tell = [&](double share) {
+    if (progress != nullptr) progress->at(share);
+  };
+  if (progress != nullptr) progress->begin(Progress::Task::checking);
   Report report(mesh);
   if (!check_numbers(mesh, report)) return report.finish();
 
@@ -281,10 +285,14 @@ CheckResult check(const Mesh& mesh) {
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v] != 0) corners.push_back(mesh.positions[v]);
   const Bounds bounds = bounds_of(corners);
+  tell(0.1);
   const std::vector<VertexId> twin = find_twins(mesh.positions);
+  tell(0.3);
   const Topology topology = study_topology(mesh.triangles, twin);
 
+  tell(0.8);
   check_extent(mesh, used, bounds.diagonal(), report);
+  tell(0.9);
   report_pieces(topology, report);
   report_edges(topology, report);
   report_orientation(mesh, topology, bounds, report);
