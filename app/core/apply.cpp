@@ -11,6 +11,7 @@
 #include "app/core/keep_place.h"
 #include "app/core/load.h"
 #include "app/core/navigate.h"
+#include "app/core/opening.h"
 #include "app/core/pattern_file.h"
 #include "app/core/playing.h"
 #include "app/core/presets.h"
@@ -50,6 +51,7 @@ struct Apply {
     auto& loaded = std::get<Loaded>(result);
     session.source = std::move(source);
     session.original = std::move(loaded.original);
+    session.mesh_hash = std::move(loaded.mesh_hash);
     session.findings = std::move(loaded.findings);
     session.defaults = loaded.parameters;
     session.timeline.emplace(std::move(loaded.input), loaded.parameters);
@@ -80,10 +82,13 @@ struct Apply {
   }
 
   void operator()(const OpenExample& a) {
+    cancel_opening(session);
     const auto start = std::chrono::steady_clock::now();
     take_loaded(load_example(session.assets, a.name), {a.name, {}}, start);
   }
   void operator()(const OpenFile& a) {
+    cancel_opening(session);
+    if (session.beside && is_long_to_open(a.path, false)) return begin_opening(session, a.path, false);
     const auto start = std::chrono::steady_clock::now();
     take_loaded(load_file(a.path), {{}, a.path}, start);
   }
@@ -216,6 +221,7 @@ struct Apply {
     }
   }
   void operator()(const CancelWork& /*a*/) {
+    if (session.opening) return cancel_opening(session);
     if (!open() || !session.long_step) return;
     knit::Parameters linear = timeline().parameters();
     linear.timing = knit::TimingKind::linear;
@@ -321,6 +327,7 @@ struct Apply {
 }  // namespace
 
 void apply(Session& session, const Action& action) {
+  if (const auto* tick = action.get_if<PassTime>()) tend_opening(session, tick->seconds);
   const Whereabouts before = before_action(session, action);
   ActionKinds::visit(Apply{session}, action);
   if (session.changes.before) {

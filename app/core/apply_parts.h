@@ -6,6 +6,7 @@
 
 #include "app/core/action.h"
 #include "app/core/load.h"
+#include "app/core/opened_session.h"
 
 namespace app {
 
@@ -52,6 +53,9 @@ void take(Session& session, const CancelSweep& action);
 void take(Session& session, const TakeSweepValue& action);
 
 // apply_session.cpp
+// A session file was read: shown, as OpenSession or TakeRescued does it.
+void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start,
+                 bool rescued);
 void take(Session& session, const OpenSession& action);
 void take(Session& session, const CopyLink& action);
 void take(Session& session, const TakeRescued& action);

@@ -9,6 +9,7 @@
 
 #include "knit/check.h"
 #include "knit/parameters.h"
+#include "knit/progress.h"
 
 namespace app {
 
@@ -17,13 +18,17 @@ struct Loaded {
   std::shared_ptr<const knit::Input> input;    // welded where the parameters say so
   knit::Parameters parameters;
   std::vector<knit::Finding> findings;  // warnings
+  std::string mesh_hash;                // hash_text of `original`
 };
 
-// The error is one sentence: what is wrong, where, and what to do.
-std::variant<Loaded, std::string> load_file(const std::filesystem::path& path);
+// The error is one sentence: what is wrong, where, and what to do. `progress`: told how far it has come; loading
+// stops with knit::Cancelled when that is wished.
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
+                                            knit::Progress* progress = nullptr);
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name);
 // The same mesh again, for parameters whose weld differs.
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
-                                             const knit::Parameters& parameters);
+                                             const knit::Parameters& parameters,
+                                             knit::Progress* progress = nullptr);
 
 }  // namespace app

@@ -117,6 +117,8 @@ struct Rescued {
 struct LessonRun;
 struct Prediction;
 struct AnimationRun;
+// A large file on its way to be open (opening.h).
+struct Opening;
 // A picture that the loop takes (figures.h).
 struct FigureWish {
   std::filesystem::path path;
@@ -129,12 +131,14 @@ struct Session {
   Source source;
   std::shared_ptr<const knit::Mesh> original;  // as read, before welding
   std::optional<knit::Timeline> timeline;      // nothing open: none
+  std::string mesh_hash;                       // hash_text of `original`; empty: not known
   std::vector<knit::Finding> findings;         // warnings about the open mesh
   knit::Parameters defaults;                   // of the open mesh or example: what reset goes back to
   double load_ms = 0.0;                        // of the last opening
   double run_ms = 0.0;                         // spent on working the run out, so far
   // In a window long work is done beside it; without one it is waited for.
   bool beside = false;
+  std::shared_ptr<Opening> opening;  // null: none under way
   std::optional<LongStep> long_step;
   std::optional<knit::Parameters> before_change;  // what cancelling goes back to
   std::optional<Measuring> measuring_run;
