@@ -25,7 +25,6 @@ std::shared_ptr<const MeshShape> wall() {
   MeshShape shape;
   shape.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   shape.normals.assign(4, {0, 0, 1});
-  shape.times = {0, 0, 1, 1};
   shape.triangles = {0, 1, 2, 0, 2, 3};
   shape.edges = {0, 1, 1, 2, 2, 3, 3, 0};
   return std::make_shared<const MeshShape>(shape);
@@ -52,6 +51,7 @@ Scene scene_of_wall() {
   scene.time_middle = {33, 145, 140, 255};
   scene.time_high = {253, 231, 37, 255};
   scene.mesh = wall();
+  scene.times = std::make_shared<const std::vector<float>>(std::vector<float>{0, 0, 1, 1});
   scene.show_wire = false;
   return scene;
 }

@@ -22,13 +22,16 @@ void floats(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
   glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), at_offset(offset));
 }
 
+// Of many edges every so many-th tells it as well.
 float mean_edge_length(const MeshShape& shape) {
+  constexpr std::size_t enough = 100000;
+  const std::size_t edges = shape.edges.size() / 2;
+  const std::size_t stride = edges / enough + 1;
   double sum = 0.0;
-  for (std::size_t i = 0; i + 1 < shape.edges.size(); i += 2) {
-    sum += glm::distance(shape.positions[shape.edges[i]], shape.positions[shape.edges[i + 1]]);
-  }
-  return shape.edges.size() < 2 ? 0.0f
-                                : static_cast<float>(2.0 * sum / static_cast<double>(shape.edges.size()));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < edges; i += stride, ++count)
+    sum += glm::distance(shape.positions[shape.edges[2 * i]], shape.positions[shape.edges[2 * i + 1]]);
+  return count == 0 ? 0.0f : static_cast<float>(sum / static_cast<double>(count));
 }
 
 }  // namespace
@@ -38,49 +41,64 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
       edges_(GlVertexArray::make()),
       positions_(GlBuffer::make()),
       normals_(GlBuffer::make()),
-      times_(GlBuffer::make()),
       triangle_list_(GlBuffer::make()),
       edge_list_(GlBuffer::make()),
       triangle_indices_(static_cast<GLsizei>(shape.triangles.size())),
-      edge_indices_(static_cast<GLsizei>(shape.edges.size())),
+      vertices_(shape.positions.size()),
       mean_edge_(mean_edge_length(shape)) {
   Extent box;
   std::ranges::for_each(shape.positions, [&](const glm::vec3& place) { box.add(place); });
   extent_ = box.diagonal();
   centre_ = box.centre();
-  // A shape without times or normals is still drawn: nothing may be read past a buffer's end.
-  std::vector<float> times = shape.times;
-  times.resize(shape.positions.size(), -1.0f);
-  std::vector<glm::vec3> normals = shape.normals;
-  normals.resize(shape.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+  // A shape without normals is still drawn: nothing may be read past a buffer's end.
+  std::vector<glm::vec3> others;
+  if (shape.normals.size() < shape.positions.size()) {
+    others = shape.normals;
+    others.resize(shape.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+  }
+  const std::vector<glm::vec3>& normals = others.empty() ? shape.normals : others;
   for (const GlVertexArray* array : {&triangles_, &edges_}) {
     glBindVertexArray(array->id());
     if (array == &triangles_) {
       fill(GL_ARRAY_BUFFER, positions_, std::span(shape.positions), GL_STATIC_DRAW);
       fill(GL_ARRAY_BUFFER, normals_, std::span<const glm::vec3>(normals), GL_STATIC_DRAW);
-      fill(GL_ARRAY_BUFFER, times_, std::span<const float>(times), GL_STATIC_DRAW);
       fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span(shape.triangles), GL_STATIC_DRAW);
-    } else {
-      fill(GL_ELEMENT_ARRAY_BUFFER, edge_list_, std::span(shape.edges), GL_STATIC_DRAW);
     }
     glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
     floats(0, 3, sizeof(glm::vec3), 0);
     glBindBuffer(GL_ARRAY_BUFFER, normals_.id());
     floats(1, 3, sizeof(glm::vec3), 0);
-    glBindBuffer(GL_ARRAY_BUFFER, times_.id());
-    floats(2, 1, sizeof(float), 0);
   }
   glBindVertexArray(0);
 }
 
-void MeshBuffers::draw_triangles() const {
+TimeBuffer::TimeBuffer(const std::vector<float>& times) : times_(GlBuffer::make()), count_(times.size()) {
+  fill(GL_ARRAY_BUFFER, times_, std::span(times), GL_STATIC_DRAW);
+}
+
+// Into the vertex array that is bound. Too few, and one would be read past the buffer's end.
+void MeshBuffers::take_times(const TimeBuffer* times) const {
+  if (times == nullptr || times->count() < vertices_) {
+    glDisableVertexAttribArray(2);
+    glVertexAttrib1f(2, -1.0f);
+    return;
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, times->id());
+  floats(2, 1, sizeof(float), 0);
+}
+
+void MeshBuffers::draw_triangles(const TimeBuffer* times) const {
   glBindVertexArray(triangles_.id());
+  take_times(times);
   glDrawElements(GL_TRIANGLES, triangle_indices_, GL_UNSIGNED_INT, nullptr);
 }
 
-void MeshBuffers::draw_edges() const {
+void MeshBuffers::draw_edges(const MeshShape& shape, const TimeBuffer* times) const {
   glBindVertexArray(edges_.id());
-  glDrawElements(GL_LINES, edge_indices_, GL_UNSIGNED_INT, nullptr);
+  if (!edges_sent_) fill(GL_ELEMENT_ARRAY_BUFFER, edge_list_, std::span(shape.edges), GL_STATIC_DRAW);
+  edges_sent_ = true;
+  take_times(times);
+  glDrawElements(GL_LINES, static_cast<GLsizei>(shape.edges.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace app

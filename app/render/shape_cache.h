@@ -13,11 +13,25 @@
 
 namespace app {
 
+// A float a vertex: its time.
+class TimeBuffer {
+ public:
+  explicit TimeBuffer(const std::vector<float>& times);
+  GLuint id() const { return times_.id(); }
+  std::size_t count() const { return count_; }
+
+ private:
+  GlBuffer times_;
+  std::size_t count_ = 0;
+};
+
 class MeshBuffers {
  public:
   explicit MeshBuffers(const MeshShape& shape);
-  void draw_triangles() const;
-  void draw_edges() const;
+  // `times`: of the vertices; null: none has one.
+  void draw_triangles(const TimeBuffer* times) const;
+  // Edges of the shape that these are the buffers of; they are sent when they are first drawn.
+  void draw_edges(const MeshShape& shape, const TimeBuffer* times) const;
   std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
   float extent() const { return extent_; }        // diagonal of the bounding box
   float mean_edge() const { return mean_edge_; }  // 0 without edges
@@ -25,8 +39,12 @@ class MeshBuffers {
 
  private:
   GlVertexArray triangles_, edges_;
-  GlBuffer positions_, normals_, times_, triangle_list_, edge_list_;
-  GLsizei triangle_indices_ = 0, edge_indices_ = 0;
+  void take_times(const TimeBuffer* times) const;
+
+  GlBuffer positions_, normals_, triangle_list_, edge_list_;
+  GLsizei triangle_indices_ = 0;
+  std::size_t vertices_ = 0;
+  mutable bool edges_sent_ = false;
   float extent_ = 0.0f, mean_edge_ = 0.0f;
   glm::vec3 centre_{0.0f};
 };
