@@ -267,7 +267,11 @@ bool CheckResult::fit() const {
                       [](const Finding& finding) { return finding.severity == Severity::error; });
 }
 
-CheckResult check(const Mesh& mesh) {
+CheckResult check(const Mesh& mesh, Progress* progress) {
+  const auto tell = [&](double share) {
+    if (progress != nullptr) progress->at(share);
+  };
+  if (progress != nullptr) progress->begin(Progress::Task::checking);
   Report report(mesh);
   if (!check_numbers(mesh, report)) return report.finish();
 
@@ -289,9 +293,12 @@ CheckResult check(const Mesh& mesh) {
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v] != 0) corners.push_back(mesh.positions[v]);
   const Bounds bounds = bounds_of(corners);
+  tell(0.3);
   const Topology topology = study_topology(mesh.triangles, twin);
 
+  tell(0.8);
   check_extent(mesh, used, bounds.diagonal(), report);
+  tell(0.9);
   report_pieces(topology, report);
   report_orientation(mesh, topology, bounds,
                      report);  // before holes: closing those of a one-sided surface is no help

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "knit/mesh.h"
+#include "knit/progress.h"
 
 namespace knit {
 
@@ -44,6 +45,7 @@ struct CheckResult {
   [[nodiscard]] bool fit() const;  // no error
 };
 
-CheckResult check(const Mesh& mesh);
+// `progress`: told how far it has come; checking stops with Cancelled when that is wished.
+CheckResult check(const Mesh& mesh, Progress* progress = nullptr);
 
 }  // namespace knit

@@ -22,8 +22,13 @@ bool too_short(const Cut& cut, double stitch_width) {
   return cut.loops.empty() || (is_tube(cut) && cut.loops.front()->length < 1.5 * stitch_width);
 }
 
-double height_of_time(const Timing& timing, double time) {
-  return timing.retimed ? time * timing.scale.total() : height_at(timing.scale, time);
+// Of the times where they are the field; rings do not ask for it.
+HeightScale scale_of(const Input& input, const Timing& timing) {
+  return timing.retimed ? timing.scale : measure_heights(input, timing.times);
+}
+
+double height_of_time(const Timing& timing, const HeightScale& scale, double time) {
+  return timing.retimed ? time * scale.total() : height_at(scale, time);
 }
 
 double value_of_time(const Timing& timing, double time) {
@@ -128,7 +133,8 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   CutPlan plan;
   plan.from_time = from_time;
   plan.stitch_height = stitch_height_of(parameters);
-  plan.height = timing.scale.total() - height_of_time(timing, from_time);
+  const HeightScale scale = scale_of(input, timing);
+  plan.height = scale.total() - height_of_time(timing, scale, from_time);
   const double wanted = std::clamp(std::round(plan.height / plan.stitch_height), 1.0, 1e9);
   if (wanted > most_contour_rows) return too_many_rows(timing, wanted);
   const auto steps = static_cast<std::int32_t>(from_time > 0.0 ? wanted : std::max(wanted, 2.0));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "knit/edge_table.h"
 #include "knit/union_find.h"
 
 namespace knit {
@@ -12,35 +13,36 @@ namespace {
 constexpr double flat = 1e-12;
 
 // Times with ties broken by index, so that no two corners of a triangle are equal.
-struct Order {
-  const Input& input;
-  const std::vector<double>& times;
-  [[nodiscard]] bool below(VertexId a, VertexId b) const {
-    const VertexId at = input.twin[a];
-    const VertexId bt = input.twin[b];
-    return times[at] != times[bt] ? times[at] < times[bt] : at < bt;
+struct Corner {
+  VertexId place;
+  double time;
+  // Without a branch: which corner is the lower one is anybody's guess.
+  [[nodiscard]] bool below(const Corner& other) const {
+    return static_cast<bool>(static_cast<int>(time < other.time) |
+                             (static_cast<int>(time == other.time) & static_cast<int>(place < other.place)));
   }
 };
 
-bool collapsed(const Input& input, const Triangle& t) {
-  return input.twin[t[0]] == input.twin[t[1]] || input.twin[t[1]] == input.twin[t[2]] ||
-         input.twin[t[2]] == input.twin[t[0]];
-}
-
 bool is_place(const Input& input, VertexId v) { return input.twin[v] == v && input.referenced[v] != 0; }
 
-std::vector<std::int32_t> count_middles(const Input& input, const std::vector<double>& times) {
-  const Order order{input, times};
-  std::vector<std::int32_t> middles(times.size(), 0);
+struct Middles {
+  std::vector<std::int32_t> count;  // per vertex: of triangles whose middle corner it is
+  std::int64_t triangles = 0;       // that have three corners at all
+};
+
+Middles count_middles(const Input& input, const std::vector<double>& times) {
+  Middles middles{std::vector<std::int32_t>(times.size(), 0), 0};
   for (const Triangle& t : input.mesh.triangles) {
-    if (collapsed(input, t)) continue;
-    VertexId low = t[0];
-    VertexId middle = t[1];
-    VertexId high = t[2];
-    if (order.below(middle, low)) std::swap(low, middle);
-    if (order.below(high, middle)) std::swap(middle, high);
-    if (order.below(middle, low)) std::swap(low, middle);
-    ++middles[input.twin[middle]];
+    const Triangle p = twins_of(t, input.twin);
+    if (collapsed(p)) continue;
+    ++middles.triangles;
+    const Corner a{p[0], times[p[0]]}, b{p[1], times[p[1]]}, c{p[2], times[p[2]]};
+    const bool a_below_b = a.below(b);
+    const bool a_below_c = a.below(c);
+    const bool b_below_c = b.below(c);
+    // One of the two others is below the middle one.
+    const std::size_t middle = a_below_b != a_below_c ? 0 : a_below_b == b_below_c ? 1 : 2;
+    ++middles.count[p[middle]];
   }
   return middles;
 }
@@ -60,11 +62,10 @@ Flat flat_at(const Input& input, const std::vector<double>& times, VertexId v, s
   return part;
 }
 
-std::int32_t euler_of(const Input& input) {
+// `triangles`: with three corners.
+std::int32_t euler_of(const Input& input, std::int64_t triangles) {
   std::int64_t places = 0;
   for (VertexId v = 0; v < input.twin.size(); ++v) places += is_place(input, v) ? 1 : 0;
-  std::int64_t triangles = 0;
-  for (const Triangle& t : input.mesh.triangles) triangles += collapsed(input, t) ? 0 : 1;
   return static_cast<std::int32_t>(places - static_cast<std::int64_t>(input.neighbours.size() / 2) +
                                    triangles);
 }
@@ -101,12 +102,12 @@ struct Crossing {
 }  // namespace
 
 Criticals find_criticals(const Input& input, const std::vector<double>& times) {
-  const std::vector<std::int32_t> middles = count_middles(input, times);
+  const Middles middles = count_middles(input, times);
   UnionFind parts = join_flat_parts(input, times);
   std::vector<Flat> flats(times.size());
   for (VertexId v = 0; v < times.size(); ++v) {
     if (!is_place(input, v)) continue;
-    const Flat here = flat_at(input, times, v, middles[v]);
+    const Flat here = flat_at(input, times, v, middles.count[v]);
     Flat& whole = flats[parts.find(v)];
     whole.doubled_index += here.doubled_index;
     whole.any_below = whole.any_below || here.any_below;
@@ -124,7 +125,7 @@ Criticals find_criticals(const Input& input, const std::vector<double>& times) {
     if (point.kind == CriticalKind::saddle) criticals.saddles += point.multiplicity;
     if (point.kind == CriticalKind::maximum) ++criticals.maxima;
   }
-  criticals.euler = euler_of(input);
+  criticals.euler = euler_of(input, middles.triangles);
   return criticals;
 }
 
@@ -133,7 +134,7 @@ std::int32_t count_loops(const Input& input, const std::vector<double>& times, d
   std::vector<Crossing> crossings;
   std::uint32_t crossed = 0;
   for (const Triangle& t : input.mesh.triangles) {
-    if (collapsed(input, t)) continue;
+    if (collapsed(twins_of(t, input.twin))) continue;
     bool any = false;
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId a = input.twin[t[i]];

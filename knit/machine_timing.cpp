@@ -104,7 +104,7 @@ Happening group(const Input& input, const Parameters& parameters, State& state, 
   timing.criticals = *work.criticals;
   timing.retimed = is_retimed(work.kind);
   if (timing.retimed) timing.field = *work.field;
-  timing.scale = work.scale ? *work.scale : measure_heights(input, timing.times);
+  if (work.scale) timing.scale = *work.scale;  // else only contours ask for one, of the times: plan_cuts
   timing.levels = group_levels(input, timing.times, timing.criticals, parameters.level_tolerance);
   const auto& split = timing.levels.split;
   const LevelsGrouped grouped{timing.levels.count(), timing.outside, split ? split->level : -1,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "knit/edge_table.h"
@@ -66,6 +67,20 @@ void fill_neighbours(Input& input, const EdgeTable& table) {
     input.neighbours[next[low]++] = high;
     input.neighbours[next[high]++] = low;
   });
+}
+
+void fill_boxes(Input& input) {
+  const Mesh& mesh = input.mesh;
+  input.boxes.reserve(mesh.triangles.size() / Input::boxed + 1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t % Input::boxed == 0) {
+      const glm::dvec3& first = mesh.positions[mesh.triangles[t][0]];
+      input.boxes.push_back({first, first});
+    }
+    Input::Box& box = input.boxes.back();
+    for (const VertexId v : mesh.triangles[t])
+      box = {glm::min(box.low, mesh.positions[v]), glm::max(box.high, mesh.positions[v])};
+  }
 }
 
 }  // namespace
@@ -175,6 +190,7 @@ std::shared_ptr<const Input> make_input(Mesh mesh) {
   const EdgeTable table = make_edge_table(input->mesh.triangles, input->twin);
   fill_neighbours(*input, table);
   fill_across(*input, table);
+  fill_boxes(*input);
   return input;
 }
 

@@ -53,6 +53,12 @@ struct Input {
   // Walking from triangle to triangle, by twins; triangles with two corners at one place are left out.
   std::vector<HalfEdge> across;        // per side: the same edge in the triangle beyond, if there is just one
   std::vector<HalfEdge> first_corner;  // per lowest-index vertex: one of its corners, if it has any
+  // Around the triangles [i * boxed, (i + 1) * boxed): what a ray or a search may pass over.
+  static constexpr std::size_t boxed = 64;
+  struct Box {
+    glm::dvec3 low{0.0}, high{0.0};
+  };
+  std::vector<Box> boxes;
 
   [[nodiscard]] std::span<const VertexId> neighbours_of(VertexId vertex) const;
   [[nodiscard]] bool adjacent(VertexId a, VertexId b) const;  // also true for twins of adjacent vertices

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "knit/mesh.h"
+#include "knit/progress.h"
 
 namespace knit {
 
@@ -19,7 +20,9 @@ struct ObjError {
   std::string sentence;
 };
 
-std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name);
-std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path);
+// `progress`: told how far it has come; reading stops with Cancelled when that is wished.
+std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name,
+                                      Progress* progress = nullptr);
+std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress = nullptr);
 
 }  // namespace knit

@@ -65,8 +65,10 @@ bool is_number(const char* p, const char* end) {
 // One line at a time; the first error ends the scan.
 class Scanner {
  public:
-  explicit Scanner(std::string& scanned)
-      : text(scanned), has_return(std::memchr(scanned.data(), '\r', scanned.size()) != nullptr) {}
+  Scanner(std::string& scanned, PartProgress told)
+      : text(scanned),
+        progress(told),
+        has_return(std::memchr(scanned.data(), '\r', scanned.size()) != nullptr) {}
 
   ObjScan run() {
     if (text.empty()) return failed(": the file is empty. Export the mesh again.");
@@ -81,6 +83,7 @@ class Scanner {
     const char* const end = text.data() + text.size();
     while (at != end && result.error.empty()) {
       ++line;
+      progress.at(static_cast<std::size_t>(at - text.data()), text.size());
       const char* const stop = end_of_statement(at, end);
       scan_line(at, stop);
       at = after_newline(stop, end);
@@ -101,6 +104,7 @@ class Scanner {
 
  private:
   std::string& text;
+  PartProgress progress;
   bool has_return;
   ObjScan result;
   std::size_t line = 0;
@@ -235,6 +239,6 @@ class Scanner {
 
 }  // namespace
 
-ObjScan scan_obj(std::string& text) { return Scanner(text).run(); }
+ObjScan scan_obj(std::string& text, PartProgress progress) { return Scanner(text, progress).run(); }
 
 }  // namespace knit

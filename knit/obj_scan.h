@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 
+#include "knit/progress.h"
+
 namespace knit {
 
 struct ObjScan {
@@ -18,6 +20,6 @@ struct ObjScan {
 };
 
 // Joins lines that a backslash continues and blanks comments behind faces, in place (the length stays).
-ObjScan scan_obj(std::string& text);
+ObjScan scan_obj(std::string& text, PartProgress progress = {nullptr, 0.0, 1.0});
 
 }  // namespace knit

@@ -98,7 +98,6 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
   REQUIRE(scene.mesh);
   REQUIRE(scene.mesh->positions.size() == mesh.positions.size());
   REQUIRE(scene.mesh->normals.size() == mesh.positions.size());
-  REQUIRE(scene.mesh->times.size() == mesh.positions.size());
   CHECK(scene.mesh->triangles.size() == 3 * mesh.triangles.size());
   CHECK(scene.mesh->edges.size() == 2 * mesh.edges.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -115,7 +114,7 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
   const auto& timed = std::get<knit::VertexTimed>(last_step(session)->what);
   CHECK(timed.vertex == 49);
   CHECK(has_point(scene, vertex_place(session, 49), dark_theme.accepted));
-  CHECK(scene.mesh->times[49] == static_cast<float>(timed.time));
+  CHECK(scene.times->at(49) == static_cast<float>(timed.time));
 
   apply(session, ToLast{});
   CHECK(scene_of(session).timed_vertices == mesh.positions.size());
@@ -476,7 +475,7 @@ TEST_CASE("what is shown never depends on what was shown before") {
     CHECK(equal(a.faces, b.faces,
                 [&](const auto& p, const auto& q) { return equal(p->vertices, q->vertices, same_corner); }));
     CHECK(a.mesh->positions == b.mesh->positions);
-    CHECK(a.mesh->times == b.mesh->times);
+    CHECK(*a.times == *b.times);
   };
   const std::size_t all = session.timeline->known();
   for (const std::size_t position :

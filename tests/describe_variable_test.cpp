@@ -175,7 +175,7 @@ TEST_CASE("a vertex that is timed shows its time and its height along the axis")
 TEST_CASE("a cast-on stitch shows the arc to it, a row that closes the arc of its gap and the band's edges") {
   Session session = test_support::finished_small_session();
   const auto cast_on = seek_to<knit::StitchCastOn>(session, [](const auto& s) { return s.stitch == 4; });
-  CHECK(says(scene_of(session), "s = " + knit::short_number(cast_on.arc)));
+  CHECK(says(scene_of(session), "s = " + knit::short_number(cast_on.arc) + " along the ring"));
   double length = 0.0;
   for (const Line& line : scene_of(session).lines) {
     if (line.colour == dark_theme.anchor) length += static_cast<double>(glm::distance(line.from, line.to));

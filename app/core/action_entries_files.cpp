@@ -23,8 +23,6 @@ void add_opening(EntryList& list, const ActionSources& sources) {
                       if (std::filesystem::is_regular_file(typed, error)) return opening_of(typed);
                       return typed + " is no file.";
                     }}});
-  list.add({"Close the mesh", files, "What is open is put away; the view says how to go on.", CloseMesh{},
-            list.unless_open()});
   for (const std::string& name : sources.examples) {
     list.add({"Open the example " + name, files, "", OpenExample{name}, "", "", true});
   }

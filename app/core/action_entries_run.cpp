@@ -165,7 +165,8 @@ void add_run_entries(EntryList& list) {
   list.add({"Set the speed to...", the_run, "Of playing, in steps a second.",
             ActionPrompt{"Steps a second", "60", read_speed}});
   list.add({"Cancel long work", the_run, "Back to how it was before the change that asked for it.",
-            CancelWork{}, list.session.long_step ? "" : "No long work is under way."});
+            CancelWork{},
+            list.session.long_step || list.session.opening ? "" : "No long work is under way."});
   add_things(list);
   add_breaks(list);
   add_comparing(list);

@@ -11,6 +11,7 @@
 #include "app/core/keep_place.h"
 #include "app/core/load.h"
 #include "app/core/navigate.h"
+#include "app/core/opening.h"
 #include "app/core/pattern_file.h"
 #include "app/core/playing.h"
 #include "app/core/presets.h"
@@ -83,6 +84,7 @@ struct Apply {
     forget_mesh(session);
     session.source = std::move(source);
     session.original = std::move(loaded.original);
+    session.mesh_hash = std::move(loaded.mesh_hash);
     session.findings = std::move(loaded.findings);
     session.mended = std::move(loaded.mended);
     session.source.mends.clear();
@@ -99,11 +101,13 @@ struct Apply {
   }
 
   void operator()(const OpenExample& a) {
+    cancel_opening(session);
     const auto start = std::chrono::steady_clock::now();
     take_loaded(load_example(session.assets, a.name), {a.name, {}, {}}, start);
   }
 
   void operator()(const CloseMesh& /*a*/) {
+    cancel_opening(session);
     if (session.lesson) app::take(session, LeaveLesson{});
     if (!open()) return;
     forget_mesh(session);
@@ -244,6 +248,7 @@ struct Apply {
     }
   }
   void operator()(const CancelWork& /*a*/) {
+    if (session.opening) return cancel_opening(session);
     if (!open() || !session.long_step) return;
     knit::Parameters linear = timeline().parameters();
     linear.timing = knit::TimingKind::linear;
@@ -349,6 +354,7 @@ struct Apply {
 }  // namespace
 
 void apply(Session& session, const Action& action) {
+  if (const auto* tick = action.get_if<PassTime>()) tend_opening(session, tick->seconds);
   const Whereabouts before = before_action(session, action);
   ActionKinds::visit(Apply{session}, action);
   if (session.changes.before) {

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/core/apply_parts.h"
+#include "app/core/opening.h"
 
 namespace app {
 
@@ -32,16 +33,15 @@ void tell_what_was_whole(Session& session, const knit::MendWish& wish) {
 }  // namespace
 
 // Where mends would do it, they are offered, and the sentence stands in the offer instead of in a notice.
-void take(Session& session, const OpenFile& action) {
-  const auto start = std::chrono::steady_clock::now();
-  const Source source{{}, action.path, {}};
-  auto opened = open_mesh(action.path, action.mends);
+void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const std::filesystem::path& path,
+                 const knit::MendWish& mends, std::chrono::steady_clock::time_point start) {
+  const Source source{{}, path, {}};
   if (auto* loaded = std::get_if<Loaded>(&opened)) {
     const bool mended = !loaded->mended.empty() && session.timeline;
     auto before = mended ? put_by(session) : nullptr;
     show_loaded(session, std::move(*loaded), source, start);
     session.before_mend = std::move(before);
-    return tell_what_was_whole(session, action.mends);
+    return tell_what_was_whole(session, mends);
   }
   auto& unfit = std::get<NotOpened>(opened);
   session.mend_offer.reset();
@@ -52,6 +52,14 @@ void take(Session& session, const OpenFile& action) {
     session.notices.push_back({Notice::Kind::error, std::move(unfit.sentence)});
   }
   note_not_opened(session, source);
+}
+
+void take(Session& session, const OpenFile& action) {
+  cancel_opening(session);
+  if (session.beside && is_long_to_open(action.path, false))
+    return begin_opening_mesh(session, action.path, action.mends);
+  const auto start = std::chrono::steady_clock::now();
+  show_opened(session, open_mesh(action.path, action.mends), action.path, action.mends, start);
 }
 
 void take(Session& session, const MendAndOpen& /*action*/) {

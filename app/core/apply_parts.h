@@ -6,6 +6,7 @@
 
 #include "app/core/action.h"
 #include "app/core/load.h"
+#include "app/core/opened_session.h"
 
 namespace app {
 
@@ -40,6 +41,10 @@ void remember_knobs(Session& session);
 // A notice, unless it is the newest already.
 void tell(Session& session, const std::string& words);
 
+// apply_mend.cpp: what became of opening the mesh at `path`, mended as wished: it is shown, or it is said why not,
+// or mends are offered.
+void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const std::filesystem::path& path,
+                 const knit::MendWish& mends, std::chrono::steady_clock::time_point start);
 // apply.cpp: what was opened takes the place of what is open; `start`: when opening began.
 void show_loaded(Session& session, Loaded loaded, Source source, std::chrono::steady_clock::time_point start);
 
@@ -52,6 +57,9 @@ void take(Session& session, const CancelSweep& action);
 void take(Session& session, const TakeSweepValue& action);
 
 // apply_session.cpp
+// A session file was read: shown, as OpenSession or TakeRescued does it.
+void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start,
+                 bool rescued);
 void take(Session& session, const OpenSession& action);
 void take(Session& session, const CopyLink& action);
 void take(Session& session, const TakeRescued& action);

@@ -1,5 +1,6 @@
 #include "app/core/apply_parts.h"
 #include "app/core/link.h"
+#include "app/core/opening.h"
 #include "app/core/recent.h"
 #include "app/core/rescue.h"
 #include "app/core/session_file.h"
@@ -8,14 +9,16 @@ namespace app {
 
 // Among the recent ones the session stands for itself, not its mesh.
 void take(Session& session, const OpenSession& action) {
-  const std::vector<std::string> recent = session.preferences.recent;
-  if (auto error = open_session(session, action.path)) {
+  cancel_opening(session);
+  if (session.beside && is_long_to_open(action.path, true)) return begin_opening_session(session, action.path);
+  const auto start = std::chrono::steady_clock::now();
+  auto read = read_session(session.assets, action.path);
+  if (auto* error = std::get_if<std::string>(&read)) {
     session.notices.push_back({Notice::Kind::error, std::move(*error)});
     note_not_opened(session, {{}, action.path});
     return;
   }
-  session.preferences.recent = recent;
-  note_recent(session.preferences, recent_name(action.path));
+  take_opened(session, std::get<OpenedSession>(std::move(read)), start, false);
 }
 
 void take(Session& session, const CopyLink& /*action*/) {
@@ -39,15 +42,31 @@ void take(Session& session, const CopyLink& /*action*/) {
 // It stays on offer until it could be opened, and on disk until this program has a file of its own: the same one.
 void take(Session& session, const TakeRescued& /*action*/) {
   if (!session.rescued) return;
-  const Rescued rescued = *session.rescued;
-  if (auto error = open_session(session, rescued.path)) {
+  cancel_opening(session);
+  if (session.beside && is_long_to_open(session.rescued->path, true)) return begin_opening_rescued(session);
+  const auto start = std::chrono::steady_clock::now();
+  auto read = read_session(session.assets, session.rescued->path);
+  if (auto* error = std::get_if<std::string>(&read)) {
     session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    return;
+  }
+  take_opened(session, std::get<OpenedSession>(std::move(read)), start, true);
+}
+
+void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start,
+                 bool rescued) {
+  const std::filesystem::path path = opened.path;
+  std::vector<std::string> recent = session.preferences.recent;
+  show_session(session, std::move(opened), start);
+  if (!rescued) {
+    session.preferences.recent = std::move(recent);
+    note_recent(session.preferences, recent_name(path));
     return;
   }
   session.rescued.reset();
   session.saved.reset();  // that file is nobody's to name
   std::error_code ignored;
-  std::filesystem::rename(rescued.path, rescue_file(rescued.path.parent_path(), this_process()), ignored);
+  std::filesystem::rename(path, rescue_file(path.parent_path(), this_process()), ignored);
 }
 
 void take(Session& session, const DropRescued& /*action*/) {

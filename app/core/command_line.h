@@ -70,8 +70,11 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
 
 std::optional<At> parse_at(const std::string& text);
 
-// Opens the mesh and sets the parameters; the error is one sentence.
+// Opens the mesh and sets the parameters; the error is one sentence. For a window a large mesh may be left to a
+// worker (session.opening); once it is open, set_as_asked does the rest.
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line);
+// Requires something open.
+std::optional<std::string> set_as_asked(Session& session, const CommandLine& line);
 
 // Moves to where the command line wants to stop. A sentence if the run has no such place; it then shows the
 // nearest before it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/core/describe_contours.h"
 #include "app/core/describe_motion.h"
@@ -16,37 +15,6 @@
 namespace app {
 
 namespace {
-
-// Area-weighted, joined across seams.
-std::vector<glm::vec3> smooth_normals(const knit::Input& input) {
-  const knit::Mesh& mesh = input.mesh;
-  std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
-  for (const knit::Triangle& t : mesh.triangles) {
-    const glm::dvec3& a = mesh.positions[t[0]];
-    const glm::dvec3 normal = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
-    for (const knit::VertexId v : t) sums[input.twin[v]] += normal;
-  }
-  std::vector<glm::vec3> normals;
-  normals.reserve(sums.size());
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    const glm::dvec3& sum = sums[input.twin[v]];
-    const double length = glm::length(sum);
-    normals.emplace_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
-  }
-  return normals;
-}
-
-std::shared_ptr<const MeshShape> shape_of(const knit::Input& input, const knit::Timing* timing) {
-  MeshShape shape;
-  shape.positions.assign(input.mesh.positions.begin(), input.mesh.positions.end());
-  shape.normals = smooth_normals(input);
-  shape.times.assign(shape.positions.size(), -1.0F);
-  if (timing != nullptr) std::copy(timing->times.begin(), timing->times.end(), shape.times.begin());
-  for (const knit::Triangle& t : input.mesh.triangles)
-    shape.triangles.insert(shape.triangles.end(), t.begin(), t.end());
-  for (const auto& edge : input.mesh.edges) shape.edges.insert(shape.edges.end(), edge.begin(), edge.end());
-  return std::make_shared<const MeshShape>(std::move(shape));
-}
 
 Colour stitch_colour(const Theme& theme, const knit::Row& row, std::size_t rows_in_run, bool finished) {
   const bool cast = row.number == 1 || (finished && row.number == static_cast<std::int32_t>(rows_in_run));
@@ -79,22 +47,11 @@ bool in_the_making(const knit::State& state) {
 
 }  // namespace
 
-void Describer::refresh_mesh(const Session& session) {
-  const auto input = session.timeline->input_pointer();
-  // Times as the whole run has them; the scene says up to which vertex they are shown.
-  const auto timing = session.timeline->furthest().timing.pointer();
-  if (input == input_ && timing == timing_ && mesh_) return;
-  if (input == input_ && timing && timing_ && *timing == *timing_) return;
-  input_ = input;
-  timing_ = timing;
-  mesh_ = shape_of(*input, timing.get());
-}
-
 // Shapes have their colours in them.
 void Describer::take_theme(const Theme& theme) {
   if (theme_ == &theme) return;
   theme_ = &theme;
-  isolines_timing_.reset();
+  ground_.forget_colours();
   rows_.clear();
   strips_.clear();
 }
@@ -161,23 +118,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   if (!session.timeline) return scene;
 
   const knit::State& state = session.timeline->state();
-  refresh_mesh(session);
-  scene.mesh = mesh_;
-  scene.show_surface = session.shows(Layer::surface);
-  scene.show_wire = session.shows(Layer::wire);
-  scene.show_times = session.shows(Layer::times);
-  scene.timed_vertices = static_cast<std::uint32_t>(mesh_->positions.size());
-  if (const auto* work = std::get_if<knit::TimingWork>(&state.work)) {
-    scene.timed_vertices = static_cast<std::uint32_t>(work->times.size());
-  }
-  // Under the knit mesh they would only shine through.
-  if (state.timing && session.shows(Layer::isolines) && state.strips.empty()) {
-    if (isolines_timing_ != state.timing.pointer()) {
-      isolines_timing_ = state.timing.pointer();
-      isolines_ = isolines_of(*scene.theme, session.timeline->input(), *state.timing);
-    }
-    scene.isolines = isolines_;
-  }
+  ground_.describe(session, showing.in_pieces, scene);
   scene.coarse = coarseness(session, showing.height_px);
   scene.calm = in_the_making(state);
   if (scene.coarse > 1) {

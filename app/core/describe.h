@@ -8,6 +8,7 @@
 
 #include "app/core/describe_coarse.h"
 #include "app/core/describe_ghost.h"
+#include "app/core/describe_ground.h"
 #include "app/core/describe_symbols.h"
 #include "app/core/scene.h"
 #include "app/core/session.h"
@@ -41,16 +42,11 @@ class Describer {
   };
 
   void take_theme(const Theme& theme);
-  void refresh_mesh(const Session& session);
   void add_rows(const Session& session, Scene& scene);
   void add_strips(const Session& session, Scene& scene);
 
   const Theme* theme_ = nullptr;  // of the shapes kept
-  std::shared_ptr<const knit::Input> input_;
-  std::shared_ptr<const knit::Timing> timing_;
-  std::shared_ptr<const MeshShape> mesh_;
-  std::shared_ptr<const knit::Timing> isolines_timing_;
-  std::shared_ptr<const std::vector<Line>> isolines_;
+  Ground ground_;
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
   Coarse coarse_;

@@ -79,6 +79,7 @@ std::size_t position_of_frame(const Stretch& stretch, std::size_t frames, std::s
 Session figure_session(const Session& session) {
   Session figure = session;
   figure.beside = false;
+  figure.opening.reset();
   figure.long_step.reset();
   figure.measuring_run.reset();
   figure.rescued.reset();

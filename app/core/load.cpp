@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/action.h"
+#include "app/core/session_json.h"
 #include "knit/gauge.h"
 #include "knit/obj.h"
 
@@ -17,15 +18,19 @@ void forget_coincident(std::vector<knit::Finding>& findings) {
 }
 
 std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> original,
-                                          const knit::Parameters* parameters) {
+                                          const knit::Parameters* parameters,
+                                          knit::Progress* progress = nullptr) {
   Loaded loaded;
   loaded.original = std::move(original);
-  knit::CheckResult checked = knit::check(*loaded.original);
+  knit::CheckResult checked = knit::check(*loaded.original, progress);
   if (!checked.fit()) return loaded.original->name + ": " + checked.findings.front().sentence;
   loaded.findings = std::move(checked.findings);
+  if (progress != nullptr) progress->begin(knit::Progress::Task::preparing);
+  loaded.mesh_hash = hash_text(*loaded.original);
   const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
   if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
+  if (progress != nullptr) progress->at(0.9);
   const knit::Parameters wished =
       parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
   loaded.parameters = knit::agreed(wished, *loaded.input);
@@ -66,26 +71,29 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
 }  // namespace
 
 std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
-                                            const std::vector<knit::MendKind>& mends) {
-  auto read = knit::read_obj_file(path);
+                                            const std::vector<knit::MendKind>& mends,
+                                            knit::Progress* progress) {
+  auto read = knit::read_obj_file(path, progress);
   if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
-  return load_mended(mended_as(std::get<knit::Mesh>(std::move(read)), {false, mends}));
+  return load_mended(mended_as(std::get<knit::Mesh>(std::move(read)), {false, mends}), progress);
 }
 
-std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan) {
-  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr);
+std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan, knit::Progress* progress) {
+  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr, progress);
   if (auto* ready = std::get_if<Loaded>(&loaded)) ready->mended = plan.steps;
   return loaded;
 }
 
-std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish) {
-  auto read = knit::read_obj_file(path);
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish,
+                                          knit::Progress* progress) {
+  auto read = knit::read_obj_file(path, progress);
   if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
-  const knit::Mesh& mesh = std::get<knit::Mesh>(read);
-  auto loaded = load_mended(mended_as(mesh, wish));
+  const auto mesh = std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read)));
+  const bool as_it_is = !wish.all && wish.kinds.empty();
+  auto loaded = as_it_is ? prepare(mesh, nullptr, progress) : load_mended(mended_as(*mesh, wish), progress);
   if (auto* ready = std::get_if<Loaded>(&loaded)) return std::move(*ready);
   NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = knit::plan_mends(mesh))
+  if (auto plan = knit::plan_mends(*mesh))
     unfit.plan = std::make_shared<const knit::MendPlan>(std::move(*plan));
   return unfit;
 }
@@ -113,8 +121,8 @@ std::variant<Loaded, std::string> load_example(const std::filesystem::path& asse
 }
 
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
-                                             const knit::Parameters& parameters) {
-  return prepare(original, &parameters);
+                                             const knit::Parameters& parameters, knit::Progress* progress) {
+  return prepare(original, &parameters, progress);
 }
 
 }  // namespace app

@@ -72,11 +72,14 @@ std::string words_of(const MendOffer& offer) {
   return offer.finding + " Or give --mend " + keys + "." + effects;
 }
 
-}  // namespace
+// Only where nothing is asked about the run itself may a window come before the mesh.
+bool may_open_beside(const CommandLine& line) {
+  return !line.headless && !line.at && line.lesson.empty() && line.why.empty() && line.diff.empty() &&
+         line.sweep.empty() && !line.animation;
+}
 
-std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
+void look_as_asked(Session& session, const CommandLine& line) {
   const bool saved = !line.session.empty();
-  if (!line.empty) app::apply(session, saved ? Action(OpenSession{line.session}) : line.open);
   if (!saved || line.side_given) apply(session, ShowSide{line.side});
   if (line.theme) apply(session, SetTheme{*line.theme});
   if (line.scale) apply(session, SetScale{*line.scale});
@@ -85,11 +88,25 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
-  if (line.empty) return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
+  session.beside = may_open_beside(line);
+  if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
+  session.beside = false;
+  look_as_asked(session, line);
+  if (session.opening || line.empty) return std::nullopt;
   if (!session.timeline && session.mend_offer)
     return line.headless ? std::optional(words_of(*session.mend_offer)) : std::nullopt;  // a window offers it
   if (!session.timeline)
     return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
+  return set_as_asked(session, line);
+}
+
+std::optional<std::string> set_as_asked(Session& session, const CommandLine& line) {
+  look_as_asked(session, line);  // what was opened brings its own look
   if (!line.breaks.empty()) {
     std::vector<knit::BreakCondition> breaks = session.travel.breaks;  // a session file may have some
     for (const knit::BreakCondition& condition : breaks_of(line.breaks)) breaks.push_back(condition);

@@ -1,6 +1,8 @@
 #include "app/core/pick.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/vec4.hpp>
@@ -9,6 +11,29 @@
 #include "app/core/pick_ray.h"
 
 namespace app {
+
+namespace {
+
+// Whether the ray comes through the box before `nearest`; a hair's breadth more counts, for rounding.
+bool may_meet(const Ray& ray, const knit::Input::Box& box, double nearest) {
+  const glm::dvec3 room = 1e-9 * (box.high - box.low + glm::abs(box.low) + glm::abs(box.high));
+  double from = 0.0;
+  double to = nearest;
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - room[axis] - ray.origin[axis];
+    const double high = box.high[axis] + room[axis] - ray.origin[axis];
+    const double way = ray.direction[axis];
+    if (way == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    from = std::max(from, std::min(low / way, high / way));
+    to = std::min(to, std::max(low / way, high / way));
+  }
+  return from <= to * (1.0 + 1e-9);
+}
+
+}  // namespace
 
 Ray ray_through(const Session& session, const glm::dvec2& place) {
   const View view = session.camera.view(session.aspect);
@@ -38,11 +63,17 @@ std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray) {
   const knit::Mesh& mesh = session.timeline->input().mesh;
   double nearest = std::numeric_limits<double>::infinity();
   const knit::Triangle* hit = nullptr;
-  for (const knit::Triangle& t : mesh.triangles) {
-    const auto along = meets(ray, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-    if (!along || *along >= nearest) continue;
-    nearest = *along;
-    hit = &t;
+  const std::vector<knit::Input::Box>& boxes = session.timeline->input().boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!may_meet(ray, boxes[i], nearest)) continue;
+    const std::size_t end = std::min((i + 1) * knit::Input::boxed, mesh.triangles.size());
+    for (std::size_t k = i * knit::Input::boxed; k < end; ++k) {
+      const knit::Triangle& t = mesh.triangles[k];
+      const auto along = meets(ray, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      if (!along || *along >= nearest) continue;
+      nearest = *along;
+      hit = &t;
+    }
   }
   if (hit == nullptr) return std::nullopt;
   const glm::dvec3 point = ray.origin + ray.direction * nearest;

@@ -121,22 +121,14 @@ std::optional<Rescued> find_rescued(const fs::path& folder) {
 RescueKeeper::RescueKeeper(const Session& session, std::optional<fs::path> folder) {
   if (!folder) return;
   file_ = rescue_file(*folder, this_process());
-  known_ = text_of(session);
-}
-
-std::string RescueKeeper::text_of(const Session& session) {
-  if (mesh_ != session.original) {
-    mesh_ = session.original;
-    hash_ = mesh_ ? hash_text(*mesh_) : "";
-  }
-  return session_text(session, *file_, hash_).text;
+  known_ = session_text(session, *file_).text;
 }
 
 void RescueKeeper::pass(const Session& session, double seconds) {
   waited_ += seconds;
   if (!file_ || waited_ < seconds_between) return;
   waited_ = 0.0;
-  std::string text = text_of(session);
+  std::string text = session_text(session, *file_).text;
   if (text.empty() || text == known_) return;
   std::error_code ignored;
   fs::create_directories(file_->parent_path(), ignored);

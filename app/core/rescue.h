@@ -43,11 +43,7 @@ class RescueKeeper {
   void end();
 
  private:
-  std::string text_of(const Session& session);
-
   std::optional<std::filesystem::path> file_;
-  std::shared_ptr<const knit::Mesh> mesh_;  // that `hash_` is of
-  std::string hash_;
   std::string known_;  // what the file says, or what the session was at first
   double waited_ = 0.0;
 };

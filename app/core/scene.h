@@ -18,11 +18,10 @@
 
 namespace app {
 
-// The ground: the mesh that came in. `time` is Algorithm 1's value per vertex, negative where there is none.
+// The ground: the mesh that came in.
 struct MeshShape {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  // smooth, outward, same length as positions
-  std::vector<float> times;        // same length; shown for the first `Scene::timed_vertices` vertices
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> edges;  // pairs
 };
@@ -86,7 +85,9 @@ struct Scene {
   const Theme* theme = &dark_theme;  // never null
   View view;
   Colour background;
-  std::shared_ptr<const MeshShape> mesh;  // null: nothing open
+  std::shared_ptr<const MeshShape> mesh;  // null: nothing open, or not ready yet
+  // Algorithm 1's value per vertex of the mesh, negative where there is none; null: nowhere one.
+  std::shared_ptr<const std::vector<float>> times;
   bool show_surface = true;
   bool show_wire = true;
   bool show_times = true;            // else the calm ground colour

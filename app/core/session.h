@@ -126,6 +126,8 @@ struct Rescued {
 struct LessonRun;
 struct Prediction;
 struct AnimationRun;
+// A large file on its way to be open (opening.h).
+struct Opening;
 // A picture that the loop takes (figures.h).
 struct FigureWish {
   std::filesystem::path path;
@@ -138,6 +140,7 @@ struct Session {
   Source source;
   std::shared_ptr<const knit::Mesh> original;  // as read, before welding
   std::optional<knit::Timeline> timeline;      // nothing open: none
+  std::string mesh_hash;                       // hash_text of `original`; empty: not known
   std::vector<knit::Finding> findings;         // warnings about the open mesh
   std::vector<knit::MendStep> mended;          // what was done to it, as source.mends says
   std::optional<MendOffer> mend_offer;         // of the mesh that could not be opened last
@@ -147,6 +150,7 @@ struct Session {
   double run_ms = 0.0;                         // spent on working the run out, so far
   // In a window long work is done beside it; without one it is waited for.
   bool beside = false;
+  std::shared_ptr<Opening> opening;  // null: none under way
   std::optional<LongStep> long_step;
   std::optional<knit::Parameters> before_change;  // what cancelling goes back to
   std::optional<Measuring> measuring_run;

@@ -8,6 +8,7 @@
 
 #include "app/core/apply_parts.h"
 #include "app/core/files.h"
+#include "app/core/opened_session.h"
 #include "app/core/saved_run.h"
 #include "app/core/session_json.h"
 #include "knit/gauge.h"
@@ -56,10 +57,10 @@ std::variant<SavedSession, std::string> read_file(const fs::path& path) {
   return saved;
 }
 
-std::variant<Loaded, std::string> load_source(const Session& session, const Source& source,
-                                              const fs::path& path) {
+std::variant<Loaded, std::string> load_source(const fs::path& assets, const Source& source,
+                                              const fs::path& path, knit::Progress* progress) {
   if (source.file.empty()) {
-    auto loaded = load_example(session.assets, source.example);
+    auto loaded = load_example(assets, source.example);
     if (const auto* error = std::get_if<std::string>(&loaded)) return path.string() + ": " + *error;
     return loaded;
   }
@@ -68,7 +69,7 @@ std::variant<Loaded, std::string> load_source(const Session& session, const Sour
     return path.string() + ": its mesh is not there, looked for " + absolute_of(source.file).string() +
            "; put it there, or change \"file\" in the session's \"source\".";
   }
-  return load_file(source.file, source.mends);
+  return load_file(source.file, source.mends, progress);
 }
 
 // A run to be shown: the mesh welded as its parameters say.
@@ -152,14 +153,14 @@ std::string begin_of(const fs::path& path) {
 
 }  // namespace
 
-SessionText session_text(const Session& session, const fs::path& path, const std::string& mesh_hash) {
+SessionText session_text(const Session& session, const fs::path& path) {
   if (!session.timeline) return {"", "nothing is open, so there is no session to save; open a mesh first."};
   if (session.source.file.empty() && session.source.example.empty())
     return {"", "the mesh came from no file, so a session cannot name it; open it from a file."};
   SavedSession saved = saved_of(session);
   if (!saved.source.file.empty()) saved.source.file = mesh_reference(saved.source.file, path);
-  const bool known = !mesh_hash.empty() || session.original == nullptr;
-  saved.mesh_hash = known ? mesh_hash : hash_text(*session.original);
+  saved.mesh_hash = session.mesh_hash;
+  if (saved.mesh_hash.empty() && session.original != nullptr) saved.mesh_hash = hash_text(*session.original);
   try {
     return {to_json(saved).dump(2) + "\n", ""};
   } catch (const nlohmann::json::exception&) {
@@ -173,37 +174,51 @@ std::optional<std::string> save_session(const Session& session, const fs::path& 
   return write_file(path, said.text);
 }
 
-std::optional<std::string> open_session(Session& session, const fs::path& path) {
-  const auto start = std::chrono::steady_clock::now();
+std::variant<OpenedSession, std::string> read_session(const fs::path& assets, const fs::path& path,
+                                                      knit::Progress* progress) {
   auto read = read_file(path);
   if (auto* error = std::get_if<std::string>(&read)) return std::move(*error);
-  const auto& saved = std::get<SavedSession>(read);
-  auto opened = load_source(session, saved.source, path);
-  if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);
-  auto& loaded = std::get<Loaded>(opened);
-  auto prepared = prepare(loaded, saved.knobs, path);
+  OpenedSession opened;
+  opened.path = path;
+  opened.saved = std::get<SavedSession>(std::move(read));
+  const SavedSession& saved = opened.saved;
+  auto source = load_source(assets, saved.source, path, progress);
+  if (auto* error = std::get_if<std::string>(&source)) return std::move(*error);
+  opened.loaded = std::get<Loaded>(std::move(source));
+  auto prepared = prepare(opened.loaded, saved.knobs, path);
   if (auto* error = std::get_if<std::string>(&prepared)) return std::move(*error);
-  std::optional<Pin> pinned;
   if (saved.pinned) {
-    auto other = prepare(loaded, *saved.pinned, path);
+    auto other = prepare(opened.loaded, *saved.pinned, path);
     if (auto* error = std::get_if<std::string>(&other)) return std::move(*error);
-    pinned = pin_of(std::get<Prepared>(other), *saved.pinned);
+    opened.pinned = pin_of(std::get<Prepared>(other), *saved.pinned);
   }
-  const bool changed = !saved.mesh_hash.empty() && hash_text(*loaded.original) != saved.mesh_hash;
-
+  opened.changed = !saved.mesh_hash.empty() && opened.loaded.mesh_hash != saved.mesh_hash;
   auto& [input, findings] = std::get<Prepared>(prepared);
-  loaded.findings = std::move(findings);
-  show_loaded(session, std::move(loaded), saved.source, start);
-  session.timeline->set_knobs(saved.knobs.base, saved.knobs.edits, input);
-  session.pinned = std::move(pinned);
+  opened.input = std::move(input);
+  opened.loaded.findings = std::move(findings);
+  return opened;
+}
+
+void show_session(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start) {
+  const SavedSession& saved = opened.saved;
+  show_loaded(session, std::move(opened.loaded), saved.source, start);
+  session.timeline->set_knobs(saved.knobs.base, saved.knobs.edits, opened.input);
+  session.pinned = std::move(opened.pinned);
   show_the_view(session, saved);
   go_to_place(session, saved);
-  if (changed) {
+  if (opened.changed) {
     session.notices.push_back({Notice::Kind::warning, session.timeline->input().mesh.name +
                                                           " is another mesh than when the session was saved; "
                                                           "rows and stitches may differ."});
   }
-  note_saved(session, path);
+  note_saved(session, opened.path);
+}
+
+std::optional<std::string> open_session(Session& session, const fs::path& path) {
+  const auto start = std::chrono::steady_clock::now();
+  auto read = read_session(session.assets, path);
+  if (auto* error = std::get_if<std::string>(&read)) return std::move(*error);
+  show_session(session, std::get<OpenedSession>(std::move(read)), start);
   return std::nullopt;
 }
 

@@ -15,9 +15,7 @@ struct SessionText {
   std::string text;
   std::string error;
 };
-// `mesh_hash`: hash_text of the open mesh, where it is known; empty: worked out.
-SessionText session_text(const Session& session, const std::filesystem::path& path,
-                         const std::string& mesh_hash = "");
+SessionText session_text(const Session& session, const std::filesystem::path& path);
 
 // Written aside and renamed; the error is one sentence.
 std::optional<std::string> save_session(const Session& session, const std::filesystem::path& path);

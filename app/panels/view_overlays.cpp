@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/core/opening.h"
 #include "app/panels/commands.h"
 #include "app/panels/welcome.h"
 #include "app/panels/widgets.h"
@@ -106,17 +107,38 @@ void draw_picking(PanelFrame& frame) {
   ImGui::End();
 }
 
-// Only what a person would notice waiting for.
-void draw_waiting(PanelFrame& frame) {
-  constexpr double worth_a_word_s = 0.25;
-  const auto& step = frame.session.long_step;
-  if (!step || step->seconds < worth_a_word_s) return;
+constexpr double worth_a_word_s = 0.25;  // only what a person would notice waiting for
+
+void begin_waiting(const PanelFrame& frame) {
   const Box& view = frame.layout.view;
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
                           ImVec2(0.5f, 0.5f));
   push_raised_look(frame);
   ImGui::Begin("Waiting", nullptr, floating);
   pop_raised_look();
+}
+
+void draw_opening(PanelFrame& frame) {
+  const Opening& opening = *frame.session.opening;
+  if (opening.seconds < worth_a_word_s) return;
+  begin_waiting(frame);
+  const double share = opening.progress->share();
+  const float width = frame.units(300.0f);
+  text(cut_to_width(words_of(opening), width - frame.units(60.0f)) + " ... " +
+       std::to_string(static_cast<int>(100.0 * share)) + " %");
+  ImGui::ProgressBar(static_cast<float>(share), ImVec2(width, frame.units(6.0f)), "");
+  faint_text(std::to_string(static_cast<int>(opening.seconds)) + " s so far");
+  if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
+  frame.mark("waiting/cancel");
+  tooltip(frame, "It is not opened; what is open stays.");
+  ImGui::End();
+}
+
+void draw_waiting(PanelFrame& frame) {
+  if (frame.session.opening) return draw_opening(frame);
+  const auto& step = frame.session.long_step;
+  if (!step || step->seconds < worth_a_word_s) return;
+  begin_waiting(frame);
   const knit::Timeline& timeline = *frame.timeline();
   text(capitalised(knit::work_ahead(timeline.furthest())) + "...");
   const std::string triangles = with_commas(timeline.input().mesh.triangles.size());

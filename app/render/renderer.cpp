@@ -56,6 +56,7 @@ struct Renderer::Frame {
   const Scene& scene;
   Frustum frustum;
   const MeshBuffers* mesh = nullptr;
+  const TimeBuffer* times = nullptr;
   glm::vec2 viewport{1.0f};
   float scale = 1.0f;
   float extent = 1.0f;  // size of what is shown
@@ -87,6 +88,7 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   frame.extent = faces_.extent().diagonal();
   if (scene.mesh != nullptr) {
     frame.mesh = &meshes_.get(scene.mesh);
+    if (scene.times != nullptr) frame.times = &times_.get(scene.times);
     frame.extent = std::max(frame.extent, frame.mesh->extent());
   }
   const float longest_side = faces_.longest_side();
@@ -115,6 +117,7 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
 // Shapes whose last holder let go are freed first, so that a tuned run never holds two runs' rows.
 void Renderer::upload(const Scene& scene) {
   meshes_.drop_dead();
+  times_.drop_dead();
   faces_.show(scene.faces);
   // Kept while they are not shown.
   if (scene.isolines) isolines_.show({&scene.isolines, 1});
@@ -159,7 +162,10 @@ void Renderer::draw_surface(const Frame& frame) {
   depth(true, true);
   blend(false);
   start(frame.scene.band ? surface_ : surface_plain_, frame);
-  last_.triangles += frame.mesh->draw_triangles(frame.scene.covered);
+  const Scene& scene = frame.scene;
+  last_.triangles += scene.covered && scene.times
+                         ? frame.mesh->draw_uncovered(*scene.mesh, scene.times, *frame.times, *scene.covered)
+                         : frame.mesh->draw_triangles(frame.times);
   ++last_.draw_calls;
 }
 
@@ -181,7 +187,7 @@ void Renderer::draw_band_alone(const Frame& frame) {
   depth(true, false);
   blend(true);
   start(band_, frame);
-  frame.mesh->draw_triangles();
+  frame.mesh->draw_triangles(frame.times);
   ++last_.draw_calls;
 }
 
@@ -204,7 +210,7 @@ void Renderer::draw_wire(const Frame& frame) {
   wire_.set("u_alpha_behind", frame.scene.show_surface ? 0.0f : 0.04f + 0.10f * strength);
   wire_.set("u_alone", frame.scene.show_surface ? 0.0f : 1.0f);
   glLineWidth(1.0f);
-  frame.mesh->draw_edges();
+  frame.mesh->draw_edges(*frame.scene.mesh, frame.times);
   ++last_.draw_calls;
 }
 

@@ -57,6 +57,7 @@ class Renderer {
   // The plain ones are for frames without a band, which most are.
   Program surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
   ShapeCache<MeshShape, MeshBuffers> meshes_;
+  ShapeCache<std::vector<float>, TimeBuffer> times_;
   Batch<FaceShape> faces_;
   Batch<std::vector<Line>> isolines_, line_sets_, frame_lines_;
   Batch<std::vector<Point>> point_sets_, frame_points_;

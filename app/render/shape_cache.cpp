@@ -22,52 +22,24 @@ void floats(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
   glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), at_offset(offset));
 }
 
+// Of many edges every so many-th tells it as well.
 float mean_edge_length(const MeshShape& shape) {
+  constexpr std::size_t enough = 100000;
+  const std::size_t edges = shape.edges.size() / 2;
+  const std::size_t stride = edges / enough + 1;
   double sum = 0.0;
-  for (std::size_t i = 0; i + 1 < shape.edges.size(); i += 2) {
-    sum += glm::distance(shape.positions[shape.edges[i]], shape.positions[shape.edges[i + 1]]);
-  }
-  return shape.edges.size() < 2 ? 0.0f
-                                : static_cast<float>(2.0 * sum / static_cast<double>(shape.edges.size()));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < edges; i += stride, ++count)
+    sum += glm::distance(shape.positions[shape.edges[2 * i]], shape.positions[shape.edges[2 * i + 1]]);
+  return count == 0 ? 0.0f : static_cast<float>(sum / static_cast<double>(count));
 }
 
 // Sorting more would hold up a frame.
 constexpr std::size_t most_sorted = 200000;
 
-struct ByTime {
-  std::vector<std::uint32_t> triangles;
-  std::vector<float> earliest;
-  float longest = 0.0f;
-};
-
-// The triangles by their earliest vertex; as they come where there are no times, or too many.
-ByTime by_time(const MeshShape& shape) {
-  const std::size_t count = shape.triangles.size() / 3;
-  const bool timed = shape.times.size() == shape.positions.size() &&
-                     std::ranges::all_of(shape.times, [](float time) { return time >= 0.0f; });
-  if (!timed || count > most_sorted) return {shape.triangles, {}, 0.0f};
-  struct Entry {
-    float earliest;
-    std::uint32_t triangle;
-  };
-  ByTime sorted;
-  std::vector<Entry> order;
-  order.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto [low, high] =
-        std::minmax({shape.times[shape.triangles[3 * i]], shape.times[shape.triangles[3 * i + 1]],
-                     shape.times[shape.triangles[3 * i + 2]]});
-    order.push_back({low, i});
-    sorted.longest = std::max(sorted.longest, high - low);
-  }
-  std::ranges::stable_sort(order, {}, &Entry::earliest);
-  sorted.triangles.reserve(shape.triangles.size());
-  for (const Entry& entry : order) {
-    const auto first = shape.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(entry.triangle);
-    sorted.triangles.insert(sorted.triangles.end(), first, first + 3);
-    sorted.earliest.push_back(entry.earliest);
-  }
-  return sorted;
+template <class T>
+bool is_same(const std::weak_ptr<T>& kept, const std::shared_ptr<T>& given) {
+  return !kept.owner_before(given) && !given.owner_before(kept);
 }
 
 }  // namespace
@@ -77,71 +49,118 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
       edges_(GlVertexArray::make()),
       positions_(GlBuffer::make()),
       normals_(GlBuffer::make()),
-      times_(GlBuffer::make()),
       triangle_list_(GlBuffer::make()),
       edge_list_(GlBuffer::make()),
       triangle_indices_(static_cast<GLsizei>(shape.triangles.size())),
-      edge_indices_(static_cast<GLsizei>(shape.edges.size())),
+      vertices_(shape.positions.size()),
       mean_edge_(mean_edge_length(shape)) {
-  ByTime sorted = by_time(shape);
-  earliest_ = std::move(sorted.earliest);
-  longest_ = sorted.longest;
   Extent box;
   std::ranges::for_each(shape.positions, [&](const glm::vec3& place) { box.add(place); });
   extent_ = box.diagonal();
   centre_ = box.centre();
-  // A shape without times or normals is still drawn: nothing may be read past a buffer's end.
-  std::vector<float> times = shape.times;
-  times.resize(shape.positions.size(), -1.0f);
-  std::vector<glm::vec3> normals = shape.normals;
-  normals.resize(shape.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+  // A shape without normals is still drawn: nothing may be read past a buffer's end.
+  std::vector<glm::vec3> others;
+  if (shape.normals.size() < shape.positions.size()) {
+    others = shape.normals;
+    others.resize(shape.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+  }
+  const std::vector<glm::vec3>& normals = others.empty() ? shape.normals : others;
   for (const GlVertexArray* array : {&triangles_, &edges_}) {
     glBindVertexArray(array->id());
     if (array == &triangles_) {
       fill(GL_ARRAY_BUFFER, positions_, std::span(shape.positions), GL_STATIC_DRAW);
       fill(GL_ARRAY_BUFFER, normals_, std::span<const glm::vec3>(normals), GL_STATIC_DRAW);
-      fill(GL_ARRAY_BUFFER, times_, std::span<const float>(times), GL_STATIC_DRAW);
-      fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span<const std::uint32_t>(sorted.triangles),
-           GL_STATIC_DRAW);
-    } else {
-      fill(GL_ELEMENT_ARRAY_BUFFER, edge_list_, std::span(shape.edges), GL_STATIC_DRAW);
+      fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span(shape.triangles), GL_STATIC_DRAW);
     }
     glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
     floats(0, 3, sizeof(glm::vec3), 0);
     glBindBuffer(GL_ARRAY_BUFFER, normals_.id());
     floats(1, 3, sizeof(glm::vec3), 0);
-    glBindBuffer(GL_ARRAY_BUFFER, times_.id());
-    floats(2, 1, sizeof(float), 0);
   }
   glBindVertexArray(0);
 }
 
-std::size_t MeshBuffers::draw_triangles(const std::optional<TimeSpan>& covered) const {
-  const auto all = static_cast<std::size_t>(triangle_indices_) / 3;
-  std::size_t below = all, above = all;  // up to the first, and from the second on
-  if (covered && !earliest_.empty()) {
-    const auto at = [&](float time) {
-      const auto found = std::ranges::lower_bound(earliest_, time);
-      return static_cast<std::size_t>(found - earliest_.begin());
-    };
-    below = at(covered->from);
-    above =
-        std::max(below, at(covered->to - longest_));  // some of these end in time, and are drawn all the same
+TimeBuffer::TimeBuffer(const std::vector<float>& times) : times_(GlBuffer::make()), count_(times.size()) {
+  fill(GL_ARRAY_BUFFER, times_, std::span(times), GL_STATIC_DRAW);
+}
+
+// Into the vertex array that is bound. Too few, and one would be read past the buffer's end.
+void MeshBuffers::take_times(const TimeBuffer* times) const {
+  if (times == nullptr || times->count() < vertices_) {
+    glDisableVertexAttribArray(2);
+    glVertexAttrib1f(2, -1.0f);
+    return;
   }
+  glBindBuffer(GL_ARRAY_BUFFER, times->id());
+  floats(2, 1, sizeof(float), 0);
+}
+
+std::size_t MeshBuffers::draw_triangles(const TimeBuffer* times) const {
+  glBindVertexArray(triangles_.id());
+  take_times(times);
+  glDrawElements(GL_TRIANGLES, triangle_indices_, GL_UNSIGNED_INT, nullptr);
+  return static_cast<std::size_t>(triangle_indices_) / 3;
+}
+
+// Requires the triangles' vertex array bound.
+void MeshBuffers::put_in_order(const MeshShape& shape,
+                               const std::shared_ptr<const std::vector<float>>& times) const {
+  struct Timed {
+    float earliest, latest;
+    std::uint32_t triangle;
+  };
+  const std::size_t count = shape.triangles.size() / 3;
+  std::vector<Timed> order;
+  order.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto time = [&](std::size_t corner) { return (*times)[shape.triangles[3 * i + corner]]; };
+    const auto [earliest, latest] = std::minmax({time(0), time(1), time(2)});
+    order.push_back({earliest, latest, i});
+  }
+  std::ranges::stable_sort(order, {}, &Timed::earliest);
+  order_ = {times, {}, {}};
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(shape.triangles.size());
+  float latest = 0.0f;
+  for (const Timed& timed : order) {
+    const auto first = shape.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(timed.triangle);
+    triangles.insert(triangles.end(), first, first + 3);
+    latest = std::max(latest, timed.latest);
+    order_.earliest.push_back(timed.earliest);
+    order_.latest_so_far.push_back(latest);
+  }
+  fill(GL_ELEMENT_ARRAY_BUFFER, triangle_list_, std::span<const std::uint32_t>(triangles), GL_STATIC_DRAW);
+}
+
+std::size_t MeshBuffers::draw_uncovered(const MeshShape& shape,
+                                        const std::shared_ptr<const std::vector<float>>& times,
+                                        const TimeBuffer& buffer, const TimeSpan& covered) const {
+  const auto all = static_cast<std::size_t>(triangle_indices_) / 3;
+  if (all > most_sorted || times->size() < vertices_) return draw_triangles(&buffer);
+  glBindVertexArray(triangles_.id());
+  take_times(&buffer);
+  if (!is_same(order_.times, times)) put_in_order(shape, times);
+  const auto below = static_cast<std::size_t>(std::ranges::lower_bound(order_.earliest, covered.from) -
+                                              order_.earliest.begin());
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(order_.latest_so_far, covered.to) -
+                                              order_.latest_so_far.begin());
+  if (above <= below) return draw_triangles(&buffer);
   const auto draw = [](std::size_t first, std::size_t count) {
     if (count == 0) return;
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
                    at_offset(3 * first * sizeof(GLuint)));
   };
-  glBindVertexArray(triangles_.id());
   draw(0, below);
   draw(above, all - above);
   return below + (all - above);
 }
 
-void MeshBuffers::draw_edges() const {
+void MeshBuffers::draw_edges(const MeshShape& shape, const TimeBuffer* times) const {
   glBindVertexArray(edges_.id());
-  glDrawElements(GL_LINES, edge_indices_, GL_UNSIGNED_INT, nullptr);
+  if (!edges_sent_) fill(GL_ELEMENT_ARRAY_BUFFER, edge_list_, std::span(shape.edges), GL_STATIC_DRAW);
+  edges_sent_ = true;
+  take_times(times);
+  glDrawElements(GL_LINES, static_cast<GLsizei>(shape.edges.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace app

@@ -13,22 +13,50 @@
 
 namespace app {
 
+// A float a vertex: its time.
+class TimeBuffer {
+ public:
+  explicit TimeBuffer(const std::vector<float>& times);
+  GLuint id() const { return times_.id(); }
+  std::size_t count() const { return count_; }
+
+ private:
+  GlBuffer times_;
+  std::size_t count_ = 0;
+};
+
 class MeshBuffers {
  public:
   explicit MeshBuffers(const MeshShape& shape);
-  // Without what lies within `covered`, as far as that can be told quickly. Gives how many were drawn.
-  std::size_t draw_triangles(const std::optional<TimeSpan>& covered = std::nullopt) const;
-  void draw_edges() const;
+  // `times`: of the vertices; null: none has one.
+  std::size_t draw_triangles(const TimeBuffer* times) const;  // gives how many, as the next
+  // Those of the shape that these are the buffers of, without what lies within `covered`. The triangles are put
+  // in order of time when this is first asked, and when the times change; of a large mesh all are drawn.
+  std::size_t draw_uncovered(const MeshShape& shape, const std::shared_ptr<const std::vector<float>>& times,
+                             const TimeBuffer& buffer, const TimeSpan& covered) const;
+  // Edges of the shape that these are the buffers of; they are sent when they are first drawn.
+  void draw_edges(const MeshShape& shape, const TimeBuffer* times) const;
   float extent() const { return extent_; }        // diagonal of the bounding box
   float mean_edge() const { return mean_edge_; }  // 0 without edges
   glm::vec3 centre() const { return centre_; }
 
  private:
+  // The triangles as they lie in the buffer: by their earliest vertex.
+  struct Order {
+    std::weak_ptr<const std::vector<float>> times;
+    std::vector<float> earliest;       // of each, ascending
+    std::vector<float> latest_so_far;  // of all up to each
+  };
+  void take_times(const TimeBuffer* times) const;
+  void put_in_order(const MeshShape& shape, const std::shared_ptr<const std::vector<float>>& times) const;
+
   GlVertexArray triangles_, edges_;
-  GlBuffer positions_, normals_, times_, triangle_list_, edge_list_;
-  GLsizei triangle_indices_ = 0, edge_indices_ = 0;
-  std::vector<float> earliest_;  // of each triangle, ascending as they are drawn; empty: in no order
-  float longest_ = 0.0f;         // in time, of any triangle
+
+  GlBuffer positions_, normals_, triangle_list_, edge_list_;
+  GLsizei triangle_indices_ = 0;
+  std::size_t vertices_ = 0;
+  mutable bool edges_sent_ = false;
+  mutable Order order_;
   float extent_ = 0.0f, mean_edge_ = 0.0f;
   glm::vec3 centre_{0.0f};
 };

@@ -6,6 +6,7 @@
 
 #include "app/core/export.h"
 #include "app/core/figure_words.h"
+#include "app/core/opening.h"
 #include "app/core/pattern_file.h"
 #include "app/core/preferences_file.h"
 #include "app/core/queries.h"
@@ -59,15 +60,18 @@ bool working_beside(const Session& session) {
 }
 
 bool working(const Session& session) {
+  if (session.opening) return true;
   return session.timeline && (session.animation || working_beside(session) || session.playback.playing ||
                               !session.timeline->complete() || session.measuring);
 }
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
-  return session.timeline && !session.playback.playing && !session.animation &&
+  if (!session.timeline) return session.opening != nullptr;
+  return !session.playback.playing && !session.animation &&
          (session.long_step.has_value() ||
-          (session.timeline->complete() && (session.measuring || working_beside(session))));
+          (session.timeline->complete() &&
+           (session.opening || session.measuring || working_beside(session))));
 }
 
 void save_pictures_wanted(Session& session, const Target& target) {
@@ -141,6 +145,24 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   return seconds;
 }
 
+// A large mesh named on the command line is read while the window is there already.
+class AskedOpening {
+ public:
+  explicit AskedOpening(const Session& session) : opening_(session.opening) {}
+  // After each turn: once it is open, the command line's settings are made.
+  void tend(Session& session, const CommandLine& line) {
+    if (!opening_ || session.opening == opening_) return;
+    const bool opened = !opening_->progress->stopped() && session.timeline;
+    opening_.reset();
+    if (!opened) return;
+    if (auto error = set_as_asked(session, line))
+      session.notices.push_back({Notice::Kind::error, std::move(*error)});
+  }
+
+ private:
+  std::shared_ptr<const Opening> opening_;
+};
+
 // What is asked on the command line is answered there, and shown.
 void answer_in_window(Session& session, const CommandLine& line) {
   const auto give = [&](const Answer& answer) {
@@ -210,12 +232,15 @@ int run_window(Session& session, const CommandLine& line) {
     RescueKeeper keeper(session, folder);
     Pace pace;
     std::unique_ptr<AnimationMaker> animation;
+    AskedOpening asked(session);
     while (!session.quit && !window.close_requested()) {
       const double seconds = turn(session, window, drawer, pace);
+      asked.tend(session, line);
       keeper.pass(session, seconds);
       preferences.pass(session, seconds);
       tend_animation(session, animation);
     }
+    cancel_opening(session);
     keeper.end();
     preferences.end(session);
     return save_at_closing(session, line, drawer);

@@ -7,6 +7,7 @@
 
 #include "knit/machine.h"
 #include "knit/shapes.h"
+#include "tests/benchmark/pipeline.h"
 
 namespace benchmark {
 

@@ -2,12 +2,8 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 namespace benchmark {
-
-// Milliseconds that tinyobjloader takes for an OBJ text.
-double parse_once(const std::string& text);
 
 // Ratios to parsing the same mesh, each the median of a few turns of both.
 nlohmann::ordered_json measure_sizes();

@@ -3,58 +3,17 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/core/action.h"
-#include "app/core/describe.h"
-#include "app/panels/style.h"
-#include "app/panels/ui.h"
 #include "app/render/headless_gl.h"
 #include "app/window/frame.h"
 #include "knit/shapes.h"
 #include "tests/benchmark/cost.h"
+#include "tests/benchmark/desk.h"
 
 namespace benchmark {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The program's own part of a frame: what is shown, and the panels, without OpenGL.
-class Desk {
- public:
-  explicit Desk(const std::filesystem::path& assets)
-      : fonts_(glue_.load_fonts((assets / "fonts").string(), 1.0f, app::style::text_size)),
-        layout_(app::layout_of(1280.0f, 720.0f, 1.0f)) {
-    app::style::apply(1.0f);
-    session.assets = assets;
-    session.beside = true;
-  }
-  void act(const app::Action& action) { app::apply(session, action); }
-  void describe() { scene_ = describer_.describe(session); }
-  void panels() {
-    glue_.begin_frame({1280.0f, 720.0f, 1.0f, 1.0f, 1.0f / 60.0f}, {});
-    app::draw_ui(session, ui_, scene_, layout_, fonts_);
-    glue_.end_frame();
-  }
-  void frame() {
-    describe();
-    panels();
-  }
-  void finish() {
-    while (!session.timeline->complete()) act(app::PassTime{0.0});
-    act(app::ToLast{});
-    for (int i = 0; i < 3; ++i) frame();
-  }
-
-  app::Session session;
-
- private:
-  app::ImGuiGlue glue_;
-  app::Fonts fonts_;
-  app::Layout layout_;
-  app::UiState ui_;
-  app::Describer describer_;
-  app::Scene scene_;
-};
 
 Json sums_of(const std::vector<std::vector<Cost>>& parts, double Cost::*part) {
   std::vector<Cost> sums(parts.front().size());
