@@ -219,3 +219,25 @@ TEST_CASE("written lines add up: each consumes what the one before made") {
   CHECK(state.lines[1]->text ==
         "Rnd 2: k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l. (12 sts)");
 }
+
+TEST_CASE("every reason to stop has its own sentence and its own word") {
+  const Parameters p = small_parameters();
+  std::set<std::string> sentences, words;
+  std::size_t reasons = 0;
+  for (const StopReason reason :
+       {StopReason::no_extent, StopReason::no_row_levels, StopReason::not_a_ring, StopReason::splits,
+        StopReason::stall, StopReason::changes_too_much, StopReason::too_fine}) {
+    ++reasons;
+    const Step stop{{Stage::rows, 7, 1}, Stopped{reason, CriticalKind::saddle, 7, 3, 2, 12, 0.5, 0.25}};
+    const std::string sentence = narrate(stop, p);
+    CAPTURE(sentence);
+    CHECK(sentence.size() > 40);
+    CHECK(sentence.back() == '.');
+    sentences.insert(sentence);
+    for (const StepField& field : fields_of(stop)) {
+      if (field.name == "reason") words.insert(std::get<std::string>(field.value));
+    }
+  }
+  CHECK(sentences.size() == reasons);
+  CHECK(words.size() == reasons);
+}

@@ -175,3 +175,24 @@ TEST_CASE("a copy of the state does not grow with what is finished beyond a few 
   const State copy = timeline.state();
   CHECK(copy.rows[10].pointer() == timeline.furthest().rows[10].pointer());
 }
+
+TEST_CASE("a step that was taken elsewhere is taken as if here, and a stale one is not taken at all") {
+  Timeline here(small_sphere(), small_parameters());
+  Timeline elsewhere(small_sphere(), small_parameters());
+  here.extend_to_end();
+  while (!elsewhere.complete() && elsewhere.known() < here.known()) {
+    const Timeline::Job job = elsewhere.next_job();
+    elsewhere.accept(job, Timeline::work(job));
+  }
+  CHECK(elsewhere.steps() == here.steps());
+  CHECK(hash_of(elsewhere.furthest()) == hash_of(here.furthest()));
+
+  elsewhere.tune(test_support::thesis_parameters());
+  elsewhere.seek(0);
+  const Timeline::Job job = elsewhere.next_job();
+  const Timeline::Outcome outcome = Timeline::work(job);
+  elsewhere.extend(1);
+  const std::size_t known = elsewhere.known();
+  elsewhere.accept(job, outcome);  // the run has gone on meanwhile
+  CHECK(elsewhere.known() == known);
+}
