@@ -25,8 +25,12 @@ std::string number(const Json& value) {
 }
 
 std::string grouped(const Json& value) {
-  std::string text = std::to_string(value.get<std::size_t>());
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  const std::string digits = std::to_string(value.get<std::size_t>());
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
   return text;
 }
 
