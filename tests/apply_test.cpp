@@ -491,7 +491,7 @@ TEST_CASE("the sentence always says something, and at a stop why") {
 }
 
 TEST_CASE("closing the mesh puts away all that belongs to it, and another can be opened") {
-  Session session = example_session();
+  Session session = example_session("sphere");
   apply(session, ToLast{});
   apply(session, PinRun{});
   apply(session, Select{knit::VertexThing{3}});
@@ -518,7 +518,7 @@ TEST_CASE("closing the mesh puts away all that belongs to it, and another can be
 }
 
 TEST_CASE("closing the mesh leaves a lesson too") {
-  Session session = example_session();
+  Session session = example_session("sphere");
   apply(session, StartLesson{"what-it-does"});
   REQUIRE(session.lesson);
   apply(session, CloseMesh{});
