@@ -111,7 +111,8 @@ constexpr double worth_a_word_s = 0.25;  // only what a person would notice wait
 
 void begin_waiting(const PanelFrame& frame) {
   const Box& view = frame.layout.view;
-  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
+  const float down = frame.session.timeline ? 0.5f : 0.9f;  // below the card of what can be opened
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + down * view.height), ImGuiCond_Always,
                           ImVec2(0.5f, 0.5f));
   push_raised_look(frame);
   ImGui::Begin("Waiting", nullptr, floating);
@@ -126,7 +127,9 @@ void draw_opening(PanelFrame& frame) {
   const float width = frame.units(300.0f);
   text(cut_to_width(words_of(opening), width - frame.units(60.0f)) + " ... " +
        std::to_string(static_cast<int>(100.0 * share)) + " %");
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, style::vector(theme().accent));
   ImGui::ProgressBar(static_cast<float>(share), ImVec2(width, frame.units(6.0f)), "");
+  ImGui::PopStyleColor();
   faint_text(std::to_string(static_cast<int>(opening.seconds)) + " s so far");
   if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
   frame.mark("waiting/cancel");
