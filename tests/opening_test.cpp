@@ -151,7 +151,7 @@ TEST_CASE("opening another thing cancels the first") {
   CHECK(first->progress->stopped());
 }
 
-TEST_CASE("a large file that is not fit leaves the session as it was and says why") {
+TEST_CASE("a large file that is not fit leaves the session as it was, says why, and offers mends") {
   const Files files;
   Session session = window_session();
   const knit::Input* egg = &session.timeline->input();
@@ -159,9 +159,11 @@ TEST_CASE("a large file that is not fit leaves the session as it was and says wh
   REQUIRE(session.opening);
   tick_to_end_of_opening(session);
   check_untouched(session, egg);
-  REQUIRE(session.notices.size() == 1);
-  CHECK(session.notices[0].kind == Notice::Kind::error);
-  CHECK(contains(session.notices[0].text, "hole"));
+  REQUIRE(session.mend_offer);
+  CHECK(contains(session.mend_offer->finding, "hole"));
+  apply(session, MendAndOpen{});
+  CHECK(session.source.file == files.holed);
+  CHECK(session.mended.size() == 1);
 }
 
 TEST_CASE("a session with a large mesh is opened beside the window too") {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets and runs them: tools/fuzz.sh [TARGET|all] [RUNS]. docs/testing.md has more.
 # What it finds worth keeping grows in build/fuzz/corpus; an input that breaks something lies in build/fuzz/found.
+# KNIT_FUZZ_PRESET=asan takes the programs of that build instead, which are slower and in CI there already.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 cd "$root"
@@ -22,7 +23,8 @@ case $runs in '' | *[!0-9]*)
 esac
 
 install_packages "${build_packages[@]}" clang-14 libclang-rt-14-dev llvm-14
-build fuzz "${targets[@]/#/fuzz_}"
+preset=${KNIT_FUZZ_PRESET:-fuzz}
+build "$preset" "${targets[@]/#/fuzz_}"
 
 # Longer inputs are slower and find no more: what repeats, repeats early.
 declare -A longest=([obj]=600 [pattern]=600 [session]=3000 [lesson]=3000 [pipeline]=240)
@@ -39,7 +41,7 @@ for target in "${targets[@]}"; do
   asked=$runs
   [ "$target" = pipeline ] && asked=$((runs / 10))
   say "== fuzz_$target: $asked executions"
-  "build/fuzz/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" "${dictionary[@]}" \
+  "build/$preset/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" "${dictionary[@]}" \
     -runs="$asked" -max_len="${longest[$target]}" -timeout=10 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \
     -artifact_prefix="build/fuzz/found/$target-" -print_final_stats=1 -verbosity=0 -print_funcs=0
 done

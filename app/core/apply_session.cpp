@@ -10,7 +10,8 @@ namespace app {
 // Among the recent ones the session stands for itself, not its mesh.
 void take(Session& session, const OpenSession& action) {
   cancel_opening(session);
-  if (session.beside && is_long_to_open(action.path, true)) return begin_opening_session(session, action.path);
+  if (session.beside && is_long_to_open(action.path, true))
+    return begin_opening_session(session, action.path);
   const auto start = std::chrono::steady_clock::now();
   auto read = read_session(session.assets, action.path);
   if (auto* error = std::get_if<std::string>(&read)) {

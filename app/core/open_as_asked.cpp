@@ -1,6 +1,7 @@
 // From a command line to an open session at the place that was asked for.
 #include "app/core/command_line.h"
 #include "app/core/lesson.h"
+#include "app/core/opening.h"
 #include "app/core/presets.h"
 #include "app/core/queries.h"
 #include "knit/gauge.h"
@@ -72,10 +73,14 @@ std::string words_of(const MendOffer& offer) {
   return offer.finding + " Or give --mend " + keys + "." + effects;
 }
 
-// Only where nothing is asked about the run itself may a window come before the mesh.
-bool may_open_beside(const CommandLine& line) {
-  return !line.headless && !line.at && line.lesson.empty() && line.why.empty() && line.diff.empty() &&
-         line.sweep.empty() && !line.animation;
+// Only where nothing is asked about the run itself may a window come before a large mesh.
+bool opens_beside(const CommandLine& line) {
+  const bool may = !line.headless && !line.at && line.lesson.empty() && line.why.empty() &&
+                   line.diff.empty() && line.sweep.empty() && !line.animation;
+  if (!may) return false;
+  if (!line.session.empty()) return is_long_to_open(line.session, true);
+  const auto* file = line.open.get_if<OpenFile>();
+  return file != nullptr && is_long_to_open(file->path, false);
 }
 
 void look_as_asked(Session& session, const CommandLine& line) {
@@ -93,7 +98,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
 }  // namespace
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
-  session.beside = may_open_beside(line);
+  session.beside = opens_beside(line);
   if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
   session.beside = false;
   look_as_asked(session, line);

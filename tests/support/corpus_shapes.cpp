@@ -191,7 +191,7 @@ void add_geometry(std::vector<Case>& all) {
   all.push_back(refused("single-triangle.obj", single, {"in one plane", "solid shape"}));
   all.push_back(refused("flat-disc.obj", disc(), {"in one plane", "solid shape"}));
   all.push_back(refused("flat-ball.obj", scaled(ball(), {1, 1, 0}), {"in one plane", "solid shape"}));
-  all.push_back(refused("needle.obj", scaled(ball(), {0, 1, 0}), {"on one line", "solid shape"}));
+  all.push_back(refused("needle.obj", scaled(ball(), {0, 1, 0}), {"at one place", "solid shape"}));
   all.push_back(refused("all-at-one-place.obj", all_at(ball(), {1, 2, 3}), {"at one place", "solid shape"}));
   all.push_back(refused("all-at-zero.obj", all_at(ball(), {0, 0, 0}), {"at one place", "solid shape"}));
   all.push_back(opens("sliver.obj", with_sliver(), {"1 triangle has no area"}));
