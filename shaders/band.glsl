@@ -20,7 +20,10 @@ vec4 band(vec3 world) {
     outline = max(outline, ring(d, u_band_reach.x, pixel, 0.9 * u_scale));
     casing = max(casing, ring(d, u_band_reach.x, pixel, 2.0 * u_scale));
   }
-  if (u_band_reach.y > 0.0) outline = max(outline, 0.85 * ring(d, u_band_reach.y, pixel, 0.5 * u_scale));
+  if (u_band_reach.y > 0.0) {
+    outline = max(outline, 0.85 * ring(d, u_band_reach.y, pixel, 0.5 * u_scale));
+    casing = max(casing, 0.7 * ring(d, u_band_reach.y, pixel, 1.4 * u_scale));
+  }
   // A dark casing keeps the outline readable on a ground of its own colour.
   vec3 colour = mix(u_band_colour.rgb, 0.12 * u_band_colour.rgb, casing * (1.0 - outline));
   float alpha = max(0.36 * inside, max(0.55 * casing, outline));
