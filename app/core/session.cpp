@@ -17,6 +17,13 @@ constexpr std::array<std::string_view, layer_count> layer_keys{
 std::string_view name_of(Layer layer) { return layer_names.at(static_cast<std::size_t>(layer)); }
 std::string_view key_of(Layer layer) { return layer_keys.at(static_cast<std::size_t>(layer)); }
 
+Session::Session() = default;
+Session::Session(const Session& other) = default;
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(const Session& other) = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
 const knit::Step* last_step(const Session& session) {
   if (!session.timeline || session.timeline->position() == 0) return nullptr;
   return &session.timeline->step(session.timeline->position() - 1);

@@ -136,6 +136,14 @@ struct FigureWish {
 };
 
 struct Session {
+  // As the compiler makes them, in session.cpp: each file that makes or copies one would be slow to compile else.
+  Session();
+  Session(const Session& other);
+  Session(Session&& other) noexcept;
+  Session& operator=(const Session& other);
+  Session& operator=(Session&& other) noexcept;
+  ~Session();
+
   std::filesystem::path assets;  // the folder of examples and fonts
   Source source;
   std::shared_ptr<const knit::Mesh> original;  // as read, before welding
