@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets and runs them: tools/fuzz.sh [TARGET|all] [RUNS]. docs/testing.md has more.
 # What it finds worth keeping grows in build/fuzz/corpus; an input that breaks something lies in build/fuzz/found.
+# KNIT_FUZZ_SEED=N makes a run that can be had again; without it each is another.
 # KNIT_FUZZ_PRESET=asan takes the programs of that build instead, which are slower and in CI there already.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -42,7 +43,7 @@ for target in "${targets[@]}"; do
   [ "$target" = pipeline ] && asked=$((runs / 10))
   say "== fuzz_$target: $asked executions"
   "build/$preset/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" "${dictionary[@]}" \
-    -runs="$asked" -max_len="${longest[$target]}" -timeout=10 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \
+    -runs="$asked" -seed="${KNIT_FUZZ_SEED:-0}" -max_len="${longest[$target]}" -timeout=10 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \
     -artifact_prefix="build/fuzz/found/$target-" -print_final_stats=1 -verbosity=0 -print_funcs=0
 done
 say "Nothing found."
