@@ -211,6 +211,16 @@ TEST_CASE("what is wrong with a session file is one sentence, and the session st
     CHECK(contains(error, c.says));
     CHECK(contains(error, "changed.json"));
   }
+  {
+    // Found by fuzzing: a name may hold anything, and the sentence about it is one line all the same.
+    Json json = Json::parse(good);
+    json["parameters"]["two\nlines\x1b[31m" + std::string(200, 'x')] = 1;
+    const std::string error = error_of(folder, json.dump(), session);
+    CAPTURE(error);
+    CHECK(is_one_sentence(error));
+    CHECK(contains(error, "\"parameters.two?lines?[31mxxx"));
+    CHECK(error.find('\x1b') == std::string::npos);
+  }
   const Json whole = Json::parse(good);
   for (const auto& [key, value] : whole.items()) {
     CAPTURE(key);
