@@ -166,7 +166,9 @@ struct Apply {
   void operator()(const ToLast& /*a*/) {
     if (!open()) return;
     remember_place(session);
-    counted([&] { return extend_now(std::numeric_limits<std::size_t>::max()); });
+    // In a window the rest follows with the clock's ticks.
+    const std::size_t most = std::numeric_limits<std::size_t>::max();
+    counted([&] { return extend_now(session.beside ? steps_of_slice(timeline()) : most); });
     if (timeline().complete()) return timeline().seek(timeline().known());
     timeline().await({knit::Stage::done, 0, 0});
   }

@@ -69,7 +69,11 @@ std::size_t steps_of_slice(const knit::Timeline& timeline) {
   const bool dear = parameters.rows == knit::RowSource::rings &&
                     parameters.metric == knit::Metric::geodesic &&
                     timeline.furthest().stage() <= knit::Stage::rows;
-  return dear ? dear_steps : steps_per_tick;
+  if (dear) return dear_steps;
+  // On a very large mesh the keyframes on the way are dear: the times of its vertices so far, in blocks.
+  constexpr std::size_t many_vertices = 500000;
+  const std::size_t vertices = timeline.input().mesh.positions.size();
+  return vertices > many_vertices ? steps_per_tick * many_vertices / vertices : steps_per_tick;
 }
 
 std::shared_ptr<const knit::Closeness> closeness_now(const Session& session) {
