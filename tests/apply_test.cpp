@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include "app/core/action.h"
-#include "app/core/export.h"
 #include "knit/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -488,40 +487,4 @@ TEST_CASE("the sentence always says something, and at a stop why") {
   apply(torus, StepBy{Unit::item, -1});
   CHECK(stop_shown(torus) == nullptr);
   CHECK_FALSE(contains(sentence(torus), "splits"));
-}
-
-TEST_CASE("closing the mesh puts away all that belongs to it, and another can be opened") {
-  Session session = example_session("sphere");
-  apply(session, ToLast{});
-  apply(session, PinRun{});
-  apply(session, Select{knit::VertexThing{3}});
-  apply(session, SetPredicting{true});
-  const Preferences preferences = session.preferences;
-  apply(session, CloseMesh{});
-  CHECK_FALSE(session.timeline);
-  CHECK_FALSE(session.original);
-  CHECK_FALSE(session.pinned);
-  CHECK_FALSE(session.travel.selected);
-  CHECK_FALSE(session.prediction);
-  CHECK(session.source.example.empty());
-  CHECK(session.notices.empty());
-  CHECK(session.preferences.recent == preferences.recent);  // so that it is one click away
-  REQUIRE(!session.preferences.recent.empty());
-  // With nothing open these do nothing, and exports say so.
-  for (const Action& action : Actions{CloseMesh{}, ToLast{}, PassTime{0.1}, Undo{}, GoBack{}, FrameAll{}})
-    apply(session, action);
-  const auto refused = export_to_file(session, ExportKind::mesh, "knit.obj");
-  REQUIRE(refused);
-  CHECK(refused->find("nothing is open") != std::string::npos);
-  apply(session, OpenExample{"sphere"});
-  CHECK(session.timeline);
-}
-
-TEST_CASE("closing the mesh leaves a lesson too") {
-  Session session = example_session("sphere");
-  apply(session, StartLesson{"what-it-does"});
-  REQUIRE(session.lesson);
-  apply(session, CloseMesh{});
-  CHECK_FALSE(session.lesson);
-  CHECK_FALSE(session.timeline);
 }

@@ -317,30 +317,6 @@ TEST_CASE("welding by the command line opens the welded mesh") {
   CHECK(session.timeline->input().mesh.positions.size() < session.original->positions.size());
 }
 
-TEST_CASE("with --empty nothing is opened, and nothing can be asked of it") {
-  const CommandLine line = understood({"--empty", "--headless", "--screenshot", "start.png"});
-  Session session;
-  session.assets = KNIT_ASSETS_DIR;
-  CHECK_FALSE(open_as_asked(session, line));
-  CHECK_FALSE(session.timeline);
-  for (const Words& more : std::vector<Words>{{"mesh.obj"},
-                                              {"--example", "sphere"},
-                                              {"--epsilon", "0.1"},
-                                              {"--preset", "thesis"},
-                                              {"--at", "3"},
-                                              {"--why", "vertex:3"},
-                                              {"--lesson", "what-it-does"},
-                                              {"--save-mesh", "knit.obj"}}) {
-    CAPTURE(more);
-    Words words{"--empty"};
-    words.insert(words.end(), more.begin(), more.end());
-    const Answer answer = answered(words);
-    CHECK(answer.exit_code == exit_usage);
-    CHECK(contains(answer.error, "--empty opens nothing"));
-    CHECK(is_one_sentence(answer.error));
-  }
-}
-
 TEST_CASE("what cannot be opened as asked is one sentence") {
   const test_support::Folder folder;
   test_support::write_text(folder.path() / "text.obj", "this is no mesh\n");
