@@ -143,8 +143,9 @@ std::optional<BandMissed> take_before_end(Walk& walk, const Ring& ring, const In
                                           const Parameters& parameters) {
   auto last = static_cast<std::int32_t>(ring.vertices.size()) - 1;
   while (last > walk.anchor && position(ring, last) == position(ring, 0)) --last;  // copies of the first
-  const double gap = walk.anchor == 0 ? 0.0 : measured(walk, ring, input, parameters, 0);
-  const double near = last == walk.anchor ? 0.0 : measured(walk, ring, input, parameters, last);
+  Walk looking = walk;  // what is measured on the way must not stay behind when nothing is taken
+  const double gap = walk.anchor == 0 ? 0.0 : measured(looking, ring, input, parameters, 0);
+  const double near = last == walk.anchor ? 0.0 : measured(looking, ring, input, parameters, last);
   if (near == 0.0 || gap <= band_of(parameters).high) return std::nullopt;
   if (std::abs(near - parameters.stitch_width) > gap - parameters.stitch_width) return std::nullopt;
   const BandMissed missed{vertex(ring, walk.anchor),

@@ -1,6 +1,7 @@
 // Algorithm 2 with other rulers: the same walk, measured along the ring or along the surface.
 #include <map>
 
+#include "knit/machine.h"
 #include "knit/measures.h"
 #include "knit/rows.h"
 #include "tests/support/catch.h"
@@ -117,5 +118,30 @@ TEST_CASE("a stall far from the ring's end is measured however far it is") {
   REQUIRE(timeline.stop() != nullptr);
   for (const Step& step : timeline.steps()) {
     if (const auto* measured = std::get_if<CandidateMeasured>(&step.what)) CHECK(measured->distance < 10.0);
+  }
+}
+
+// Found by fuzzing: the way on from the ring's last vertex was measured into the state before the row was refused.
+TEST_CASE("a row that is refused at its end leaves the state as it was, by every metric") {
+  const std::vector<ProfilePoint> profile{{0.0, 0.0}, {0.9, 0.5}, {1.0, 1.0}, {0.9, 1.5}, {0.0, 2.0}};
+  const auto input = make_input(revolve("drum", profile, 6, false));
+  Parameters parameters;
+  parameters.resample = Resample::off;
+  parameters.on_stall = OnStall::continue_;
+  parameters.cast_on = 13;
+  parameters.stitch_width = 1.0;
+  parameters.epsilon = 0.3;
+  for (const Metric metric : {Metric::euclidean, Metric::arc, Metric::geodesic}) {
+    parameters.metric = metric;
+    State state;
+    State before;
+    std::optional<Step> last;
+    while (!state.finished() && !(last && is_stop(*last))) {
+      before = state;
+      last = advance(*input, parameters, state);
+    }
+    REQUIRE(is_stop(*last));
+    CHECK(std::get<Stopped>(last->what).reason == StopReason::changes_too_much);
+    CHECK(state == before);
   }
 }
