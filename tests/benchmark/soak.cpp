@@ -17,6 +17,7 @@
 #include "app/core/rescue.h"
 #include "app/core/sweep_work.h"
 #include "app/render/headless_gl.h"
+#include "app/window/animation.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/desk.h"
@@ -80,6 +81,7 @@ class Person {
       look_around();
       play();
       export_all();
+      film();
       compare();
     }
     open_files();
@@ -97,6 +99,10 @@ class Person {
       desk_.frame();
     }
     keeper_.pass(desk_.session, frame_s);
+    if (drawer_) {
+      app::save_figures_wanted(desk_.session);
+      app::tend_animation(desk_.session, animation_);
+    }
     desk_.session.screenshots_wanted.clear();
     desk_.session.pages_wanted.clear();
     desk_.session.clipboard_wanted.reset();
@@ -184,6 +190,19 @@ class Person {
     act(app::OpenSession{workshop_.path / "a.json"});
     finish();
   }
+  // A picture, a film, and one given up half-way.
+  void film() {
+    if (!drawer_) return;
+    act(app::SavePicture{workshop_.path / "picture.png", 320, 240, true});
+    const app::SaveAnimation film{
+        workshop_.path / "film.gif", {0, desk_.session.timeline->known()}, 6, 10.0, 160, 120};
+    act(film);
+    frame();
+    act(app::CancelAnimation{});
+    frame();
+    act(film);
+    while (desk_.session.animation) frame();
+  }
   void compare() {
     act(app::PinRun{});
     knit::Parameters other = desk_.session.timeline->parameters();
@@ -220,6 +239,7 @@ class Person {
   app::RescueKeeper keeper_;
   std::optional<app::HeadlessGl> gl_;
   std::unique_ptr<app::FrameDrawer> drawer_;
+  std::unique_ptr<app::AnimationMaker> animation_;  // gone before what it draws with
   std::mt19937_64 random_;
 };
 
