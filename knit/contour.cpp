@@ -192,6 +192,8 @@ std::vector<Cut> cut_surface(const Input& input, const std::vector<double>& fiel
                              std::span<const double> values, std::span<const double> times,
                              const RowFrame& frame) {
   const auto segments = cut_triangles(input, field, values);
+  // Shorter ones are points, but for rounding.
+  const double least_length = 1e-9 * input.bounds.diagonal();
   std::vector<Cut> cuts;
   std::optional<glm::dvec3> below;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -199,7 +201,10 @@ std::vector<Cut> cut_surface(const Input& input, const std::vector<double>& fiel
     std::vector<Ring> rings;
     for (const std::vector<Edge>& loop : link(segments[i])) {
       std::vector<glm::dvec3> points = points_on(input, field, values[i], loop);
-      if (points.size() >= 3) rings.push_back(ring_from(std::move(points), frame, below));
+      // Two points are a tube pressed flat, there and back; one is a pinch.
+      if (points.size() < 2) continue;
+      Ring ring = ring_from(std::move(points), frame, below);
+      if (ring.length > least_length) rings.push_back(std::move(ring));
     }
     std::stable_sort(rings.begin(), rings.end(),
                      [](const Ring& a, const Ring& b) { return a.length > b.length; });

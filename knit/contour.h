@@ -14,7 +14,7 @@
 
 namespace knit {
 
-// One entry a value (they must rise strictly): its loops, longest first. Loops run in the frame's working
+// One entry a value (they must rise strictly): its loops, longest first; none where the surface is pinched to a point. Loops run in the frame's working
 // order; the first point is where the loop crosses the half-plane from its centre towards frame.right (of
 // several crossings the one nearest to the start of the cut below). `times` names the cuts.
 std::vector<Cut> cut_surface(const Input& input, const std::vector<double>& field,

@@ -48,6 +48,9 @@ Happening close_loop(const State& state, ContourWork& work) {
     return Stopped{StopReason::splits, split->cause,  work.cut,    split->loops,
                    state.next.row,     split->vertex, split->time, cut.time};
   }
+  // Where the surface is pinched to a point there is nothing to go round.
+  if (cut.loops.empty())
+    return Stopped{StopReason::not_a_ring, {}, work.cut, cut.edges, 0, no_vertex, 0.0, cut.time};
   work.phase = ContourPhase::measure;
   return LoopClosed{static_cast<std::int32_t>(ring_at_hand(work).points.size())};
 }

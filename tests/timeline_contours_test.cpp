@@ -1,6 +1,8 @@
 // The rewind contract for rows from contours and for times solved for on the surface.
+#include "knit/check.h"
 #include "knit/gauge.h"
 #include "knit/heights.h"
+#include "knit/narrate.h"
 #include "tests/support/scrub.h"
 
 using namespace knit;
@@ -186,4 +188,52 @@ TEST_CASE("an edited run from contours is the unedited one again when the edit i
   run.timeline.extend_to_end();
   CHECK(run.timeline.steps() == run.plain.steps());
   CHECK(run.timeline.furthest() == run.plain.furthest());
+}
+
+// Found by fuzzing. Six vertices of three edges each stand on the axis, one above the other.
+TEST_CASE("contours: where the surface is pinched to a needle the run stops and says so") {
+  const std::vector<ProfilePoint> profile{{0.0, 0.0}, {1.0, 0.3}, {0.5, 1.0},
+                                          {0.5, 2.0}, {1.0, 2.7}, {0.0, 3.0}};
+  Mesh mesh = revolve("needle", profile, 6, false);
+  double higher = 0.0;
+  for (glm::dvec3& p : mesh.positions) {
+    if (p.y < 0.9 || p.y > 2.1) continue;
+    p = {0.0, p.y + higher, 0.0};
+    higher += 0.01;
+  }
+  REQUIRE(check(mesh).fit());
+  Parameters parameters;
+  parameters.rows = RowSource::contours;
+  parameters.timing = TimingKind::linear;
+  parameters.stitch_width = 0.2;
+  for (const double height : {0.5, 0.2, 0.1, 0.05}) {
+    CAPTURE(height);
+    parameters.stitch_height = height;
+    Timeline timeline(make_input(mesh), parameters);
+    timeline.extend_to_end();
+    REQUIRE(timeline.stop() != nullptr);
+    CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::not_a_ring);
+    CHECK(narrate(*timeline.stop(), parameters).find("pinched to a point") != std::string::npos);
+  }
+}
+
+TEST_CASE("contours: a tube pressed flat is knitted there and back") {
+  Mesh mesh;
+  mesh.name = "pressed";
+  mesh.positions = {
+      {-0.25, 0.25, 0.25}, {0.25, -0.25, 0.25}, {0.25, 0.0, -0.25}, {0.0, 0.0, 0.25}, {0.25, 0.0, 0.25}};
+  mesh.triangles = {{2, 1, 0}, {0, 2, 3}, {0, 3, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 1}};
+  REQUIRE(check(mesh).fit());
+  Parameters parameters;
+  parameters.rows = RowSource::contours;
+  parameters.timing = TimingKind::arc_length;
+  parameters.start = 2;
+  parameters.stitch_width = 0.1;
+  for (const double height : {0.05, 0.03, 0.02}) {
+    parameters.stitch_height = height;
+    Timeline timeline(make_input(mesh), parameters);
+    timeline.extend_to_end();
+    CAPTURE(height);
+    CHECK(timeline.furthest().finished());
+  }
 }
