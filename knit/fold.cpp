@@ -30,7 +30,7 @@ std::int32_t words_in(const Run& run) { return run.marker ? 2 : 1; }
 struct Spot {
   std::size_t run = 0;
   std::int32_t taken = 0;
-  friend auto operator<=>(const Spot&, const Spot&) = default;
+  friend bool operator==(const Spot&, const Spot&) = default;
 };
 
 // What is written from one spot to the next: the rest of a run (times 0), or `lead` knit stitches of it and a
@@ -60,11 +60,14 @@ class Folder {
   }
 
   std::vector<Phrase> phrases() {
-    found_.emplace(Spot{}, Found{});
-    // Moves lead onwards only, so that a spot is settled when its turn comes.
-    for (auto at = found_.begin(); at != found_.end() && at->first.run < runs_.size(); ++at) {
-      cost_here_ = at->second.cost;
-      move_from(at->first);
+    found_.resize(runs_.size() + 1);
+    found_.front().emplace(0, Found{});
+    // Moves lead to later runs only, so that a spot is settled when its turn comes.
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+      for (const auto& [taken, found] : found_[run]) {
+        cost_here_ = found.cost;
+        move_from({run, taken});
+      }
     }
     return written_up_to({runs_.size(), 0});
   }
@@ -162,7 +165,7 @@ class Folder {
       ++cost.repeats;
       cost.starts += worked_[move.from.run] + move.from.taken + move.lead;
     }
-    const auto [at, is_new] = found_.try_emplace(to, Found{cost, move});
+    const auto [at, is_new] = found_[to.run].try_emplace(to.taken, Found{cost, move});
     if (!is_new && cost < at->second.cost) at->second = {cost, move};
   }
 
@@ -185,7 +188,7 @@ class Folder {
   [[nodiscard]] std::vector<Phrase> written_up_to(Spot spot) const {
     std::vector<Phrase> backwards;
     while (spot != Spot{}) {
-      const Move& move = found_.at(spot).move;
+      const Move& move = found_[spot.run].at(spot.taken).move;
       if (move.times > 0) {
         backwards.emplace_back(Repeat{block_of(move), static_cast<std::int32_t>(move.times)});
         if (move.lead > 0) backwards.emplace_back(Run{Hand::knit, move.lead});
@@ -202,9 +205,9 @@ class Folder {
 
   std::vector<Run> runs_;
   bool has_markers_;
-  std::vector<std::int64_t> worked_{0};         // stitches worked before each run
-  std::vector<std::vector<std::size_t>> same_;  // by period, from 1
-  std::map<Spot, Found> found_;
+  std::vector<std::int64_t> worked_{0};               // stitches worked before each run
+  std::vector<std::vector<std::size_t>> same_;        // by period, from 1
+  std::vector<std::map<std::int32_t, Found>> found_;  // by run, by what is taken of it
   Cost cost_here_;
 };
 
