@@ -11,12 +11,17 @@ if(TARGET knit_tests)
     "KNIT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\""
     # Meshes that may lie beside a checkout; a test says so and passes where they do not.
     "KNIT_SHARED_MESHES=\"${CMAKE_SOURCE_DIR}/../shared/meshes\"")
+  # Stands in for a driver that loses its window; loaded before the program, so without sanitizers.
+  add_library(losing_driver MODULE tests/driver/losing_driver.cpp)
+  target_compile_options(losing_driver PRIVATE -fno-sanitize=all)
+  target_link_options(losing_driver PRIVATE -fno-sanitize=all)
+  target_compile_definitions(knit_tests PRIVATE "KNIT_LOSING_DRIVER=\"$<TARGET_FILE:losing_driver>\"")
   # Compiling the tests costs more than running them: Catch2's header once, and no optimiser.
   target_precompile_headers(knit_tests PRIVATE tests/support/catch.h)
   if(NOT KNIT_SANITIZE)
     target_compile_options(knit_tests PRIVATE -O0 -g1)
   endif()
-  add_dependencies(knit_tests assets knit-mesh)
+  add_dependencies(knit_tests assets knit-mesh losing_driver)
   include(Catch)
   catch_discover_tests(knit_tests EXTRA_ARGS ${KNIT_CATCH2_ARGUMENTS} PROPERTIES TIMEOUT 300)
 endif()

@@ -52,11 +52,12 @@ bool can_run() {
   return true;
 }
 
-// `start ARGUMENTS...` opens the window and waits until it has the keyboard. `at_once COMMANDS...` lets xdotool
+// `start ARGUMENTS...` opens the window and waits until it has the keyboard, as await_window does. `at_once COMMANDS...` lets xdotool
 // do all of it while the program sleeps, as if one frame had taken that long. `close` ends it by Ctrl+Q.
 const char* const script_head = R"sh(
 set -euo pipefail
 program=$1
+losing_driver=$3
 cd "$2"
 # The server itself takes a free display, so that several tests may run at once; without -noreset it would be away
 # for a moment whenever its last window closes.
@@ -77,6 +78,9 @@ fail() {
 start() {
   "$program" --size 1200x760 "$@" 2>errors &
   pid=$!
+  await_window
+}
+await_window() {
   window=
   for _ in $(seq 150); do
     kill -0 $pid 2>/dev/null || fail "the program ended early: $(cat errors)"
@@ -116,7 +120,7 @@ std::string run_on_screen(const Folder& folder, const std::string& script) {
   test_support::write_text(folder.path() / "script", script_head + script);
   const std::string in = folder.path().string();
   const std::string command = "timeout -k 5 100 bash '" + in + "/script' '" + KNIT_MESH_BINARY + "' '" + in +
-                              "' >'" + in + "/log' 2>&1";
+                              "' '" + KNIT_LOSING_DRIVER + "' >'" + in + "/log' 2>&1";
   if (std::system(command.c_str()) == 0) return "";
   const std::string log = read_text(folder.path() / "log");
   return log.empty() ? "the virtual screen did not work" : log;
@@ -283,6 +287,60 @@ close
   REQUIRE(trouble == "");
   CHECK(steps_in(folder, "beside.json") == 0);
   CHECK(steps_in(folder, "rescued.json") > 0);
+}
+
+TEST_CASE("a window that the graphics driver loses is opened anew and nothing else is lost") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string trouble = run_on_screen(folder, R"sh(
+export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
+LD_PRELOAD=$losing_driver start --save-report after.json --screenshot after.png
+xdotool key shift+Right
+for _ in $(seq 200); do
+  ! ls state/knit-mesh/*.json >/dev/null 2>&1 || break
+  sleep 0.1
+done
+touch lose-once
+for _ in $(seq 300); do
+  [ "$(wc -l <windows)" != 2 ] || break
+  sleep 0.1
+done
+[ "$(wc -l <windows)" = 2 ] || fail "no second window came: $(cat errors)"
+await_window
+xdotool key Right
+close
+)sh");
+  REQUIRE(trouble == "");
+  Session session = test_support::example_session("thesis-sphere");
+  for (const Action& action : Actions{StepBy{Unit::row, 1}, StepBy{}}) apply(session, action);
+  CHECK(steps_in(folder, "after.json") == session.timeline->position());
+  const Picture picture = read_picture(folder, "after.png");
+  CHECK(picture.width == width);
+  CHECK(count_in_view(picture, [](const Colour& pixel) { return !(pixel == dark_theme.background); }) >
+        20000);
+}
+
+TEST_CASE("a graphics driver that loses every window ends the program with a sentence and the session kept") {
+  if (!can_run()) return;
+  const Folder folder;
+  const std::string trouble = run_on_screen(folder, R"sh(
+export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
+LD_PRELOAD=$losing_driver start
+xdotool key shift+Right
+for _ in $(seq 200); do
+  ! ls state/knit-mesh/*.json >/dev/null 2>&1 || break
+  sleep 0.1
+done
+touch lose-always
+code=0
+wait $pid || code=$?
+[ $code = 2 ] || fail "exit code $code: $(cat errors)"
+[ "$(wc -l <windows)" = 3 ] || fail "not three windows were tried"
+[ "$(wc -l <errors)" = 1 ] || fail "not one line: $(cat errors)"
+grep -q 'three times.*The session is kept.*--headless' errors || fail "it says: $(cat errors)"
+ls state/knit-mesh/*.json >/dev/null || fail "the session is not kept"
+)sh");
+  REQUIRE(trouble == "");
 }
 
 TEST_CASE("the real window remembers theme and panels, but not what the command line said for one start") {

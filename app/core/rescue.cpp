@@ -126,14 +126,19 @@ RescueKeeper::RescueKeeper(const Session& session, std::optional<fs::path> folde
 
 void RescueKeeper::pass(const Session& session, double seconds) {
   waited_ += seconds;
-  if (!file_ || waited_ < seconds_between) return;
+  if (waited_ >= seconds_between) keep(session);
+}
+
+bool RescueKeeper::keep(const Session& session) {
   waited_ = 0.0;
+  if (!file_) return false;
   std::string text = session_text(session, *file_).text;
-  if (text.empty() || text == known_) return;
+  if (text.empty() || text == known_) return written_;
   std::error_code ignored;
   fs::create_directories(file_->parent_path(), ignored);
-  write_file(*file_, text);  // where it cannot be, there is no rescue
+  written_ = !write_file(*file_, text);  // where it cannot be, there is no rescue
   known_ = std::move(text);
+  return written_;
 }
 
 void RescueKeeper::end() {

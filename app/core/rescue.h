@@ -39,6 +39,8 @@ class RescueKeeper {
 
   // Time has passed; writes when it is due and something worth keeping has changed.
   void pass(const Session& session, double seconds);
+  // Writes now. Whether something worth keeping lies aside.
+  bool keep(const Session& session);
   // A clean end: nothing is left behind.
   void end();
 
@@ -46,6 +48,7 @@ class RescueKeeper {
   std::optional<std::filesystem::path> file_;
   std::string known_;  // what the file says, or what the session was at first
   double waited_ = 0.0;
+  bool written_ = false;
 };
 
 }  // namespace app

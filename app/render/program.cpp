@@ -44,7 +44,10 @@ std::string log_of(GLuint id, GetNumber get_number, GetLog get_log) {
   GLsizei written = 0;
   get_log(id, length, &written, log.data());
   log.resize(static_cast<std::size_t>(written));
-  return log;
+  while (!log.empty() && log.back() == '\n') log.pop_back();
+  std::string line;  // drivers write several, and a sentence is one
+  for (const char c : log) line += c == '\n' ? std::string("; ") : std::string(1, c);
+  return line;
 }
 
 GlShader compile(GLenum kind, const Program::Pieces& pieces) {
@@ -59,8 +62,9 @@ GlShader compile(GLenum kind, const Program::Pieces& pieces) {
   GLint good = GL_FALSE;
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &good);
   if (good == GL_FALSE) {
-    throw GlError("The graphics driver rejects the shader " + pieces.back() + ":\n" +
-                  log_of(shader.id(), glGetShaderiv, glGetShaderInfoLog));
+    throw GlError("The graphics driver rejects the shader " + pieces.back() + ": " +
+                  log_of(shader.id(), glGetShaderiv, glGetShaderInfoLog) +
+                  ". Update the graphics driver, or mend the shader.");
   }
   return shader;
 }
@@ -82,8 +86,9 @@ void Program::build() {
   GLint good = GL_FALSE;
   glGetProgramiv(program.id(), GL_LINK_STATUS, &good);
   if (good == GL_FALSE) {
-    throw GlError("The graphics driver cannot link " + vertex_.back() + " and " + fragment_.back() + ":\n" +
-                  log_of(program.id(), glGetProgramiv, glGetProgramInfoLog));
+    throw GlError("The graphics driver cannot link " + vertex_.back() + " and " + fragment_.back() + ": " +
+                  log_of(program.id(), glGetProgramiv, glGetProgramInfoLog) +
+                  ". Update the graphics driver, or mend the shaders.");
   }
   glDetachShader(program.id(), vertex.id());
   glDetachShader(program.id(), fragment.id());

@@ -1,167 +1,26 @@
-#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include "app/core/asked_at_start.h"
 #include "app/core/export.h"
 #include "app/core/figure_words.h"
 #include "app/core/opening.h"
-#include "app/core/pattern_file.h"
 #include "app/core/preferences_file.h"
 #include "app/core/queries.h"
 #include "app/core/rescue.h"
-#include "app/core/session_file.h"
-#include "app/core/sweep_work.h"
 #include "app/core/terminal.h"
 #include "app/render/memory.h"
 #include "app/window/animation.h"
-#include "app/window/frame.h"
 #include "app/window/run.h"
-#include "app/window/window.h"
+#include "app/window/turn.h"
 
 namespace app {
 
 namespace {
-
-// Popups and notices find their size in a few frames; after these nothing changes until something happens.
-constexpr int frames_after_event = 3;
-constexpr double slow_frame_seconds = 0.04;
-
-struct Pace {
-  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-  double frame_seconds = 1.0 / 60.0;  // what a frame costs, smoothed
-  int frames_due = frames_after_event;
-
-  double tick() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last).count();
-    last = now;
-    return seconds;
-  }
-};
-
-FrameShape shape_of(const Window& window, double seconds, int samples) {
-  const Window::Size size = window.size();
-  const Window::Size pixels = window.framebuffer_size();
-  return {static_cast<float>(size.width),
-          static_cast<float>(size.height),
-          pixels.width,
-          pixels.height,
-          window.unit_scale(),
-          window.pixel_scale(),
-          static_cast<float>(seconds),
-          samples};
-}
-
-// Threads of their own are at it: a sweep, the pinned run's end.
-bool working_beside(const Session& session) {
-  return pin_is_pending(session) || (session.sweep && session.sweep->work->running());
-}
-
-bool working(const Session& session) {
-  if (session.opening) return true;
-  return session.timeline && (session.animation || working_beside(session) || session.playback.playing ||
-                              !session.timeline->complete() || session.measuring);
-}
-
-// Only a worker is at it: looking now and then is enough.
-bool only_waiting(const Session& session) {
-  if (!session.timeline) return session.opening != nullptr;
-  return !session.playback.playing && !session.animation &&
-         (session.long_step.has_value() ||
-          (session.timeline->complete() &&
-           (session.opening || session.measuring || working_beside(session))));
-}
-
-void save_pictures_wanted(Session& session, const Target& target) {
-  for (const std::filesystem::path& path : session.screenshots_wanted) {
-    const auto error = save_png(path.string(), target.read());
-    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
-  }
-  session.screenshots_wanted.clear();
-}
-
-void save_pages_wanted(Session& session, FrameDrawer& drawer) {
-  for (const std::filesystem::path& path : std::exchange(session.pages_wanted, {})) {
-    const auto missing = pattern_missing(session);
-    const auto error =
-        missing ? missing
-                : export_pattern(session, path, png_bytes(drawer.finished(session, page_picture_px)));
-    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
-  }
-}
-
-void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
-  save_pictures_wanted(session, drawer.target());
-  save_pages_wanted(session, drawer);
-  save_figures_wanted(session);
-}
-
-// One turn: collect, let time pass, draw, and do what was wished. Gives the seconds since the one before.
-double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
-  const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
-  if (idle) {
-    window.wait(0.5);
-  } else if (pace.frames_due == 0 && window.input().empty() && only_waiting(session)) {
-    window.wait(0.05);
-  } else {
-    window.poll();
-  }
-  const double seconds = pace.tick();
-  // When the work ends, its last state is still to be drawn.
-  if (window.take_refresh() || !window.input().empty() || working(session)) {
-    pace.frames_due = frames_after_event;
-  }
-  for (const std::string& path : window.take_dropped()) app::apply(session, opening_of(path));
-  apply(session, PassTime{idle ? 0.0 : seconds});
-  const Window::Size pixels = window.framebuffer_size();
-  if (window.minimised() || pixels.width == 0 || pixels.height == 0) {
-    window.wait(0.1);
-    return seconds;
-  }
-  const bool drawing = pace.frames_due > 0 || working(session) || drawer.busy();
-  if (!drawing) return seconds;
-
-  // A slow machine gets jagged edges while things move, smooth ones when they rest.
-  const bool moving = pace.frames_due > 1 || working(session);
-  const int samples = moving && pace.frame_seconds > slow_frame_seconds ? 1 : 4;
-  const auto start = std::chrono::steady_clock::now();
-  const Actions wishes =
-      drawer.draw(session, shape_of(window, seconds, samples), window.input().take_frame());
-  window.set_cursor(drawer.glue().wanted_cursor());
-  drawer.target().present(pixels.width, pixels.height);
-  if (samples > 1) {
-    const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    pace.frame_seconds += 0.3 * (cost - pace.frame_seconds);
-  }
-  window.swap();
-  save_what_is_wanted(session, drawer);
-  for (const Action& wish : wishes) apply(session, wish);
-  if (const auto text = std::exchange(session.clipboard_wanted, std::nullopt)) window.set_clipboard(*text);
-  pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
-  return seconds;
-}
-
-// A large mesh named on the command line is read while the window is there already.
-class AskedOpening {
- public:
-  explicit AskedOpening(const Session& session) : opening_(session.opening) {}
-  // After each turn: once it is open, the command line's settings are made.
-  void tend(Session& session, const CommandLine& line) {
-    if (!opening_ || session.opening == opening_) return;
-    const bool opened = !opening_->progress->stopped() && session.timeline;
-    opening_.reset();
-    if (!opened) return;
-    if (auto error = set_as_asked(session, line))
-      session.notices.push_back({Notice::Kind::error, std::move(*error)});
-  }
-
- private:
-  std::shared_ptr<const Opening> opening_;
-};
 
 // What is asked on the command line is answered there, and shown.
 void answer_in_window(Session& session, const CommandLine& line) {
@@ -203,50 +62,123 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
   return code;
 }
 
+// The command line's questions about the run that is open now.
+void ask(Session& session, const CommandLine& line) {
+  if (!session.timeline) return;
+  const bool beside = std::exchange(session.beside, false);  // the answers are wanted now
+  if (line.at) {
+    if (const auto nearest = go_to(session, *line.at))
+      session.notices.push_back({Notice::Kind::warning, *nearest});
+  }
+  answer_in_window(session, line);
+  session.beside = beside;
+  if (!line.sweep.empty()) sweep_answer(session, line.sweep);
+}
+
+// What goes on when a window is lost and another takes its place.
+struct Kept {
+  PreferencesKeeper preferences;
+  RescueKeeper rescue;
+  AskedAtStart asked;
+};
+
+Kept begin(Session& session, const CommandLine& line, const Window& window, FrameDrawer& drawer) {
+  session.beside = true;
+  ask(session, line);
+  const auto folder = rescue_folder();
+  if (folder) session.rescued = find_rescued(*folder);
+  PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
+  drawer.draw(session, shape_of(window, 0.0, 1), {});
+  if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
+  return {std::move(preferences), RescueKeeper(session, folder), AskedAtStart(session)};
+}
+
+enum class Ended { by_wish, lost };
+
+Ended show(Session& session, const CommandLine& line, Window& window, FrameDrawer& drawer, Kept& kept) {
+  Pace pace;
+  std::unique_ptr<AnimationMaker> animation;
+  while (!session.quit && !window.close_requested()) {
+    const double seconds = turn(session, window, drawer, pace);
+    if (kept.asked.tend(session, line)) ask(session, line);
+    kept.rescue.pass(session, seconds);
+    kept.preferences.pass(session, seconds);
+    tend_animation(session, animation);
+    if (window.lost()) return Ended::lost;
+  }
+  cancel_opening(session);
+  kept.rescue.end();
+  kept.preferences.end(session);
+  return Ended::by_wish;
+}
+
+// How often the driver may lose a window before it is left alone.
+class Losses {
+ public:
+  bool one_too_many() {
+    const auto now = std::chrono::steady_clock::now();
+    while (!times_.empty() && now - times_.front() > std::chrono::minutes(1)) times_.erase(times_.begin());
+    times_.push_back(now);
+    return times_.size() > 2;
+  }
+
+ private:
+  std::vector<std::chrono::steady_clock::time_point> times_;
+};
+
+constexpr const char* instead = " Run with --headless to work without a window.";
+
+int give_up(const std::string& why, const char* way_on, const Session& session, Kept* kept) {
+  const bool safe = kept != nullptr && kept->rescue.keep(session);
+  std::fprintf(stderr, "knit-mesh: %s%s%s\n", why.c_str(),
+               safe ? " The session is kept; the next start offers it." : "", way_on);
+  return exit_usage;
+}
+
+// As Window::open takes it.
+Window::Size plain_size(const Window& window) {
+  const auto plain = [&](int units) {
+    return static_cast<int>(std::lround(static_cast<float>(units) / window.unit_scale()));
+  };
+  return {plain(window.size().width), plain(window.size().height)};
+}
+
+void tell_loss(Session& session) {
+  if (session.animation)
+    session.notices.push_back({Notice::Kind::warning, "The animation was given up. Save it again."});
+  session.animation.reset();
+  session.notices.push_back(
+      {Notice::Kind::warning,
+       "The graphics driver lost the window, so it was opened anew. Nothing else is lost."});
+}
+
 }  // namespace
 
 int run_window(Session& session, const CommandLine& line) {
   keep_freed_memory();
-  auto opened = Window::open("knit-mesh", line.width, line.height);
-  if (const auto* error = std::get_if<std::string>(&opened)) {
-    std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
-    return exit_usage;
-  }
-  Window& window = std::get<Window>(opened);
-  try {
-    FrameDrawer drawer(session.assets);
-    drawer.set_clipboard(
-        {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
-    if (line.at && session.timeline) {
-      if (const auto nearest = go_to(session, *line.at))
-        session.notices.push_back({Notice::Kind::warning, *nearest});
+  Window::Size size{line.width, line.height};
+  std::unique_ptr<Kept> kept;
+  for (Losses losses;;) {
+    auto opened = Window::open("knit-mesh", size.width, size.height);
+    if (const auto* error = std::get_if<std::string>(&opened))
+      return give_up(*error, "", session, kept.get());
+    Window& window = std::get<Window>(opened);
+    try {
+      FrameDrawer drawer(session.assets);
+      drawer.set_clipboard(
+          {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
+      if (!kept) kept = std::make_unique<Kept>(begin(session, line, window, drawer));
+      if (show(session, line, window, drawer, *kept) == Ended::by_wish)
+        return save_at_closing(session, line, drawer);
+    } catch (const GlError& error) {
+      // With a lost window nothing else works either.
+      if (!window.lost()) return give_up(error.what(), instead, session, kept.get());
     }
-    if (session.timeline) answer_in_window(session, line);
-    const auto folder = rescue_folder();
-    if (folder) session.rescued = find_rescued(*folder);
-    session.beside = true;
-    PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
-    if (!line.sweep.empty() && session.timeline) sweep_answer(session, line.sweep);
-    drawer.draw(session, shape_of(window, 0.0, 1), {});
-    if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
-    RescueKeeper keeper(session, folder);
-    Pace pace;
-    std::unique_ptr<AnimationMaker> animation;
-    AskedOpening asked(session);
-    while (!session.quit && !window.close_requested()) {
-      const double seconds = turn(session, window, drawer, pace);
-      asked.tend(session, line);
-      keeper.pass(session, seconds);
-      preferences.pass(session, seconds);
-      tend_animation(session, animation);
-    }
-    cancel_opening(session);
-    keeper.end();
-    preferences.end(session);
-    return save_at_closing(session, line, drawer);
-  } catch (const GlError& error) {
-    std::fprintf(stderr, "knit-mesh: %s Run with --headless to work without a window.\n", error.what());
-    return exit_usage;
+    if (losses.one_too_many())
+      return give_up("The graphics driver lost the window three times within a minute.", instead, session,
+                     kept.get());
+    size = plain_size(window);
+    tell_loss(session);
   }
 }
 

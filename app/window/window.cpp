@@ -13,7 +13,9 @@
 namespace app {
 
 struct Window::Inside {
+  using ResetStatus = GLenum (*)();
   GLFWwindow* window = nullptr;
+  ResetStatus reset_status = nullptr;  // null: this driver does not say
   InputQueue input;
   std::vector<std::string> dropped;
   bool refresh = true;
@@ -46,10 +48,23 @@ void wish_for_context() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS,
+                 GLFW_LOSE_CONTEXT_ON_RESET);  // passed over where there is no such thing
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+}
+
+// Null where the driver cannot say. Mesa gives an address for any name, so the extension is asked for first.
+template <class Function>
+Function reset_status_function() {
+  for (const auto& [extension, name] : {std::pair{"GL_KHR_robustness", "glGetGraphicsResetStatusKHR"},
+                                        std::pair{"GL_ARB_robustness", "glGetGraphicsResetStatusARB"}}) {
+    if (glfwExtensionSupported(extension) == GLFW_TRUE)
+      return reinterpret_cast<Function>(glfwGetProcAddress(name));
+  }
+  return nullptr;
 }
 
 // GLFW 3.3 names no diagonal cursors.
@@ -137,6 +152,7 @@ std::variant<Window, std::string> Window::open(const std::string& title, int wid
   if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
     return "The window's OpenGL is older than 3.3. Update the graphics driver, or run with --headless.";
   }
+  inside->reset_status = reset_status_function<Inside::ResetStatus>();
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(inside->window, inside.get());
   listen_to_hands<Inside>(inside->window);
@@ -154,6 +170,9 @@ void Window::poll() { glfwPollEvents(); }
 void Window::wait(double seconds) { glfwWaitEventsTimeout(std::max(seconds, 0.001)); }
 void Window::wake() { glfwPostEmptyEvent(); }
 void Window::swap() { glfwSwapBuffers(inside_->window); }
+bool Window::lost() const {
+  return inside_->reset_status != nullptr && inside_->reset_status() != GL_NO_ERROR;
+}
 
 InputQueue& Window::input() { return inside_->input; }
 std::vector<std::string> Window::take_dropped() { return std::exchange(inside_->dropped, {}); }

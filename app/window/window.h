@@ -28,6 +28,9 @@ class Window {
   static void wake();
   // Shows what was drawn (see Target::present), in step with the screen.
   void swap();
+  // The driver has lost what was given to it (a reset, a card taken out): nothing drawn is seen any more, and only a
+  // new window helps.
+  bool lost() const;
 
   InputQueue& input();
   // Paths of files dropped on the window since the last call.

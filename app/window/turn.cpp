@@ -1,0 +1,131 @@
+#include "app/window/turn.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/core/export.h"
+#include "app/core/pattern_file.h"
+#include "app/core/session_file.h"
+#include "app/core/sweep_work.h"
+#include "app/window/animation.h"
+
+namespace app {
+
+namespace {
+
+constexpr double slow_frame_seconds = 0.04;
+
+// Threads of their own are at it: a sweep, the pinned run's end.
+bool working_beside(const Session& session) {
+  return pin_is_pending(session) || (session.sweep && session.sweep->work->running());
+}
+
+bool working(const Session& session) {
+  if (session.opening) return true;
+  return session.timeline && (session.animation || working_beside(session) || session.playback.playing ||
+                              !session.timeline->complete() || session.measuring);
+}
+
+// Only a worker is at it: looking now and then is enough.
+bool only_waiting(const Session& session) {
+  if (!session.timeline) return session.opening != nullptr;
+  return !session.playback.playing && !session.animation &&
+         (session.long_step.has_value() ||
+          (session.timeline->complete() &&
+           (session.opening || session.measuring || working_beside(session))));
+}
+
+void save_pictures_wanted(Session& session, const Target& target) {
+  for (const std::filesystem::path& path : session.screenshots_wanted) {
+    const auto error = save_png(path.string(), target.read());
+    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+  }
+  session.screenshots_wanted.clear();
+}
+
+void save_pages_wanted(Session& session, FrameDrawer& drawer) {
+  for (const std::filesystem::path& path : std::exchange(session.pages_wanted, {})) {
+    const auto missing = pattern_missing(session);
+    const auto error =
+        missing ? missing
+                : export_pattern(session, path, png_bytes(drawer.finished(session, page_picture_px)));
+    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+  }
+}
+
+void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
+  save_pictures_wanted(session, drawer.target());
+  save_pages_wanted(session, drawer);
+  save_figures_wanted(session);
+}
+
+}  // namespace
+
+double Pace::tick() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - last).count();
+  last = now;
+  return seconds;
+}
+
+FrameShape shape_of(const Window& window, double seconds, int samples) {
+  const Window::Size size = window.size();
+  const Window::Size pixels = window.framebuffer_size();
+  return {static_cast<float>(size.width),
+          static_cast<float>(size.height),
+          pixels.width,
+          pixels.height,
+          window.unit_scale(),
+          window.pixel_scale(),
+          static_cast<float>(seconds),
+          samples};
+}
+
+double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
+  const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
+  if (idle) {
+    window.wait(0.5);
+  } else if (pace.frames_due == 0 && window.input().empty() && only_waiting(session)) {
+    window.wait(0.05);
+  } else {
+    window.poll();
+  }
+  const double seconds = pace.tick();
+  // When the work ends, its last state is still to be drawn.
+  if (window.take_refresh() || !window.input().empty() || working(session)) {
+    pace.frames_due = frames_after_event;
+  }
+  for (const std::string& path : window.take_dropped()) app::apply(session, opening_of(path));
+  apply(session, PassTime{idle ? 0.0 : seconds});
+  const Window::Size pixels = window.framebuffer_size();
+  if (window.minimised() || pixels.width == 0 || pixels.height == 0) {
+    window.wait(0.1);
+    return seconds;
+  }
+  const bool drawing = pace.frames_due > 0 || working(session) || drawer.busy();
+  if (!drawing) return seconds;
+
+  // A slow machine gets jagged edges while things move, smooth ones when they rest.
+  const bool moving = pace.frames_due > 1 || working(session);
+  const int samples = moving && pace.frame_seconds > slow_frame_seconds ? 1 : 4;
+  const auto start = std::chrono::steady_clock::now();
+  const Actions wishes =
+      drawer.draw(session, shape_of(window, seconds, samples), window.input().take_frame());
+  window.set_cursor(drawer.glue().wanted_cursor());
+  drawer.target().present(pixels.width, pixels.height);
+  if (samples > 1) {
+    const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    pace.frame_seconds += 0.3 * (cost - pace.frame_seconds);
+  }
+  window.swap();
+  save_what_is_wanted(session, drawer);
+  for (const Action& wish : wishes) apply(session, wish);
+  if (const auto text = std::exchange(session.clipboard_wanted, std::nullopt)) window.set_clipboard(*text);
+  pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
+  return seconds;
+}
+
+}  // namespace app

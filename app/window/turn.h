@@ -1,0 +1,27 @@
+// One turn of the window's loop: collect what hands did, let time pass, draw, and do what was wished.
+#pragma once
+
+#include <chrono>
+
+#include "app/window/frame.h"
+#include "app/window/window.h"
+
+namespace app {
+
+// Popups and notices find their size in a few frames; after these nothing changes until something happens.
+inline constexpr int frames_after_event = 3;
+
+struct Pace {
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  double frame_seconds = 1.0 / 60.0;  // what a frame costs, smoothed
+  int frames_due = frames_after_event;
+
+  double tick();  // seconds since the one before
+};
+
+FrameShape shape_of(const Window& window, double seconds, int samples);
+
+// Gives the seconds since the one before. Sleeps while there is nothing to do.
+double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace);
+
+}  // namespace app
