@@ -103,6 +103,7 @@ TEST_CASE("asked at the start: options wait for the worker, and then for mends")
       CHECK_FALSE(asked.tend(start.session, start.line));
       REQUIRE(start.session.mend_offer);
       apply(start.session, MendAndOpen{});
+      wait_for_worker(start, asked);
     }
     CHECK(asked.tend(start.session, start.line));
     CHECK(start.stitch_width() == 0.37);

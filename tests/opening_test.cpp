@@ -162,6 +162,8 @@ TEST_CASE("a large file that is not fit leaves the session as it was, says why, 
   REQUIRE(session.mend_offer);
   CHECK(contains(session.mend_offer->finding, "hole"));
   apply(session, MendAndOpen{});
+  check_untouched(session, egg);
+  tick_to_end_of_opening(session);
   CHECK(session.source.file == files.holed);
   CHECK(session.mended.size() == 1);
 }

@@ -9,8 +9,9 @@ install_packages "${build_packages[@]}" "${test_packages[@]}" gcovr
 need gcovr
 build coverage
 find build/coverage -name '*.gcda' -delete
-# A test that fails has met its lines too; ./test.sh is where it must pass.
-ctest --test-dir build/coverage --parallel "$(nproc 2>/dev/null || echo 2)" "$@" >&2 ||
+# A test that fails has met its lines too; ./test.sh is where it must pass. Where no file may grow, as in one test,
+# the counts would be cut off as well.
+ctest --test-dir build/coverage --parallel "$(nproc 2>/dev/null || echo 2)" --exclude-regex '^faults_test$' "$@" >&2 ||
   say "Some tests failed; the table counts what they met."
 # Headers are compiled into whoever includes them, so that counting them in knit/ alone says nothing.
 gcovr --root "$root" --filter 'knit/.*\.cpp' --txt build/coverage/coverage.txt \

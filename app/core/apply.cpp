@@ -201,25 +201,27 @@ struct Apply {
     remember_knobs(session);
     if (!session.long_step) session.before_change = timeline().parameters();
     if (a.parameters.weld != timeline().parameters().weld) {
-      reload(a.parameters);
+      reload(a);
     } else {
       timeline().tune(a.parameters);
     }
   }
   // Welding changes the mesh itself: the run begins anew on the other mesh, at the same place. Edits are
   // kept.
-  void reload(const knit::Parameters& parameters) {
-    auto result = load_again(session.original, parameters);
-    if (const auto* error = std::get_if<std::string>(&result)) {
+  void reload(const Tune& a) {
+    const knit::Parameters& parameters = a.parameters;
+    const auto result = welded_for(session, a, parameters);
+    if (!result) return;
+    if (const auto* error = std::get_if<std::string>(&*result)) {
       notify(session, Notice::Kind::error, *error);
       return;
     }
-    auto& loaded = std::get<Loaded>(result);
+    const auto& loaded = std::get<Loaded>(*result);
     if (const auto fault = knit::fault_of(parameters, loaded.input->mesh)) {
       notify(session, Notice::Kind::error, *fault);
       return;
     }
-    timeline().change_input(std::move(loaded.input), parameters);
+    timeline().change_input(loaded.input, parameters);
   }
   void operator()(const EditFromHere& a) {
     if (!open() || refuse(a.parameters)) return;

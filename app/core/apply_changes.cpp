@@ -1,36 +1,38 @@
 #include <utility>
 
 #include "app/core/apply_parts.h"
-#include "app/core/load.h"
+#include "app/core/opening.h"
 #include "app/core/parameters_text.h"
 
 namespace app {
 
 namespace {
 
-// Shows exactly these again. A sentence, and nothing done, where the mesh cannot be had that way any more.
-std::optional<std::string> restore(Session& session, const Knobs& knobs) {
+// Shows exactly these again. False, and nothing done, where the mesh must be made for it first or cannot be.
+bool restore(Session& session, const Action& action, const Knobs& knobs) {
   knit::Timeline& timeline = *session.timeline;
   std::shared_ptr<const knit::Input> input;
   if (knobs.base.weld != timeline.base_parameters().weld) {
-    auto loaded = load_again(session.original, knobs.base);
-    if (auto* error = std::get_if<std::string>(&loaded)) return std::move(*error);
-    input = std::get<Loaded>(loaded).input;
+    const auto loaded = welded_for(session, action, knobs.base);
+    if (!loaded) return false;
+    if (const auto* error = std::get_if<std::string>(&*loaded)) {
+      session.notices.push_back({Notice::Kind::error, *error});
+      return false;
+    }
+    input = std::get<Loaded>(*loaded).input;
   }
   if (!session.long_step) session.before_change = timeline.parameters();
   timeline.set_knobs(knobs.base, knobs.edits, std::move(input));
-  return std::nullopt;
+  return true;
 }
 
-// The nearest entry of `from` becomes what is in force; what was goes to `to`.
-void go(Session& session, std::vector<Knobs>& from, std::vector<Knobs>& to) {
+// The nearest entry of `from` becomes what is in force; what was goes to `to`. `action`: which asks for it.
+void go(Session& session, const Action& action, std::vector<Knobs>& from, std::vector<Knobs>& to) {
   session.changes.open = false;
   if (!session.timeline || from.empty()) return;
+  give_up_making(session);
   Knobs now = knobs_of(*session.timeline);
-  if (auto error = restore(session, from.back())) {
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
-    return;
-  }
+  if (!restore(session, action, from.back())) return;
   from.pop_back();
   to.push_back(std::move(now));
 }
@@ -39,12 +41,12 @@ void go(Session& session, std::vector<Knobs>& from, std::vector<Knobs>& to) {
 
 void take(Session& session, const Settle& /*action*/) { session.changes.open = false; }
 
-void take(Session& session, const Undo& /*action*/) {
-  go(session, session.changes.undo, session.changes.redo);
+void take(Session& session, const Undo& action) {
+  go(session, action, session.changes.undo, session.changes.redo);
 }
 
-void take(Session& session, const Redo& /*action*/) {
-  go(session, session.changes.redo, session.changes.undo);
+void take(Session& session, const Redo& action) {
+  go(session, action, session.changes.redo, session.changes.undo);
 }
 
 void take(Session& session, const CopyParameters& /*action*/) {
@@ -65,6 +67,7 @@ void take(Session& session, const PasteParameters& action) {
 }
 
 void remember_knobs(Session& session) {
+  give_up_making(session);
   if (session.timeline) session.changes.before = knobs_of(*session.timeline);
 }
 

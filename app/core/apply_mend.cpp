@@ -17,6 +17,7 @@ std::shared_ptr<const Session> put_by(Session& session) {
   auto before = std::make_shared<Session>(session);
   before->timeline = std::move(timeline);
   before->before_mend.reset();
+  before->made_mesh.reset();
   return before;
 }
 
@@ -66,18 +67,25 @@ void take(Session& session, const MendAndOpen& /*action*/) {
   if (!session.mend_offer) return;
   const auto start = std::chrono::steady_clock::now();
   const MendOffer offer = *session.mend_offer;
-  auto opened = load_mended(*offer.plan);
-  if (auto* error = std::get_if<std::string>(&opened)) {
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+  const auto opened =
+      made_for(session, MendAndOpen{},
+               {offer.source.file, offer.plan, knit::Weld::off, offer.plan->mesh.triangles.size(),
+                [plan = offer.plan](knit::Progress* progress) { return load_mended(*plan, progress); }});
+  if (!opened) return;
+  if (const auto* error = std::get_if<std::string>(&*opened)) {
+    session.notices.push_back({Notice::Kind::error, *error});
     return;
   }
   auto before = put_by(session);
-  show_loaded(session, std::get<Loaded>(std::move(opened)), offer.source, start);
+  show_loaded(session, std::get<Loaded>(*opened), offer.source, start);
   session.before_mend = std::move(before);
   session.list = RunList::problems;  // there it is said what was done
 }
 
-void take(Session& session, const DropMendOffer& /*action*/) { session.mend_offer.reset(); }
+void take(Session& session, const DropMendOffer& /*action*/) {
+  give_up_making(session);
+  session.mend_offer.reset();
+}
 
 // What the person has set for the program since stays; so does what is still to be done after this frame.
 void take(Session& session, const UndoMend& /*action*/) {

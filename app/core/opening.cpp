@@ -6,6 +6,7 @@
 
 #include "app/core/apply_parts.h"
 #include "app/core/keep_place.h"
+#include "app/core/load.h"
 #include "app/core/saved_run.h"
 
 namespace app {
@@ -19,6 +20,9 @@ bool is_large(const fs::path& path) {
   const std::uintmax_t size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
   return !error && size > opened_at_once_bytes;
 }
+
+// Made anew in less than a frame on a slow machine.
+constexpr std::size_t made_at_once_triangles = 20000;
 
 template <class Read>
 Opening::Result read_or_say(const fs::path& path, const Read& read) {
@@ -74,12 +78,49 @@ void begin_opening_rescued(Session& session) {
   session.opening->rescued = true;
 }
 
+std::optional<Made> made_for(Session& session, const Action& again, const MakeWish& wish) {
+  if (session.made_mesh && session.made_mesh->from == wish.from && session.made_mesh->weld == wish.weld)
+    return session.made_mesh->made;
+  if (!session.beside || wish.triangles < made_at_once_triangles) return wish.make(nullptr);
+  Opening opening = opening_of(wish.path);
+  opening.again = again;
+  opening.work = Work<Opening::Result>([wish, progress = opening.progress]() -> Opening::Result {
+    progress->begin(knit::Progress::Task::checking);
+    try {
+      return MadeMesh{wish.from, wish.weld, wish.make(progress.get())};
+    } catch (const std::bad_alloc&) {
+      return MadeMesh{wish.from, wish.weld, "The mesh does not fit into memory a second time. Reduce it."};
+    }
+  });
+  begin(session, std::move(opening));
+  return std::nullopt;
+}
+
+std::optional<Made> welded_for(Session& session, const Action& again, const knit::Parameters& parameters) {
+  const auto mesh = session.original;
+  const fs::path path = session.source.file.empty() ? fs::path(session.source.example) : session.source.file;
+  return made_for(
+      session, again,
+      {path, mesh, parameters.weld, mesh->triangles.size(),
+       [mesh, parameters](knit::Progress* progress) { return load_again(mesh, parameters, progress); }});
+}
+
+void give_up_making(Session& session) {
+  if (session.opening && session.opening->again) cancel_opening(session);
+}
+
 void tend_opening(Session& session, double seconds) {
   if (!session.opening) return;
   session.opening->seconds += seconds;
   if (!session.opening->work.ready()) return;
   const std::shared_ptr<Opening> done = std::exchange(session.opening, nullptr);
   Opening::Result result = done->work.take();
+  if (auto* made = std::get_if<MadeMesh>(&result)) {
+    session.made_mesh = std::make_shared<const MadeMesh>(std::move(*made));
+    apply(session, *done->again);
+    session.made_mesh.reset();
+    return;
+  }
   forget_place(session);  // it was one of the other mesh
   if (auto* loaded = std::get_if<Loaded>(&result)) {
     show_opened(session, std::move(*loaded), done->path, done->mends, done->start);

@@ -126,8 +126,9 @@ struct Rescued {
 struct LessonRun;
 struct Prediction;
 struct AnimationRun;
-// A large file on its way to be open (opening.h).
+// A large file on its way to be open, and what was made ready for an action (opening.h).
 struct Opening;
+struct MadeMesh;
 // A picture that the loop takes (figures.h).
 struct FigureWish {
   std::filesystem::path path;
@@ -158,7 +159,8 @@ struct Session {
   double run_ms = 0.0;                         // spent on working the run out, so far
   // In a window long work is done beside it; without one it is waited for.
   bool beside = false;
-  std::shared_ptr<Opening> opening;  // null: none under way
+  std::shared_ptr<Opening> opening;           // null: none under way
+  std::shared_ptr<const MadeMesh> made_mesh;  // while the action is done that it was made ready for
   std::optional<LongStep> long_step;
   std::optional<knit::Parameters> before_change;  // what cancelling goes back to
   std::optional<Measuring> measuring_run;

@@ -21,7 +21,7 @@ void draw_choice(PanelFrame& frame) {
 
 void draw_mend_offer(PanelFrame& frame) {
   const auto& offer = frame.session.mend_offer;
-  if (!offer) return;
+  if (!offer || frame.session.opening) return;  // what is chosen is on its way
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = std::min(frame.units(520.0f), view.width - 2.0f * margin);
