@@ -20,17 +20,16 @@ void promise_counts(const knit::ReadPattern& read) {
   }
 }
 
-void promise_the_same_again(const knit::Rounds& rounds) {
-  const knit::KnitGraph graph = knit::graph_of(rounds);
-  for (const bool stars : {false, true}) {
-    knit::PatternOptions options;
-    options.stars = options.markers = stars;
-    const auto written = knit::write_pattern(rounds, {22.0, 32.0}, options, "piece");
-    const knit::ReadPattern again = knit::read_pattern(knit::pattern_as_text(written));
-    fuzz::promise(again.mistakes.empty(),
-                  again.mistakes.empty() ? "" : "what was written reads: " + again.mistakes.front().sentence);
-    fuzz::promise(knit::graph_of(again.rounds) == graph, "what was written reads back the same");
-  }
+// One way of writing a run: either comes often enough.
+void promise_the_same_again(const knit::Rounds& rounds, bool stars) {
+  knit::PatternOptions options;
+  options.stars = options.markers = stars;
+  const auto written = knit::write_pattern(rounds, {22.0, 32.0}, options, "piece");
+  const knit::ReadPattern again = knit::read_pattern(knit::pattern_as_text(written));
+  fuzz::promise(again.mistakes.empty(),
+                again.mistakes.empty() ? "" : "what was written reads: " + again.mistakes.front().sentence);
+  fuzz::promise(knit::graph_of(again.rounds) == knit::graph_of(rounds),
+                "what was written reads back the same");
 }
 
 }  // namespace
@@ -39,9 +38,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const knit::ReadPattern read = knit::read_pattern(fuzz::text_of(data, size));
   for (const knit::PatternMistake& mistake : read.mistakes) fuzz::promise_sentence(mistake.sentence);
   promise_counts(read);
-  // Rows of fewer than three stitches are no rounds of ours; more than some thousands would only be slow.
+  // Rows of fewer than three stitches are no rounds of ours; more than some hundreds would only be slow.
   bool ours = read.mistakes.empty() && read.rounds.cast_on >= 3 && !read.rounds.rounds.empty();
   for (const knit::Round& round : read.rounds.rounds) ours = ours && round.after >= 3;
-  if (ours && read.stitches <= 2000) promise_the_same_again(read.rounds);
+  if (ours && read.stitches <= 1000) promise_the_same_again(read.rounds, size % 2 == 1);
   return 0;
 }

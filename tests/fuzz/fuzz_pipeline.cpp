@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr std::size_t most_steps = 6000;  // a run that takes more is left there: it would only be slow
+constexpr std::size_t most_steps = 3000;  // a run that takes more is left there: it would only be slow
 
 void promise_words(const knit::Step& step, const knit::Parameters& parameters) {
   fuzz::promise_sentence(knit::narrate(step, parameters));
