@@ -2,6 +2,7 @@
 //
 //   build/dev/benchmark [MESH.obj]      (without a mesh: the thesis sphere)
 //   build/dev/benchmark --travel        (changed parameters to pictures, scrubbing a million steps)
+//   build/dev/benchmark --tuning        (of these only the first)
 //   build/dev/benchmark --sweep         (only 200 values of epsilon on the thesis sphere, against single runs)
 //   build/dev/benchmark --frames        (whole frames, with drawing)
 //   build/dev/benchmark --large [TRIANGLES]   (whether a large mesh leaves a window responsive; a million)
@@ -66,6 +67,7 @@ Json measure_mesh(const app::Loaded& loaded, const std::string& text) {
 std::optional<Json> measure_asked(std::string_view option, int count, char** words, const fs::path& assets) {
   if (option == "--sizes") return benchmark::measure_sizes();
   if (option == "--travel") return measure_travel(assets);
+  if (option == "--tuning") return benchmark::measure_tuning_to_picture(assets);
   if (option == "--large")
     return benchmark::measure_large(assets, count > 2 ? std::stoul(words[2]) : 1000000);
   if (option == "--frames") return benchmark::measure_frames(assets);
