@@ -1,4 +1,6 @@
-// Four vertices are one line: a rectangle around it on the screen, with room for round ends and a soft edge.
+// Three vertices are one line: on the screen a rectangle around it, with room for round ends and a soft edge, and
+// around that a triangle with a right angle at the farther end. Setting up a triangle costs more than the pixels of
+// it that stay empty.
 layout(location = 0) in vec3 a_from;
 layout(location = 1) in vec3 a_to;
 layout(location = 2) in vec4 a_colour;
@@ -15,8 +17,7 @@ flat out vec4 v_colour;
 const float nearest = 1e-4;
 
 void main() {
-  float long_end = float(gl_VertexID & 1);
-  float side = float((gl_VertexID >> 1) & 1) * 2.0 - 1.0;
+  int corner = corner_of_three();
   float span = distance(a_from, a_to);
   float width = a_width * u_scale;
   vec3 eye_from = to_eye(a_from);
@@ -42,14 +43,21 @@ void main() {
   if (b.w < nearest) {
     b = mix(a, b, (a.w - nearest) / (a.w - b.w));
   }
-  vec2 start = a.xy / a.w * 0.5 * u_viewport;
-  vec2 end = b.xy / b.w * 0.5 * u_viewport;
-  v_length = distance(start, end);
-  vec2 along = v_length > 1e-4 ? (end - start) / v_length : vec2(1.0, 0.0);
+  vec3 start = a.xyz / a.w;
+  vec3 end = b.xyz / b.w;
+  if (start.z < end.z) {
+    vec3 nearer = start;
+    start = end;
+    end = nearer;
+  }
+  vec2 way = (end.xy - start.xy) * 0.5 * u_viewport;
+  v_length = length(way);
+  vec2 along = v_length > 1e-4 ? way / v_length : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   float room = v_half + 0.5;
-  v_place = vec2(mix(-room, v_length + room, long_end), side * room);
-  vec4 here = long_end > 0.5 ? b : a;
-  vec2 shift = across * side * room + along * (long_end * 2.0 - 1.0) * room;
-  gl_Position = here + vec4(shift / (0.5 * u_viewport) * here.w, 0.0, 0.0);
+  float whole = v_length + 2.0 * room;
+  v_place = vec2(corner == 1 ? 2.0 * whole - room : -room, corner == 2 ? 3.0 * room : -room);
+  vec2 place = start.xy + (along * v_place.x + across * v_place.y) / (0.5 * u_viewport);
+  // As deep as the line's ends where the rectangle ends.
+  gl_Position = vec4(place, corner == 1 ? 2.0 * end.z - start.z : start.z, 1.0);
 }

@@ -24,6 +24,7 @@ Colour stitch_colour(const Theme& theme, const knit::Row& row, std::size_t rows_
 std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
   std::vector<Line> lines;
   const std::size_t n = row.stitches.size();
+  lines.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     lines.push_back(
         {glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position), colour, 1.8F});
@@ -33,6 +34,7 @@ std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour c
 
 std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colour colour) {
   std::vector<Point> points;
+  points.reserve(row.stitches.size());
   for (const knit::Stitch& stitch : row.stitches)
     points.push_back({glm::vec3(stitch.position), colour, 3.2F});
   return std::make_shared<const std::vector<Point>>(std::move(points));

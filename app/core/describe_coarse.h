@@ -11,7 +11,7 @@
 namespace app {
 
 inline constexpr std::size_t cells_a_frame = 10000;  // made anew in a piece
-inline constexpr std::size_t always_whole_stitches = 30000;
+inline constexpr std::size_t always_whole_stitches = 16000;
 inline constexpr double coarse_stitch_px = 12.0;
 
 // How many rows, and stitches of a row, stand for one, so that what is drawn is at least so many

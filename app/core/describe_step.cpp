@@ -230,6 +230,7 @@ StripPlaces places_of(const knit::State& state, std::size_t strip) {
 FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
                    const StripPlaces& places) {
   FaceShape shape;
+  shape.vertices.reserve(6 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const knit::Face& face = strip.faces[i];
     const glm::vec3 a = places.at(face.corners[0]);
@@ -251,6 +252,7 @@ FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t cou
 std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
                              const StripPlaces& places) {
   std::vector<Line> lines;
+  lines.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [lower, upper] = strip.column_edges[i];
     lines.push_back({places.at(lower), places.at(upper), theme.column_edge, 1.3F});

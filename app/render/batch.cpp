@@ -1,6 +1,7 @@
 #include "app/render/batch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,7 +34,9 @@ static_assert(std::is_standard_layout_v<Line> && sizeof(Line) == 32 && offsetof(
 static_assert(std::is_standard_layout_v<Point> && sizeof(Point) == 20 && offsetof(Point, diameter_px) == 16);
 static_assert(sizeof(FaceShape::Vertex) == 28 && offsetof(FaceShape::Vertex, colour) == 24);
 
-// How each kind lies in the buffer: an item's bytes, how often they are repeated (the four corners of what a
+float squared(const glm::vec3& way) { return glm::dot(way, way); }
+
+// How each kind lies in the buffer: an item's bytes, how often they are repeated (the three corners of what a
 // line or a point covers on the screen, told apart by their number), and where it is.
 template <class Shape>
 struct Kind;
@@ -41,7 +44,7 @@ struct Kind;
 template <>
 struct Kind<std::vector<Line>> {
   using Item = Line;
-  static constexpr std::size_t copies = 4;
+  static constexpr std::size_t copies = 3;
   static std::span<const Item> items(const std::vector<Line>& shape) { return shape; }
   static void add(const Line& line, Extent& extent) {
     extent.add(line.from);
@@ -59,7 +62,7 @@ struct Kind<std::vector<Line>> {
 template <>
 struct Kind<std::vector<Point>> {
   using Item = Point;
-  static constexpr std::size_t copies = 4;
+  static constexpr std::size_t copies = 3;
   static std::span<const Item> items(const std::vector<Point>& shape) { return shape; }
   static void add(const Point& point, Extent& extent) { extent.add(point.position); }
   static float longest_side(const Point& /*point*/) { return 0.0f; }
@@ -85,8 +88,8 @@ struct Kind<FaceShape> {
   }
   static float longest_side(const Item& face) {
     const auto& [a, b, c] = face.corners;
-    return std::max({glm::distance(a.position, b.position), glm::distance(b.position, c.position),
-                     glm::distance(c.position, a.position)});
+    return std::sqrt(std::max({squared(a.position - b.position), squared(b.position - c.position),
+                               squared(c.position - a.position)}));
   }
   static void describe() {
     constexpr std::size_t stride = sizeof(FaceShape::Vertex);
@@ -132,8 +135,7 @@ void Extent::add(const Extent& other) {
 float Extent::diagonal() const { return empty ? 0.0f : glm::distance(low, high); }
 
 template <class Shape>
-Batch<Shape>::Batch()
-    : array_(GlVertexArray::make()), buffer_(GlBuffer::make()), corners_(GlBuffer::make()) {}
+Batch<Shape>::Batch() : array_(GlVertexArray::make()), buffer_(GlBuffer::make()) {}
 
 template <class Shape>
 void Batch<Shape>::append(const Shape& shape, const Pointer& held) {
@@ -187,17 +189,6 @@ void Batch<Shape>::reserve(std::size_t items) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
     Kind<Shape>::describe();
   }
-  if (Kind<Shape>::copies == 1 || capacity_ <= corner_capacity_) return;
-  corner_capacity_ = capacity_;
-  std::vector<GLuint> corners;
-  corners.reserve(6 * corner_capacity_);
-  for (std::size_t item = 0; item < corner_capacity_; ++item) {
-    for (const GLuint corner : {0U, 1U, 2U, 2U, 1U, 3U})
-      corners.push_back(static_cast<GLuint>(4 * item) + corner);
-  }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, corners_.id());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(GLuint)),
-               corners.data(), GL_STATIC_DRAW);
 }
 
 template <class Shape>
@@ -254,7 +245,7 @@ template <class Shape>
 std::size_t Batch<Shape>::draw(const Frustum& frustum) const {
   if (shown_ == 0) return 0;
   const Entry& last = entries_[shown_ - 1];
-  constexpr std::size_t corners = Kind<Shape>::copies == 1 ? 3 : 6;  // to draw an item
+  constexpr std::size_t corners = 3;  // to draw an item
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   std::size_t drawn = 0;
@@ -279,15 +270,7 @@ std::size_t Batch<Shape>::draw(const Frustum& frustum) const {
   if (drawn == 0) return 0;
   glBindVertexArray(array_.id());
   const auto runs = static_cast<GLsizei>(firsts.size());
-  if constexpr (Kind<Shape>::copies == 1) {
-    glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), runs);
-  } else {
-    std::vector<const void*> offsets;
-    offsets.reserve(firsts.size());
-    for (const GLint first : firsts)
-      offsets.push_back(at_offset(static_cast<std::size_t>(first) * sizeof(GLuint)));
-    glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(), runs);
-  }
+  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), runs);
   return drawn;
 }
 

@@ -78,8 +78,8 @@ class Batch {
   void reserve(std::size_t items);
 
   GlVertexArray array_;
-  GlBuffer buffer_, corners_;  // corners_: which corners make an item's two triangles; none for faces
-  std::size_t capacity_ = 0, corner_capacity_ = 0;  // items
+  GlBuffer buffer_;
+  std::size_t capacity_ = 0;  // items
   std::vector<Entry> entries_;
   std::vector<Piece> pieces_;
   std::vector<std::byte> waiting_;  // appended and not yet stored

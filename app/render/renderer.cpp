@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace app {
 
@@ -71,8 +72,8 @@ Renderer::Renderer()
       face_plain_({"camera.glsl", "face.vert"}, {"light.glsl", "no_band.glsl", "face.frag"}),
       band_({"camera.glsl", "surface.vert"}, {"band.glsl", "band.frag"}),
       wire_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "wire.frag"}),
-      line_({"camera.glsl", "line.vert"}, {"line.frag"}),
-      point_({"camera.glsl", "point.vert"}, {"point.frag"}) {}
+      line_({"camera.glsl", "corner.glsl", "line.vert"}, {"line.frag"}),
+      point_({"camera.glsl", "corner.glsl", "point.vert"}, {"point.frag"}) {}
 
 void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   if (viewport.width <= 0 || viewport.height <= 0) {
@@ -169,6 +170,15 @@ void Renderer::draw_surface(const Frame& frame) {
   ++last_.draw_calls;
 }
 
+// Where the surface goes on from the faces, so that from outside nobody sees one of them from behind.
+bool Renderer::closed_from_outside(const Frame& frame) const {
+  const Scene& scene = frame.scene;
+  const Extent extent = faces_.extent();
+  const bool inside = glm::all(glm::greaterThanEqual(scene.view.eye, extent.low)) &&
+                      glm::all(glm::lessThanEqual(scene.view.eye, extent.high));
+  return frame.mesh != nullptr && scene.show_surface && scene.covered && !inside;
+}
+
 void Renderer::draw_faces(const Frame& frame) {
   if (faces_.empty()) {
     return;
@@ -176,7 +186,9 @@ void Renderer::draw_faces(const Frame& frame) {
   depth(true, true);
   blend(false);
   start(frame.scene.band ? face_ : face_plain_, frame);
+  if (closed_from_outside(frame)) glEnable(GL_CULL_FACE);
   last_.triangles += faces_.draw(frame.frustum);
+  glDisable(GL_CULL_FACE);
   ++last_.draw_calls;
 }
 

@@ -45,6 +45,7 @@ class Renderer {
   struct Frame;  // what the passes of one draw() share
   void start(const Program& program, const Frame& frame) const;
   void draw_surface(const Frame& frame);
+  bool closed_from_outside(const Frame& frame) const;
   void draw_faces(const Frame& frame);
   void draw_band_alone(const Frame& frame);
   void draw_wire(const Frame& frame);
