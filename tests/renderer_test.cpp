@@ -169,6 +169,31 @@ TEST_CASE("what faces cover of the surface is not drawn, and it does not show") 
   CHECK(studio.at(0.0f, -0.7f) == glm::ivec3(20, 30, 60));  // it really is left out
 }
 
+TEST_CASE("faces are left out from behind only where surface and faces together hide it") {
+  Studio studio;
+  Scene scene = scene_of_wall();
+  FaceShape
+      face;  // before the wall, with its back to the eye; its far corner makes room for an eye among the faces
+  const glm::vec3 a{0.1f, 0.1f, 0.1f}, b{0.5f, 0.1f, 0.1f}, c{0.5f, 0.5f, 0.1f}, d{0.1f, 0.5f, 0.1f},
+      e{0.1f, 0.2f, 9.0f};
+  for (const glm::vec3& place : {a, c, b, a, d, c, a, e, d})
+    face.vertices.push_back({place, {0, 0, -1}, red});
+  scene.faces = {std::make_shared<const FaceShape>(face)};
+  const auto shows = [&] {
+    studio.draw(scene);
+    const glm::ivec3 colour = studio.at(0.4f, 0.25f);  // dark: its light is on the other side
+    return colour.r > colour.g + 20;
+  };
+  CHECK(shows());
+  scene.covered = TimeSpan{2.0f, 3.0f};
+  CHECK_FALSE(shows());
+  scene.show_surface = false;
+  CHECK(shows());
+  scene.show_surface = true;
+  scene.view.eye = {0.3f, 0.3f, 5.0f};  // among the faces
+  CHECK(shows());
+}
+
 TEST_CASE("a line is as wide as it says, everywhere") {
   Studio studio;
   Scene scene = scene_of_wall();
