@@ -18,6 +18,7 @@
 #include "knit/edge_table.h"
 #include "knit/obj_scan.h"
 #include "knit/polygon.h"
+#include "knit/quoting.h"
 
 namespace knit {
 
@@ -26,13 +27,6 @@ namespace {
 // A larger file would take the memory of a small computer several times over; five million triangles with all that
 // can be said about them take half of this.
 constexpr std::uintmax_t most_bytes = 1'000'000'000;
-
-// A name must neither break a sentence into lines nor speak to a terminal.
-std::string shown(std::string name) {
-  for (char& c : name)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  return name;
-}
 
 std::string gigabytes(std::uintmax_t bytes) {
   const std::uintmax_t tenths = (bytes + 50'000'000) / 100'000'000;
@@ -157,7 +151,7 @@ std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name,
 }
 
 std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress) {
-  const std::string file = shown(path.string());
+  const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   switch (status.type()) {
@@ -188,7 +182,7 @@ std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Pr
                     "). Check its permissions."};
   }
   // One byte more than the file has, so that its end is met in the first read.
-  return read(in, file, shown(path.stem().string()), error ? 0 : static_cast<std::size_t>(size) + 1,
+  return read(in, file, printable(path.stem().string()), error ? 0 : static_cast<std::size_t>(size) + 1,
               progress);
 }
 

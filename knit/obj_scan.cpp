@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "knit/quoting.h"
+
 namespace knit {
 
 namespace {
@@ -32,14 +34,6 @@ const char* after_word(const char* p, const char* end) {
 const char* after_digits(const char* p, const char* end) {
   while (p != end && is_digit(*p)) ++p;
   return p;
-}
-
-// A file's own words in a message: short and printable.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t longest = 24;
-  std::string out = "\"";
-  for (const char c : word.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
-  return out + (word.size() > longest ? "...\"" : "\"");
 }
 
 // [sign] digits [. digits] [e [sign] digits], the whole word.

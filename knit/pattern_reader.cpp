@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "knit/quoting.h"
 #include "knit/reader_text.h"
 #include "knit/reader_work.h"
 
@@ -154,7 +155,7 @@ class Reader {
     if (first > 1) blame(name_of_round(first, first) + " casts on; the cast on is Rnd 1.");
     for (const Token& token : words) {
       if (!stitch_named(token) || token.is("slip")) continue;
-      blame(name_of_round(first, first) + " casts on and works " + in_quotes(token.text) +
+      blame(name_of_round(first, first) + " casts on and works " + quoted(token.text) +
             "; give what is worked a round of its own.");
       break;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "knit/quoting.h"
 #include "knit/reader_cursor.h"
 
 namespace knit {
@@ -72,9 +73,8 @@ class Parser {
     }
     if (at_.sees({"times", "time", "x"})) return ": \"" + token.text + "\" stands without a number.";
     if (token.is_number()) return ": the number " + token.text + " belongs to no word beside it.";
-    if (token.kind == Token::Kind::mark)
-      return ": the sign " + in_quotes(token.text) + " means nothing there.";
-    return ": the word " + in_quotes(token.text) + " is not known.";
+    if (token.kind == Token::Kind::mark) return ": the sign " + quoted(token.text) + " means nothing there.";
+    return ": the word " + quoted(token.text) + " is not known.";
   }
 
   // pm, sm, place marker, slip the marker: no stitch.
@@ -335,7 +335,7 @@ RoundWords round_words(std::span<const Token> line) {
   for (const Token& token : line.subspan(stated->end)) {
     if (((stitch_named(token) && !token.is("slip")) || token.is_number() || token.is("*")) &&
         words.mistake.empty())
-      words.mistake = ": " + in_quotes(token.text) + " stands behind the count; the count comes last.";
+      words.mistake = ": " + quoted(token.text) + " stands behind the count; the count comes last.";
   }
   return words;
 }

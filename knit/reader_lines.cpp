@@ -1,6 +1,7 @@
 // What a line is: a round, a cast on, an end.
 #include <algorithm>
 
+#include "knit/quoting.h"
 #include "knit/reader_cursor.h"
 #include "knit/reader_grammar.h"
 
@@ -128,7 +129,7 @@ std::optional<RoundLabel> label_of(std::span<const Token> line) {
   if ((!colon || !known) && !begins_work(at.peek()) && !at.sees({"co", "cast"})) return std::nullopt;
   if (!colon && (at.sees({"to", "from", "more"}) || at.peek().is_number())) return std::nullopt;
   if (!colon && label.mistake.empty()) label.mistake = ": the colon after the round's number is missing.";
-  if (!known) label.mistake = ": the word " + in_quotes(word) + " is not known; it may stand for \"Rnd\".";
+  if (!known) label.mistake = ": the word " + quoted(word) + " is not known; it may stand for \"Rnd\".";
   label.tokens = at.at();
   return label;
 }

@@ -161,11 +161,4 @@ bool begins_work(const Token& token) {
                      "repeat", "x", "to", "last", "end", "from", "pm", "sm",    "place", "around", "across"});
 }
 
-std::string in_quotes(std::string_view word) {
-  constexpr std::size_t longest = 24;
-  std::string out = "\"";
-  for (const char c : word.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
-  return out + (word.size() > longest ? "...\"" : "\"");
-}
-
 }  // namespace knit

@@ -50,7 +50,4 @@ bool is_round_word(const Token& token);     // rnd, rounds, row ...
 bool begins_work(
     const Token& token);  // could go on with a round: a stitch, a bracket, "rep", "times", a number
 
-// A file's own words in a message: short and printable.
-std::string in_quotes(std::string_view word);
-
 }  // namespace knit

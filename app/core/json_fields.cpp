@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/parameters.h"
+#include "knit/quoting.h"
 
 namespace app {
 
@@ -11,15 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-// A file's own words in a message: short, and neither breaking its line nor speaking to a terminal.
-std::string shown(std::string name) {
-  std::size_t most = 80;
-  while (most < name.size() && (static_cast<unsigned char>(name[most]) & 0xC0U) == 0x80U) ++most;  // UTF-8
-  if (name.size() > most) name = name.substr(0, most) + "...";
-  for (char& c : name)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  return name;
-}
+constexpr std::size_t longest_name = 80;  // in a message
 
 }  // namespace
 
@@ -33,8 +26,9 @@ JsonFields::JsonFields(const Json* object, std::string where, std::shared_ptr<st
       nothing_(std::make_shared<const Json>(Json::array())) {
   if (object_->is_object()) return;
   if (fault_->empty())
-    *fault_ =
-        where_.empty() ? "it is no JSON object." : "\"" + shown(where_) + "\" must be an object, { ... }.";
+    *fault_ = where_.empty()
+                  ? "it is no JSON object."
+                  : "\"" + knit::printable_start(where_, longest_name) + "\" must be an object, { ... }.";
 }
 
 std::string JsonFields::name_of(const std::string& key) const {
@@ -42,7 +36,7 @@ std::string JsonFields::name_of(const std::string& key) const {
 }
 
 void JsonFields::set_fault(const std::string& key, const std::string& words) {
-  if (fault_->empty()) *fault_ = "\"" + shown(name_of(key)) + "\" " + words;
+  if (fault_->empty()) *fault_ = "\"" + knit::printable_start(name_of(key), longest_name) + "\" " + words;
 }
 
 bool JsonFields::has(const std::string& key) const { return object_->is_object() && object_->contains(key); }

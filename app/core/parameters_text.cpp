@@ -4,6 +4,7 @@
 
 #include "app/core/words.h"
 #include "knit/gauge.h"
+#include "knit/quoting.h"
 
 namespace app {
 
@@ -17,12 +18,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 // Somebody else's text may be anything and of any length.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t most = 40;
-  std::string shown = "\"";
-  for (const char c : text.substr(0, most)) shown += static_cast<unsigned char>(c) < 32 ? '?' : c;
-  return shown + (text.size() > most ? "...\"" : "\"");
-}
+std::string quoted(std::string_view text) { return "\"" + knit::printable_start(text, 40) + "\""; }
 
 // Reads line by line into parameters of its own.
 struct Reading {
