@@ -101,6 +101,17 @@ at_once() {
   xdotool "$@"
   kill -CONT $pid
 }
+# await WORDS COMMAND...: until it holds; fails with the words when it never does.
+await() {
+  local words=$1
+  shift
+  for _ in $(seq 300); do
+    ! "$@" || return 0
+    sleep 0.1
+  done
+  fail "$words"
+}
+saved_aside() { ls state/knit-mesh/*.json >/dev/null 2>&1; }
 close() {
   xdotool key ctrl+q
   for _ in $(seq 250); do
@@ -266,23 +277,18 @@ TEST_CASE("after a crash the real window offers the session, and a clean end lea
   const MouseMove open = desk.over("rescue/open");
   const std::string at = std::to_string(std::lround(open.x)) + " " + std::to_string(std::lround(open.y));
   const std::string trouble = run_on_screen(folder, R"(
-left() { ls state/knit-mesh/*.json >/dev/null 2>&1; }
 start
 xdotool key shift+Right
-for _ in $(seq 200); do
-  ! left || break
-  sleep 0.1
-done
-left || fail "nothing was saved aside"
+await "nothing was saved aside" saved_aside
 kill -KILL $pid
 wait $pid || true
 start --save-report beside.json
 close
-left || fail "what was on offer is gone though nobody took it"
+saved_aside || fail "what was on offer is gone though nobody took it"
 start --save-report rescued.json
 xdotool mousemove --window "$window" )" + at + R"( click 1
 close
-! left || fail "a clean end left something"
+! saved_aside || fail "a clean end left something"
 )");
   REQUIRE(trouble == "");
   CHECK(steps_in(folder, "beside.json") == 0);
@@ -296,16 +302,10 @@ TEST_CASE("a window that the graphics driver loses is opened anew and nothing el
 export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
 LD_PRELOAD=$losing_driver start --save-report after.json --screenshot after.png
 xdotool key shift+Right
-for _ in $(seq 200); do
-  ! ls state/knit-mesh/*.json >/dev/null 2>&1 || break
-  sleep 0.1
-done
+await "nothing was saved aside" saved_aside
 touch lose-once
-for _ in $(seq 300); do
-  [ "$(wc -l <windows)" != 2 ] || break
-  sleep 0.1
-done
-[ "$(wc -l <windows)" = 2 ] || fail "no second window came: $(cat errors)"
+two_windows() { [ "$(wc -l <windows)" = 2 ]; }
+await "no second window came" two_windows
 await_window
 xdotool key Right
 close
@@ -327,10 +327,7 @@ TEST_CASE("a graphics driver that loses every window ends the program with a sen
 export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
 LD_PRELOAD=$losing_driver start
 xdotool key shift+Right
-for _ in $(seq 200); do
-  ! ls state/knit-mesh/*.json >/dev/null 2>&1 || break
-  sleep 0.1
-done
+await "nothing was saved aside" saved_aside
 touch lose-always
 code=0
 wait $pid || code=$?
@@ -338,7 +335,7 @@ wait $pid || code=$?
 [ "$(wc -l <windows)" = 3 ] || fail "not three windows were tried"
 [ "$(wc -l <errors)" = 1 ] || fail "not one line: $(cat errors)"
 grep -q 'three times.*The session is kept.*--headless' errors || fail "it says: $(cat errors)"
-ls state/knit-mesh/*.json >/dev/null || fail "the session is not kept"
+saved_aside || fail "the session is not kept"
 )sh");
   REQUIRE(trouble == "");
 }
