@@ -38,7 +38,7 @@ std::size_t stitches_of(const Session& session) {
 
 std::size_t triangles_of(const Scene& scene) {
   std::size_t count = 0;
-  for (const auto& shape : scene.faces) count += shape->vertices.size() / 3;
+  for (const auto& shape : scene.faces) count += 2 * shape->faces.size();
   return count;
 }
 
@@ -73,10 +73,12 @@ TEST_CASE("drawn coarsely, it reaches from the first row to the last, and shows 
   bool ends = false;
   std::set<std::array<int, 3>> colours;
   for (const auto& shape : scene.faces) {
-    for (const FaceShape::Vertex& v : shape->vertices) {
-      starts = starts || v.position == first;
-      ends = ends || v.position == last;
-      colours.insert({v.colour.r, v.colour.g, v.colour.b});
+    for (const FaceShape::Face& face : shape->faces) {
+      for (const glm::vec3& corner : face.corners) {
+        starts = starts || corner == first;
+        ends = ends || corner == last;
+      }
+      colours.insert({face.colour.r, face.colour.g, face.colour.b});
     }
   }
   CHECK(starts);

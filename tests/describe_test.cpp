@@ -61,13 +61,14 @@ bool has_point(const Scene& scene, const glm::vec3& place, Colour colour) {
                      [&](const Point& p) { return p.position == place && p.colour == colour; });
 }
 
-// Triangles of the scene's faces in a colour; a quad is two.
-std::size_t count_triangles(const Scene& scene, Colour colour) {
-  std::size_t vertices = 0;
+// Triangles of the scene's faces, or of those in a colour; a quad is two.
+std::size_t count_triangles(const Scene& scene, std::optional<Colour> colour = std::nullopt) {
+  std::size_t triangles = 0;
   for (const auto& shape : scene.faces) {
-    for (const FaceShape::Vertex& vertex : shape->vertices) vertices += vertex.colour == colour ? 1U : 0U;
+    for (const FaceShape::Face& face : shape->faces)
+      if (!colour || face.colour == *colour) triangles += face.is_quad() ? 2U : 1U;
   }
-  return vertices / 3;
+  return triangles;
 }
 
 void set_all_layers(Session& session, bool on) { session.layers.fill(on); }
@@ -306,9 +307,9 @@ TEST_CASE("faces carry the palette's colour of their label") {
           triangles.at(static_cast<std::size_t>(label)));
   }
   for (const auto& shape : scene.faces) {
-    for (const FaceShape::Vertex& vertex : shape->vertices) {
-      CHECK(glm::dot(vertex.normal, vertex.position) > 0.0F);
-      CHECK(glm::length(vertex.normal) == Approx(1.0F));
+    for (const FaceShape::Face& face : shape->faces) {
+      for (const glm::vec3& corner : face.corners) CHECK(glm::dot(face.normal, corner) > 0.0F);
+      CHECK(glm::length(face.normal) == Approx(1.0F));
     }
   }
 }
@@ -316,21 +317,16 @@ TEST_CASE("faces carry the palette's colour of their label") {
 TEST_CASE("faces appear one by one, the newest outlined, the last of a row too") {
   Session session = finished_small_session();
   apply(session, SeekPlace{{Stage::faces, 4, 0}});
-  const auto triangles_in = [](const Scene& scene) {
-    std::size_t vertices = 0;
-    for (const auto& shape : scene.faces) vertices += shape->vertices.size();
-    return vertices / 3;
-  };
-  std::size_t before = triangles_in(scene_of(session));
+  std::size_t before = count_triangles(scene_of(session));
   std::size_t wrong = 0;
   for (int i = 0; i < 60; ++i) {
     apply(session, StepBy{});
     const auto& made = std::get<knit::FaceMade>(last_step(session)->what);
     const Scene scene = scene_of(session);
     const auto corners = static_cast<std::size_t>(made.corner_count);
-    wrong += triangles_in(scene) == before + corners - 2 ? 0U : 1U;
+    wrong += count_triangles(scene) == before + corners - 2 ? 0U : 1U;
     wrong += count_lines(scene, dark_theme.accepted) == corners ? 0U : 1U;
-    before = triangles_in(scene);
+    before = count_triangles(scene);
   }
   CHECK(wrong == 0);
   CHECK(session.timeline->place().row > 4);
@@ -372,7 +368,7 @@ TEST_CASE("each layer takes away its own and nothing else") {
     if (scene.isolines) things += scene.isolines->size();
     for (const auto& set : scene.line_sets) things += set->size();
     for (const auto& set : scene.point_sets) things += set->size();
-    for (const auto& set : scene.faces) things += set->vertices.size();
+    for (const auto& set : scene.faces) things += set->faces.size();
     return things;
   };
   const std::vector<knit::Place> places{
@@ -459,8 +455,8 @@ TEST_CASE("what is shown never depends on what was shown before") {
     const auto same_point = [](const Point& x, const Point& y) {
       return x.position == y.position && x.colour == y.colour;
     };
-    const auto same_corner = [](const FaceShape::Vertex& x, const FaceShape::Vertex& y) {
-      return x.position == y.position && x.colour == y.colour;
+    const auto same_face = [](const FaceShape::Face& x, const FaceShape::Face& y) {
+      return x.corners == y.corners && x.colour == y.colour;
     };
     const auto equal = [](const auto& x, const auto& y, auto same) {
       return std::equal(x.begin(), x.end(), y.begin(), y.end(), same);
@@ -473,7 +469,7 @@ TEST_CASE("what is shown never depends on what was shown before") {
     CHECK(equal_sets(a.point_sets, b.point_sets, same_point));
     CHECK(equal_sets(a.line_sets, b.line_sets, same_line));
     CHECK(equal(a.faces, b.faces,
-                [&](const auto& p, const auto& q) { return equal(p->vertices, q->vertices, same_corner); }));
+                [&](const auto& p, const auto& q) { return equal(p->faces, q->faces, same_face); }));
     CHECK(a.mesh->positions == b.mesh->positions);
     REQUIRE((a.times == nullptr) == (b.times == nullptr));
     if (a.times != nullptr) CHECK(*a.times == *b.times);

@@ -34,9 +34,7 @@ std::shared_ptr<const MeshShape> wall() {
 std::shared_ptr<const FaceShape> patch(float z) {
   FaceShape shape;
   const glm::vec3 a{0, 0, z}, b{0.5f, 0, z}, c{0.5f, 0.5f, z}, d{0, 0.5f, z};
-  for (const glm::vec3& place : {a, b, c, a, c, d}) {
-    shape.vertices.push_back({place, {0, 0, 1}, red});
-  }
+  shape.faces.push_back({{a, b, c, d}, {0, 0, 1}, red});
   return std::make_shared<const FaceShape>(shape);
 }
 
@@ -155,7 +153,7 @@ TEST_CASE("what faces cover of the surface is not drawn, and it does not show") 
   scene.times = std::make_shared<const std::vector<float>>(times);
   FaceShape face;
   const glm::vec3 a{-1, -0.4f, 0.01f}, b{1, -0.4f, 0.01f}, c{1, 0.4f, 0.01f}, d{-1, 0.4f, 0.01f};
-  for (const glm::vec3& place : {a, b, c, a, c, d}) face.vertices.push_back({place, {0, 0, 1}, red});
+  face.faces.push_back({{a, b, c, d}, {0, 0, 1}, red});
   scene.faces = {std::make_shared<const FaceShape>(face)};
   studio.draw(scene);
   const Image whole = studio.image;
@@ -176,8 +174,7 @@ TEST_CASE("faces are left out from behind only where surface and faces together 
       face;  // before the wall, with its back to the eye; its far corner makes room for an eye among the faces
   const glm::vec3 a{0.1f, 0.1f, 0.1f}, b{0.5f, 0.1f, 0.1f}, c{0.5f, 0.5f, 0.1f}, d{0.1f, 0.5f, 0.1f},
       e{0.1f, 0.2f, 9.0f};
-  for (const glm::vec3& place : {a, c, b, a, d, c, a, e, d})
-    face.vertices.push_back({place, {0, 0, -1}, red});
+  face.faces = {{{a, d, c, b}, {0, 0, -1}, red}, {{a, e, d, d}, {0, 0, -1}, red}};
   scene.faces = {std::make_shared<const FaceShape>(face)};
   const auto shows = [&] {
     studio.draw(scene);

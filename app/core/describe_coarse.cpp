@@ -54,6 +54,7 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
   FaceShape shape;
   const std::size_t cells = std::max(cells_of(below, stride), cells_of(above, stride));
   const std::vector<knit::Label> labels = labels_of(strip, cells);
+  shape.faces.reserve(cells);
   for (std::size_t i = 0; i < cells; ++i) {
     const glm::vec3 a = place_of(below, i, cells);
     const glm::vec3 b = place_of(below, i + 1, cells);
@@ -62,8 +63,7 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
     const glm::vec3 across = glm::cross(c - a, d - b);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
-    const Colour colour = theme.of(labels[i]);
-    for (const glm::vec3& corner : {a, b, c, a, c, d}) shape.vertices.push_back({corner, normal, colour});
+    shape.faces.push_back({{a, b, c, d}, normal, theme.of(labels[i])});
   }
   return std::make_shared<const FaceShape>(std::move(shape));
 }

@@ -230,7 +230,7 @@ StripPlaces places_of(const knit::State& state, std::size_t strip) {
 FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
                    const StripPlaces& places) {
   FaceShape shape;
-  shape.vertices.reserve(6 * count);
+  shape.faces.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const knit::Face& face = strip.faces[i];
     const glm::vec3 a = places.at(face.corners[0]);
@@ -241,10 +241,7 @@ FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t cou
     const glm::vec3 across = glm::cross(c - a, quad ? d - b : c - b);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
-    const Colour colour = theme.of(face.label);
-    for (const glm::vec3& corner : {a, b, c}) shape.vertices.push_back({corner, normal, colour});
-    if (!quad) continue;
-    for (const glm::vec3& corner : {a, c, d}) shape.vertices.push_back({corner, normal, colour});
+    shape.faces.push_back({{a, b, c, d}, normal, theme.of(face.label)});
   }
   return shape;
 }

@@ -121,12 +121,16 @@ class Document {
     for (std::size_t i = 0; i < state_.strips.size(); ++i) {
       const knit::Strip& strip = *state_.strips[i];
       const FaceShape shape = faces_of(light_theme, strip, strip.faces.size(), places_of(state_, i));
-      for (const FaceShape::Vertex& vertex : shape.vertices) {
-        places.push_back(vertex.position);
-        append_vec3(normals, vertex.normal);
-        for (const std::uint8_t channel : {vertex.colour.r, vertex.colour.g, vertex.colour.b})
-          append_u16(colours, linear_u16(channel));
-        append_u16(colours, 65535);
+      for (const FaceShape::Face& face : shape.faces) {
+        const auto& [a, b, c, d] = face.corners;
+        places.insert(places.end(), {a, b, c});
+        if (face.is_quad()) places.insert(places.end(), {a, c, d});
+        for (int corner = 0; corner < (face.is_quad() ? 6 : 3); ++corner) {
+          append_vec3(normals, face.normal);
+          for (const std::uint8_t channel : {face.colour.r, face.colour.g, face.colour.b})
+            append_u16(colours, linear_u16(channel));
+          append_u16(colours, 65535);
+        }
       }
     }
     if (places.empty()) return;

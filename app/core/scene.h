@@ -5,6 +5,7 @@
 // immutable and shared: a renderer uploads it once and keeps it as long as the pointer lives.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -26,14 +27,15 @@ struct MeshShape {
   std::vector<std::uint32_t> edges;  // pairs
 };
 
-// Coloured flat faces: the knit mesh. Three vertices a triangle, not shared.
+// Coloured flat faces: the knit mesh. A quad is the triangles a b c and a c d; a triangle has its third corner twice.
 struct FaceShape {
-  struct Vertex {
-    glm::vec3 position;
+  struct Face {
+    std::array<glm::vec3, 4> corners;
     glm::vec3 normal;
     Colour colour;
+    [[nodiscard]] bool is_quad() const { return corners[3] != corners[2]; }
   };
-  std::vector<Vertex> vertices;
+  std::vector<Face> faces;
 };
 
 struct Line {

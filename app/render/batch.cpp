@@ -29,78 +29,129 @@ void colour(GLuint index, std::size_t stride, std::size_t offset) {
   glVertexAttribPointer(index, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<GLsizei>(stride), at_offset(offset));
 }
 
-// The renderer reads these structs as they lie in memory.
-static_assert(std::is_standard_layout_v<Line> && sizeof(Line) == 32 && offsetof(Line, width_px) == 28);
-static_assert(std::is_standard_layout_v<Point> && sizeof(Point) == 20 && offsetof(Point, diameter_px) == 16);
-static_assert(sizeof(FaceShape::Vertex) == 28 && offsetof(FaceShape::Vertex, colour) == 24);
-
 float squared(const glm::vec3& way) { return glm::dot(way, way); }
 
-// How each kind lies in the buffer: an item's bytes, how often they are repeated (the three corners of what a
-// line or a point covers on the screen, told apart by their number), and where it is.
+void put(std::byte*& at, const auto& value) {
+  std::memcpy(at, &value, sizeof value);
+  at += sizeof value;
+}
+
+// How each kind lies in the buffer: the vertices of an item, as bytes and as OpenGL finds them, and the items'
+// places. A line or a point has three vertices alike, the corners of what it covers on the screen, told apart by
+// their number.
 template <class Shape>
 struct Kind;
 
 template <>
 struct Kind<std::vector<Line>> {
   using Item = Line;
-  static constexpr std::size_t copies = 3;
+  static constexpr std::size_t vertices = 3;
+  static constexpr std::size_t stride = sizeof(Line);
+  static_assert(std::is_standard_layout_v<Line> && sizeof(Line) == 32 && offsetof(Line, width_px) == 28);
   static std::span<const Item> items(const std::vector<Line>& shape) { return shape; }
-  static void add(const Line& line, Extent& extent) {
-    extent.add(line.from);
-    extent.add(line.to);
-  }
-  static float longest_side(const Line& /*line*/) { return 0.0f; }
+  static std::array<glm::vec3, 2> places(const Line& line) { return {line.from, line.to}; }
   static void describe() {
-    floats(0, 3, sizeof(Line), offsetof(Line, from));
-    floats(1, 3, sizeof(Line), offsetof(Line, to));
-    colour(2, sizeof(Line), offsetof(Line, colour));
-    floats(3, 1, sizeof(Line), offsetof(Line, width_px));
+    floats(0, 3, stride, offsetof(Line, from));
+    floats(1, 3, stride, offsetof(Line, to));
+    colour(2, stride, offsetof(Line, colour));
+    floats(3, 1, stride, offsetof(Line, width_px));
+  }
+  static void write(const Line& line, std::byte*& at) {
+    for (std::size_t corner = 0; corner < vertices; ++corner) put(at, line);
   }
 };
 
 template <>
 struct Kind<std::vector<Point>> {
   using Item = Point;
-  static constexpr std::size_t copies = 3;
+  static constexpr std::size_t vertices = 3;
+  static constexpr std::size_t stride = sizeof(Point);
+  static_assert(std::is_standard_layout_v<Point> && sizeof(Point) == 20 &&
+                offsetof(Point, diameter_px) == 16);
   static std::span<const Item> items(const std::vector<Point>& shape) { return shape; }
-  static void add(const Point& point, Extent& extent) { extent.add(point.position); }
-  static float longest_side(const Point& /*point*/) { return 0.0f; }
+  static std::array<glm::vec3, 1> places(const Point& point) { return {point.position}; }
   static void describe() {
-    floats(0, 3, sizeof(Point), offsetof(Point, position));
-    colour(1, sizeof(Point), offsetof(Point, colour));
-    floats(2, 1, sizeof(Point), offsetof(Point, diameter_px));
+    floats(0, 3, stride, offsetof(Point, position));
+    colour(1, stride, offsetof(Point, colour));
+    floats(2, 1, stride, offsetof(Point, diameter_px));
+  }
+  static void write(const Point& point, std::byte*& at) {
+    for (std::size_t corner = 0; corner < vertices; ++corner) put(at, point);
   }
 };
 
+// Four vertices, which two triangles share; a face that is a triangle has one of them without extent.
 template <>
 struct Kind<FaceShape> {
-  struct Item {
-    std::array<FaceShape::Vertex, 3> corners;
+  struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    Colour colour;
   };
-  static constexpr std::size_t copies = 1;
-  static std::span<const Item> items(const FaceShape& shape) {
-    static_assert(sizeof(Item) == 3 * sizeof(FaceShape::Vertex));
-    return {reinterpret_cast<const Item*>(shape.vertices.data()), shape.vertices.size() / 3};
-  }
-  static void add(const Item& face, Extent& extent) {
-    for (const FaceShape::Vertex& corner : face.corners) extent.add(corner.position);
-  }
-  static float longest_side(const Item& face) {
-    const auto& [a, b, c] = face.corners;
-    return std::sqrt(std::max({squared(a.position - b.position), squared(b.position - c.position),
-                               squared(c.position - a.position)}));
-  }
+  using Item = FaceShape::Face;
+  static constexpr std::size_t vertices = 4;
+  static constexpr std::size_t stride = sizeof(Vertex);
+  static constexpr std::array<GLuint, 6> corners{0, 1, 2, 0, 2, 3};
+  static std::span<const Item> items(const FaceShape& shape) { return shape.faces; }
+  static std::array<glm::vec3, 4> places(const Item& face) { return face.corners; }
   static void describe() {
-    constexpr std::size_t stride = sizeof(FaceShape::Vertex);
-    floats(0, 3, stride, offsetof(FaceShape::Vertex, position));
-    floats(1, 3, stride, offsetof(FaceShape::Vertex, normal));
-    colour(2, stride, offsetof(FaceShape::Vertex, colour));
+    floats(0, 3, stride, offsetof(Vertex, position));
+    floats(1, 3, stride, offsetof(Vertex, normal));
+    app::colour(2, stride, offsetof(Vertex, colour));
+  }
+  static void write(const Item& face, std::byte*& at) {
+    for (const glm::vec3& corner : face.corners) put(at, Vertex{corner, face.normal, face.colour});
+  }
+  static float longest_side_squared(const Item& face) {
+    const auto& [a, b, c, d] = face.corners;
+    return std::max({squared(a - b), squared(b - c), squared(c - a), squared(c - d), squared(d - a)});
   }
 };
 
 template <class Shape>
-constexpr std::size_t bytes_an_item = sizeof(typename Kind<Shape>::Item) * Kind<Shape>::copies;
+constexpr bool indexed = std::is_same_v<Shape, FaceShape>;
+template <class Shape>
+constexpr std::size_t bytes_an_item = Kind<Shape>::stride* Kind<Shape>::vertices;
+
+// Items that lie one after the other.
+struct Run {
+  std::size_t first = 0, count = 0;
+};
+
+template <class Shape>
+void draw_runs(std::span<const Run> runs) {
+  std::vector<GLsizei> counts;
+  if constexpr (indexed<Shape>) {
+    constexpr std::size_t corners = Kind<Shape>::corners.size();
+    std::vector<const void*> offsets;
+    for (const Run& run : runs) {
+      offsets.push_back(at_offset(corners * run.first * sizeof(GLuint)));
+      counts.push_back(static_cast<GLsizei>(corners * run.count));
+    }
+    glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                        static_cast<GLsizei>(runs.size()));
+  } else {
+    std::vector<GLint> firsts;
+    for (const Run& run : runs) {
+      firsts.push_back(static_cast<GLint>(Kind<Shape>::vertices * run.first));
+      counts.push_back(static_cast<GLsizei>(Kind<Shape>::vertices * run.count));
+    }
+    glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
+  }
+}
+
+// For so many items, into the buffer bound for indices.
+template <class Shape>
+void store_indices(std::size_t items) {
+  std::vector<GLuint> indices;
+  indices.reserve(items * Kind<Shape>::corners.size());
+  for (std::size_t item = 0; item < items; ++item) {
+    for (const GLuint corner : Kind<Shape>::corners)
+      indices.push_back(static_cast<GLuint>(item * Kind<Shape>::vertices) + corner);
+  }
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
+               indices.data(), GL_DYNAMIC_DRAW);
+}
 
 }  // namespace
 
@@ -142,25 +193,26 @@ void Batch<Shape>::append(const Shape& shape, const Pointer& held) {
   const auto items = Kind<Shape>::items(shape);
   const std::size_t begin = entries_.empty() ? 0 : entries_.back().items_end;
   Entry entry{held, &shape, begin + items.size(), 0, {}, 0.0f};
+  float longest_squared = 0.0f;
   for (std::size_t first = 0; first < items.size(); first += items_a_piece) {
     const auto part = items.subspan(first, std::min(items_a_piece, items.size() - first));
-    Extent extent;
+    glm::vec3 low = Kind<Shape>::places(part.front()).front(), high = low;
     for (const auto& item : part) {
-      Kind<Shape>::add(item, extent);
-      entry.longest_side = std::max(entry.longest_side, Kind<Shape>::longest_side(item));
+      for (const glm::vec3& place : Kind<Shape>::places(item)) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+      if constexpr (indexed<Shape>)
+        longest_squared = std::max(longest_squared, Kind<Shape>::longest_side_squared(item));
     }
+    const Extent extent{low, high, false};
     entry.extent.add(extent);
     // What is drawn around a line or a point is a little larger than it is.
     pieces_.push_back({begin + first, part.size(), extent.centre(), 0.55f * extent.diagonal()});
   }
+  entry.longest_side = std::sqrt(longest_squared);
   entry.pieces_end = pieces_.size();
   entries_.push_back(entry);
-  std::size_t at = waiting_.size();
-  waiting_.resize(at + items.size() * bytes_an_item<Shape>);
-  for (const auto& item : items) {
-    for (std::size_t copy = 0; copy < Kind<Shape>::copies; ++copy, at += sizeof item)
-      std::memcpy(waiting_.data() + at, &item, sizeof item);
-  }
 }
 
 template <class Shape>
@@ -188,25 +240,42 @@ void Batch<Shape>::reserve(std::size_t items) {
     capacity_ = capacity;
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
     Kind<Shape>::describe();
+    if constexpr (indexed<Shape>) {
+      indices_ = GlBuffer::make();
+      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+      store_indices<Shape>(capacity);
+    }
   }
 }
 
+// Of the entries from this one on. Where the driver has no memory for it now, they are not shown, and the next frame
+// tries again.
 template <class Shape>
-void Batch<Shape>::store(std::size_t first_item) {
-  reserve(entries_.empty() ? 0 : entries_.back().items_end);
-  if (!waiting_.empty()) {
+void Batch<Shape>::store(std::size_t first_entry) {
+  const std::size_t first = first_entry == 0 ? 0 : entries_[first_entry - 1].items_end;
+  const std::size_t end = entries_.empty() ? 0 : entries_.back().items_end;
+  reserve(end);
+  bool stored = first == end;
+  if (!stored) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
     // What is written anew from the beginning must not wait for the frame that still reads the old.
-    if (first_item == 0) {
-      glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_ * bytes_an_item<Shape>), nullptr,
-                   GL_DYNAMIC_DRAW);
+    const GLbitfield forget = first == 0 ? GL_MAP_INVALIDATE_BUFFER_BIT : GL_MAP_INVALIDATE_RANGE_BIT;
+    auto* at = static_cast<std::byte*>(glMapBufferRange(
+        GL_ARRAY_BUFFER, static_cast<GLintptr>(first * bytes_an_item<Shape>),
+        static_cast<GLsizeiptr>((end - first) * bytes_an_item<Shape>), GL_MAP_WRITE_BIT | forget));
+    if (at != nullptr) {
+      for (auto entry = entries_.begin() + static_cast<std::ptrdiff_t>(first_entry); entry != entries_.end();
+           ++entry) {
+        for (const auto& item : Kind<Shape>::items(*entry->shape)) Kind<Shape>::write(item, at);
+      }
+      stored = glUnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE;
     }
-    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first_item * bytes_an_item<Shape>),
-                    static_cast<GLsizeiptr>(waiting_.size()), waiting_.data());
   }
   glBindVertexArray(0);
-  waiting_.clear();
-  if (waiting_.capacity() > large) waiting_.shrink_to_fit();
+  if (!stored) {
+    truncate(first_entry);
+    shown_ = std::min(shown_, first_entry);
+  }
 }
 
 template <class Shape>
@@ -227,10 +296,9 @@ void Batch<Shape>::show(std::span<const Pointer> shapes) {
     return;
   }
   truncate(same);
-  const std::size_t first_item = entries_.empty() ? 0 : entries_.back().items_end;
   for (std::size_t i = same; i < shapes.size(); ++i) append(*shapes[i], shapes[i]);
   uploads_ += shapes.size() - same;
-  store(first_item);
+  store(same);
 }
 
 template <class Shape>
@@ -245,19 +313,13 @@ template <class Shape>
 std::size_t Batch<Shape>::draw(const Frustum& frustum) const {
   if (shown_ == 0) return 0;
   const Entry& last = entries_[shown_ - 1];
-  constexpr std::size_t corners = 3;  // to draw an item
-  std::vector<GLint> firsts;
-  std::vector<GLsizei> counts;
+  std::vector<Run> runs;
   std::size_t drawn = 0;
-  std::size_t end = 0;  // of the run of pieces at hand
   const auto take = [&](std::size_t first, std::size_t count) {
-    if (!firsts.empty() && end == first) {
-      counts.back() += static_cast<GLsizei>(corners * count);
-    } else {
-      firsts.push_back(static_cast<GLint>(corners * first));
-      counts.push_back(static_cast<GLsizei>(corners * count));
-    }
-    end = first + count;
+    if (!runs.empty() && runs.back().first + runs.back().count == first)
+      runs.back().count += count;
+    else
+      runs.push_back({first, count});
     drawn += count;
   };
   if (last.items_end <= always_whole) {
@@ -269,8 +331,7 @@ std::size_t Batch<Shape>::draw(const Frustum& frustum) const {
   }
   if (drawn == 0) return 0;
   glBindVertexArray(array_.id());
-  const auto runs = static_cast<GLsizei>(firsts.size());
-  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), runs);
+  draw_runs<Shape>(runs);
   return drawn;
 }
 

@@ -48,7 +48,7 @@ class Batch {
   void show(std::span<const Pointer> shapes);
   // This frame's own, in place of all that was there.
   void show_once(const Shape& shape);
-  // Gives how many lines, points or triangles were drawn. Leaves out what lies outside.
+  // Gives how many lines, points or faces were drawn. Leaves out what lies outside.
   std::size_t draw(const Frustum& frustum) const;
 
   [[nodiscard]] bool empty() const { return shown_ == 0; }
@@ -74,16 +74,16 @@ class Batch {
   };
   void append(const Shape& shape, const Pointer& held);
   void truncate(std::size_t entries);
-  void store(std::size_t first_item);
+  void store(std::size_t first_entry);
   void reserve(std::size_t items);
 
   GlVertexArray array_;
   GlBuffer buffer_;
+  GlBuffer indices_;          // of faces, whose triangles share corners
   std::size_t capacity_ = 0;  // items
   std::vector<Entry> entries_;
   std::vector<Piece> pieces_;
-  std::vector<std::byte> waiting_;  // appended and not yet stored
-  std::size_t shown_ = 0;           // entries
+  std::size_t shown_ = 0;  // entries
   std::size_t uploads_ = 0;
 };
 

@@ -187,7 +187,7 @@ void Renderer::draw_faces(const Frame& frame) {
   blend(false);
   start(frame.scene.band ? face_ : face_plain_, frame);
   if (closed_from_outside(frame)) glEnable(GL_CULL_FACE);
-  last_.triangles += faces_.draw(frame.frustum);
+  last_.triangles += 2 * faces_.draw(frame.frustum);
   glDisable(GL_CULL_FACE);
   ++last_.draw_calls;
 }
