@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace knit {
 
@@ -18,10 +19,14 @@ double squared(const Stitch& a, const Stitch& b) {
 std::vector<std::int32_t> mains_of(const NearestRows& rows) {
   if (!rows.mains.empty()) return {rows.mains.begin(), rows.mains.end()};
   const auto size = static_cast<std::int32_t>(rows.below.size());
-  const std::int32_t count = std::min(size, most_mains);
+  std::int32_t count = std::min(size, most_mains);
+  // The main opposite the first needs a stitch that stands there.
+  if (count % 2 == 0 && size % 2 != 0) --count;
+  const auto nearest_place = [&](std::int32_t i) { return (2 * i * size + count) / (2 * count); };
   std::vector<std::int32_t> mains;
   mains.reserve(static_cast<std::size_t>(count));
-  for (std::int32_t i = 0; i < count; ++i) mains.push_back(i * size / count);
+  for (std::int32_t i = 0; i < count; ++i)
+    mains.push_back(2 * i <= count ? nearest_place(i) : size - nearest_place(count - i));
   return mains;
 }
 
@@ -62,10 +67,11 @@ class Matcher {
     const std::size_t doublings = big_.size() - stitches;
     const std::size_t width = doublings + 1;
     constexpr double never = std::numeric_limits<double>::infinity();
+    if (doublings == stitches) return every(stitches);
     std::vector<double> cost(width, never);
-    cost[0] = 0.0;
+    cost[0] = squared(small_[0], big_[0]);
     std::vector<std::uint8_t> took(stitches * width, 0);
-    for (std::size_t j = 0; j < stitches; ++j) {
+    for (std::size_t j = 1; j < stitches; ++j) {
       std::vector<double> next(width, never);
       for (std::size_t k = 0; k < width; ++k) {
         if (cost[k] == never) continue;
@@ -87,6 +93,12 @@ class Matcher {
   }
 
  private:
+  static std::vector<std::size_t> every(std::size_t stitches) {
+    std::vector<std::size_t> found(stitches);
+    std::iota(found.begin(), found.end(), std::size_t{0});
+    return found;
+  }
+
   static std::vector<std::size_t> walk_back(const std::vector<std::uint8_t>& took, std::size_t stitches,
                                             std::size_t doublings) {
     std::vector<std::size_t> found;
@@ -121,53 +133,81 @@ class Matcher {
   std::vector<MainDistance> to_mains_;
 };
 
-// The shaping of cells `cell` and `cell + 1`, which share a stitch: the label stands on the one nearer to the
-// nearest main and works with the other; a main itself never carries it while the other can.
-void label_pair(Transition& t, std::size_t cell, bool grows, const std::vector<std::uint8_t>& is_main,
-                const std::vector<MainDistance>& to_mains) {
-  const Label after = grows ? Label::m1r : Label::ssk;
-  const Label before = grows ? Label::m1l : Label::k2tog;
-  const bool main_behind = to_mains[cell].before <= to_mains[cell + 1].after;
-  std::size_t labelled = main_behind ? cell : cell + 1;
-  if (is_main[cell] != 0)
-    labelled = cell + 1;
-  else if (is_main[cell + 1] != 0)
-    labelled = cell;
-  t.labels[labelled] = main_behind ? after : before;
-  t.partner[labelled] = static_cast<std::int32_t>(labelled == cell ? cell + 1 : cell);
-}
+// Gives labels to the cells of the larger row, whose links are made.
+class Labeller {
+ public:
+  Labeller(const NearestRows& rows, Transition& t)
+      : t_(t),
+        grows_(t.above >= t.below),
+        small_(grows_ ? rows.below : rows.above),
+        big_(grows_ ? rows.above : rows.below),
+        is_main_(big_.size(), 0) {}
 
-void link_and_label(Transition& t, const std::vector<std::size_t>& doubled,
-                    std::span<const std::int32_t> mains_below, bool grows) {
-  const auto cells = static_cast<std::size_t>(std::max(t.below, t.above));
-  std::vector<std::uint8_t> is_double(static_cast<std::size_t>(std::min(t.below, t.above)), 0);
-  for (const std::size_t j : doubled) is_double[j] = 1;
-  std::vector<std::size_t> pairs;
-  for (std::size_t j = 0; j < is_double.size(); ++j) {
-    if (is_double[j] != 0) pairs.push_back(t.link.size());
-    t.link.insert(t.link.end(), is_double[j] != 0 ? 2U : 1U, static_cast<std::int32_t>(j));
+  void label(std::span<const std::int32_t> mains_below) {
+    for (const std::int32_t main : mains_below) is_main_[cell_of_main(main)] = 1;
+    t_.labels.assign(big_.size(), Label::knit);
+    t_.partner.resize(big_.size());
+    std::vector<std::int32_t> main_cells;
+    for (std::size_t cell = 0; cell < big_.size(); ++cell) {
+      t_.partner[cell] = static_cast<std::int32_t>(cell);
+      if (is_main_[cell] == 0) continue;
+      t_.labels[cell] = Label::main;
+      main_cells.push_back(static_cast<std::int32_t>(cell));
+    }
+    const auto to_mains = distances_to_mains(main_cells, static_cast<std::int32_t>(big_.size()));
+    for (std::size_t cell = 0; cell + 1 < big_.size(); ++cell)
+      if (t_.link[cell] == t_.link[cell + 1]) label_pair(cell, to_mains);
+    for (const std::int32_t cell : main_cells) {
+      const std::int32_t above = grows_ ? cell : t_.link[static_cast<std::size_t>(cell)];
+      if (t_.mains.empty() || t_.mains.back() != above) t_.mains.push_back(above);
+    }
   }
-  std::vector<std::uint8_t> is_main(cells, 0);
-  for (const std::int32_t main : mains_below) {
-    // A main goes on in the first cell that hangs on it.
-    const auto cell = grows ? std::lower_bound(t.link.begin(), t.link.end(), main) - t.link.begin() : main;
-    is_main[static_cast<std::size_t>(cell)] = 1;
+
+ private:
+  // Of two cells on one stitch: whether the first is the nearer to it.
+  [[nodiscard]] bool first_is_nearer(std::size_t cell) const {
+    const Stitch& shared = small_[static_cast<std::size_t>(t_.link[cell])];
+    return squared(shared, big_[cell]) <= squared(shared, big_[cell + 1]);
   }
-  t.labels.assign(cells, Label::knit);
-  t.partner.resize(cells);
-  std::vector<std::int32_t> main_cells;
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    t.partner[cell] = static_cast<std::int32_t>(cell);
-    if (is_main[cell] == 0) continue;
-    t.labels[cell] = Label::main;
-    main_cells.push_back(static_cast<std::int32_t>(cell));
+
+  // A doubled main goes on in the nearer of its cells.
+  [[nodiscard]] std::size_t cell_of_main(std::int32_t main) const {
+    if (!grows_) return static_cast<std::size_t>(main);
+    const auto [first, end] = std::equal_range(t_.link.begin(), t_.link.end(), main);
+    const auto cell = static_cast<std::size_t>(first - t_.link.begin());
+    return end - first == 1 || first_is_nearer(cell) ? cell : cell + 1;
   }
-  const auto to_mains = distances_to_mains(main_cells, static_cast<std::int32_t>(cells));
-  for (const std::size_t cell : pairs) label_pair(t, cell, grows, is_main, to_mains);
-  for (const std::int32_t cell : main_cells) {
-    const std::int32_t above = grows ? cell : t.link[static_cast<std::size_t>(cell)];
-    if (t.mains.empty() || t.mains.back() != above) t.mains.push_back(above);
+
+  // The shaping of cells `cell` and `cell + 1`, which share a stitch: the label stands on the one nearer to the
+  // nearest main, or to the stitch where two mains are equally near, and works with the other; a main itself never
+  // carries it while the other can.
+  void label_pair(std::size_t cell, const std::vector<MainDistance>& to_mains) {
+    const std::int32_t behind = to_mains[cell].before, ahead = to_mains[cell + 1].after;
+    const bool main_behind = behind == ahead ? first_is_nearer(cell) : behind < ahead;
+    const bool on_first = main_behind ? is_main_[cell] == 0 : is_main_[cell + 1] != 0;
+    const std::size_t labelled = on_first ? cell : cell + 1;
+    if (grows_)
+      t_.labels[labelled] = main_behind ? Label::m1r : Label::m1l;
+    else
+      t_.labels[labelled] = main_behind ? Label::ssk : Label::k2tog;
+    t_.partner[labelled] = static_cast<std::int32_t>(on_first ? cell + 1 : cell);
   }
+
+  Transition& t_;
+  bool grows_;
+  std::span<const Stitch> small_, big_;
+  std::vector<std::uint8_t> is_main_;
+};
+
+std::vector<std::int32_t> links_of(const std::vector<std::size_t>& doubled, std::size_t stitches) {
+  std::vector<std::int32_t> link;
+  auto next = doubled.begin();
+  for (std::size_t j = 0; j < stitches; ++j) {
+    const bool twice = next != doubled.end() && *next == j;
+    if (twice) ++next;
+    link.insert(link.end(), twice ? 2U : 1U, static_cast<std::int32_t>(j));
+  }
+  return link;
 }
 
 }  // namespace
@@ -180,7 +220,9 @@ Transition plan_nearest(const NearestRows& rows, const NearestPenalties& penalti
   t.rule = Rule::nearest;
   const bool grows = t.above >= t.below;
   const std::vector<std::int32_t> mains = mains_of(rows);
-  link_and_label(t, Matcher(rows, penalties, mains).doubled(), mains, grows);
+  t.link =
+      links_of(Matcher(rows, penalties, mains).doubled(), std::min(rows.below.size(), rows.above.size()));
+  Labeller(rows, t).label(mains);
   for (const bool shaping : {false, true}) {
     for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
       if (shaping ? is_shaping(t.labels[cell]) : t.labels[cell] == Label::main)

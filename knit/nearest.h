@@ -2,11 +2,14 @@
 // the wale edges as short as can be.
 //
 // A monotone matching of two closed rows that begins at both first stitches and never crosses the beginning of
-// the round: each cell of the larger row has one link, each stitch of the smaller row one or two. Of all such
-// matchings the one with the least sum of squared wale lengths (plus penalties, if asked for) is found by
-// dynamic programming over stitches and doublings. Labels follow from the links: a doubled stitch is shaping,
-// leaning by the side on which the nearest main stands. Mains are wales: up to six, spread over the cast on and
-// carried from row to row along the links.
+// the round: each cell of the larger row has one link, each stitch of the smaller row one or two; the first stitch
+// has one, unless all have two. Of all such matchings the one with the least sum of squared wale lengths (plus
+// penalties, if asked for) is found by dynamic programming over stitches and doublings. Labels follow from the
+// links: a doubled stitch is shaping, leaning by the side on which the nearest main stands. Mains are wales: up to
+// six, spread over the cast on and carried from row to row along the links.
+//
+// Mirrored rounds are worked mirrored, right for left, unless every stitch is doubled: nothing here prefers a side.
+// Only where two places are equally near does the first of them count.
 #pragma once
 
 #include <cstdint>

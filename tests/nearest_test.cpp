@@ -83,17 +83,35 @@ double cost_of(const Pair& pair, const Cells& link, double stacking) {
   return sum;
 }
 
-// The least over all matchings, by trying each.
+// The least over all matchings, by trying each; the first stitch is doubled only where all are.
 double least_cost(const Pair& pair, double stacking) {
   const std::size_t n = pair.small().size();
   double least = 1e300;
   for (unsigned doubled = 0; doubled < (1U << n); ++doubled) {
+    if ((doubled & 1U) != 0 && doubled + 1 != 1U << n) continue;
     Cells link;
     for (unsigned j = 0; j < n; ++j)
       link.insert(link.end(), (doubled >> j & 1U) != 0 ? 2U : 1U, static_cast<std::int32_t>(j));
     if (link.size() == pair.big().size()) least = std::min(least, cost_of(pair, link, stacking));
   }
   return least;
+}
+
+// As a mirror shows them: the same first stitch, and round the other way.
+Cells mirrored(const Cells& mains, std::int32_t size) {
+  Cells image;
+  for (const std::int32_t main : mains) image.push_back((size - main) % size);
+  std::sort(image.begin(), image.end());
+  return image;
+}
+Pair mirrored(const Pair& pair) {
+  using test_support::round_the_other_way;
+  Pair image{round_the_other_way(pair.below), round_the_other_way(pair.above),
+             mirrored(pair.mains, static_cast<std::int32_t>(pair.below.size())),
+             round_the_other_way(pair.shaped)};
+  for (Stitches* row : {&image.below, &image.above})
+    for (Stitch& stitch : *row) stitch.position.x *= -1.0;
+  return image;
 }
 
 // Doublings that involve what shaping made in the row below.
@@ -143,32 +161,43 @@ TEST_CASE("nearest: no other matching is nearer", "[nearest]") {
 TEST_CASE("nearest: equal rows hang straight, a row twice as large doubles every stitch", "[nearest]") {
   const Transition plain = even_pair(10, 10).planned();
   CHECK(plain.link == Cells{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
-  CHECK(plain.mains == Cells{0, 1, 3, 5, 6, 8});
+  CHECK(plain.mains == Cells{0, 2, 3, 5, 7, 8});
   CHECK(shaping_cells(plain).empty());
   CHECK(even_pair(4, 8).planned().link == Cells{0, 0, 1, 1, 2, 2, 3, 3});
   CHECK(even_pair(7, 4).planned().link.size() == 7);
   CHECK(shaping_cells(even_pair(7, 4).planned()).size() == 3);
 }
 
-TEST_CASE("nearest: rows run backwards are matched backwards", "[nearest]") {
+TEST_CASE("nearest: mirrored rounds are worked mirrored, right for left", "[nearest]") {
   Dice dice(31);
-  for (int i = 0; i < 200; ++i) {
-    const Pair pair = random_pair(dice, 30);
-    Pair mirrored{{pair.below.rbegin(), pair.below.rend()}, {pair.above.rbegin(), pair.above.rend()}};
-    const Transition t = pair.planned();
-    const Transition back = mirrored.planned();
-    Cells link(back.link.rbegin(), back.link.rend());
-    for (std::int32_t& stitch : link) stitch = std::min(t.below, t.above) - 1 - stitch;
-    CHECK(link == t.link);
-    CHECK(back.sum_of_squares == Approx(t.sum_of_squares));
-    CHECK(shaping_cells(back).size() == shaping_cells(t).size());
+  for (int i = 0; i < 400; ++i) {
+    Pair pair = random_pair(dice, 30);
+    if (i % 2 == 0) pair.mains.clear();  // cast on
+    if (pair.big().size() == 2 * pair.small().size()) continue;
+    const NearestPenalties penalties{i % 3 == 0 ? 0.01 : 0.0, i % 5 == 0 ? 0.01 : 0.0};
+    const Transition t = pair.planned(penalties);
+    const Transition image = mirrored(pair).planned(penalties);
+    INFO("pair " << i << ": " << pair.below.size() << " to " << pair.above.size());
+    CHECK(image.labels == test_support::mirrored_labels(t.labels));
+    CHECK(image.mains == mirrored(t.mains, t.above));
+    CHECK(image.link == test_support::mirrored_links(t));
+    CHECK(image.sum_of_squares == Approx(t.sum_of_squares));
+  }
+}
+
+TEST_CASE("nearest: the round's first stitch is doubled only where all are", "[nearest]") {
+  Dice dice(12);
+  for (int i = 0; i < 300; ++i) {
+    const Pair pair = random_pair(dice, 12);
+    const bool all = pair.big().size() == 2 * pair.small().size();
+    CHECK((pair.planned().link[1] == 0) == all);
   }
 }
 
 TEST_CASE("nearest: shaping leans by the side on which the nearest main stands", "[nearest]") {
   // Increases: stitch 4 of 8 is pulled apart; the main is before it, after it, or itself.
   Pair grows{even_round(8, 0.0), {}};
-  for (const double at : {0.0, 1.0, 2.0, 3.0, 3.9, 4.1, 5.0, 6.0, 7.0})
+  for (const double at : {0.0, 1.0, 2.0, 3.0, 3.95, 4.1, 5.0, 6.0, 7.0})
     grows.above.push_back({{0.4 * std::sin(pi * at / 4), 0.1, -0.4 * std::cos(pi * at / 4)}, no_vertex});
   const auto shaped = [](Pair pair, std::int32_t main) {
     pair.mains = {main};
@@ -187,6 +216,10 @@ TEST_CASE("nearest: shaping leans by the side on which the nearest main stands",
   CHECK(shaped(shrinks, 6) == std::tuple(5, Label::k2tog, 4));
   CHECK(shaped(shrinks, 4) == std::tuple(5, Label::ssk, 4));
   CHECK(shaped(shrinks, 5) == std::tuple(4, Label::k2tog, 5));
+  // On the main, which goes on in the nearer of its two cells.
+  grows.above[4] = {{0.4 * std::sin(pi * 3.9 / 4), 0.1, -0.4 * std::cos(pi * 3.9 / 4)}, no_vertex};
+  grows.above[5] = {{0.4 * std::sin(pi * 4.05 / 4), 0.1, -0.4 * std::cos(pi * 4.05 / 4)}, no_vertex};
+  CHECK(shaped(grows, 4) == std::tuple(4, Label::m1l, 5));
 }
 
 TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nearest]") {
@@ -197,9 +230,12 @@ TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nea
     const Transition t = pair.planned();
     Cells expected;
     for (const std::int32_t main : pair.mains) {
-      const auto first = std::find(t.link.begin(), t.link.end(), main) - t.link.begin();
-      const auto above =
-          pair.grows() ? static_cast<std::int32_t>(first) : t.link[static_cast<std::size_t>(main)];
+      const auto m = static_cast<std::size_t>(main);
+      auto cell = static_cast<std::size_t>(std::find(t.link.begin(), t.link.end(), main) - t.link.begin());
+      const bool doubled = pair.grows() && cell + 1 < t.link.size() && t.link[cell + 1] == main;
+      if (doubled && squared(pair.below[m], pair.above[cell + 1]) < squared(pair.below[m], pair.above[cell]))
+        ++cell;
+      const auto above = pair.grows() ? static_cast<std::int32_t>(cell) : t.link[m];
       if (expected.empty() || expected.back() != above) expected.push_back(above);
     }
     CHECK(t.mains == expected);
@@ -209,6 +245,7 @@ TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nea
   }
   CHECK(even_pair(4, 4).planned().mains == Cells{0, 1, 2, 3});
   CHECK(even_pair(24, 24).planned().mains == Cells{0, 4, 8, 12, 16, 20});
+  CHECK(even_pair(7, 7).planned().mains == Cells{0, 1, 3, 4, 6});  // six would not stand alike on both sides
 }
 
 TEST_CASE("nearest: shaped_by names the stitches that shaping made", "[nearest]") {

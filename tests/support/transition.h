@@ -12,6 +12,42 @@ namespace test_support {
 
 using Cells = std::vector<std::int32_t>;
 
+// What a mirror makes of something along a round: the first stays, the others come in the opposite order.
+template <class T>
+std::vector<T> round_the_other_way(std::vector<T> round) {
+  if (!round.empty()) std::reverse(round.begin() + 1, round.end());
+  return round;
+}
+inline std::vector<knit::Label> mirrored_labels(const std::vector<knit::Label>& labels) {
+  using knit::Label;
+  std::vector<Label> image = round_the_other_way(labels);
+  for (Label& label : image) {
+    switch (label) {
+      case Label::m1r:
+        label = Label::m1l;
+        break;
+      case Label::m1l:
+        label = Label::m1r;
+        break;
+      case Label::k2tog:
+        label = Label::ssk;
+        break;
+      case Label::ssk:
+        label = Label::k2tog;
+        break;
+      default:
+        break;
+    }
+  }
+  return image;
+}
+inline Cells mirrored_links(const knit::Transition& t) {
+  const std::int32_t small = std::min(t.below, t.above);
+  Cells image = round_the_other_way(t.link);
+  for (std::int32_t& stitch : image) stitch = (small - stitch) % small;
+  return image;
+}
+
 // Each stitch has one or two links, in order, first to first and last to last.
 inline bool links_sound(const knit::Transition& t) {
   const std::int32_t small = std::min(t.below, t.above);
