@@ -170,12 +170,14 @@ class Labeller {
     return squared(shared, big_[cell]) <= squared(shared, big_[cell + 1]);
   }
 
-  // A doubled main goes on in the nearer of its cells.
+  // A doubled main goes on in the nearer of its cells; where every stitch is doubled in the first, which hangs on it in
+  // the mirror too.
   [[nodiscard]] std::size_t cell_of_main(std::int32_t main) const {
     if (!grows_) return static_cast<std::size_t>(main);
     const auto [first, end] = std::equal_range(t_.link.begin(), t_.link.end(), main);
     const auto cell = static_cast<std::size_t>(first - t_.link.begin());
-    return end - first == 1 || first_is_nearer(cell) ? cell : cell + 1;
+    const bool all_doubled = big_.size() == 2 * small_.size();
+    return end - first == 1 || all_doubled || first_is_nearer(cell) ? cell : cell + 1;
   }
 
   // The shaping of cells `cell` and `cell + 1`, which share a stitch: the label stands on the one nearer to the

