@@ -21,6 +21,14 @@ function(our_library name)
   target_link_libraries(${name} PRIVATE our_flags)
 endfunction()
 
+# Headers that most files of a library include, compiled once. Only where asked for: elsewhere each file shows that it
+# includes what it needs.
+function(precompile name)
+  if(KNIT_PRECOMPILE)
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
 # Makes no target when there is no source yet.
 function(our_program name)
   file(GLOB sources CONFIGURE_DEPENDS LIST_DIRECTORIES false ${ARGN})

@@ -19,7 +19,7 @@ TEST_CASE("quoting: a long name is cut between characters") {
 }
 
 TEST_CASE("quoting: a word is short, printable and in quotation marks") {
-  CHECK(quoted("vt") == "\"vt\"");
-  CHECK(quoted("a\tü") == "\"a???\"");
-  CHECK(quoted(std::string(25, 'x')) == "\"" + std::string(24, 'x') + "...\"");
+  CHECK(knit::quoted("vt") == "\"vt\"");
+  CHECK(knit::quoted("a\tü") == "\"a???\"");
+  CHECK(knit::quoted(std::string(25, 'x')) == "\"" + std::string(24, 'x') + "...\"");
 }
