@@ -1,5 +1,7 @@
 #include "knit/machine.h"
 
+#include <cmath>
+
 #include "knit/bug.h"
 
 namespace knit {
@@ -50,13 +52,29 @@ Step advance(const Input& input, const Parameters& parameters, State& state) {
   return step;
 }
 
+namespace {
+
+constexpr std::size_t many_triangles = 20000;
+constexpr double many_crossings = 20000.0;  // of cuts and edges: some milliseconds
+
+// The cuts of all rows, each of which goes through about as many triangles as lie side by side.
+bool planning_is_long(const Input& input, const Parameters& parameters) {
+  const auto triangles = static_cast<double>(input.mesh.triangles.size());
+  const double cuts = input.bounds.diagonal() / stitch_height_of(parameters);
+  return input.mesh.triangles.size() >= many_triangles || cuts * std::sqrt(triangles) > many_crossings;
+}
+
+}  // namespace
+
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
-  constexpr std::size_t many_triangles = 20000;
+  if (const auto* contours = std::get_if<ContourWork>(&state.work)) {
+    const bool anew =
+        contours->phase == ContourPhase::cut && contours->plan->stitch_height != stitch_height_of(parameters);
+    return anew && planning_is_long(input, parameters);
+  }
+  if (state.next == Place{Stage::cast_on, 1, 0})
+    return parameters.rows == RowSource::contours && planning_is_long(input, parameters);
   if (input.mesh.triangles.size() < many_triangles) return false;
-  if (const auto* contours = std::get_if<ContourWork>(&state.work))
-    return contours->phase == ContourPhase::cut &&
-           contours->plan->stitch_height != stitch_height_of(parameters);
-  if (state.next == Place{Stage::cast_on, 1, 0}) return parameters.rows == RowSource::contours;
   const auto* timing = std::get_if<TimingWork>(&state.work);
   if (timing == nullptr) return false;
   const TimingKind kind = timing->ends ? timing->kind : parameters.timing;

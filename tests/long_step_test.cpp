@@ -70,6 +70,19 @@ TEST_CASE("planning rows on a large mesh is not taken by the way either") {
   CHECK(run_briefly(timeline).count(planned) == 0);
 }
 
+TEST_CASE("planning very many rows is not taken by the way even on a small mesh") {
+  Parameters fine = large_parameters(TimingKind::linear);
+  fine.rows = RowSource::contours;
+  fine.stitch_width = 0.001;
+  fine.stitch_height = 0.001;
+  Timeline timeline(test_support::small_sphere(), fine);
+  while (timeline.furthest().stage() < Stage::cast_on) REQUIRE(timeline.extend_briefly(1));
+  CHECK(timeline.next_is_long());
+  const std::size_t known = timeline.known();
+  CHECK(timeline.extend_briefly(10));
+  CHECK(timeline.known() == known);
+}
+
 TEST_CASE("on a small mesh no step is long") {
   Timeline timeline(test_support::small_sphere(), large_parameters(TimingKind::geodesic));
   while (timeline.extend_briefly(1)) CHECK_FALSE(timeline.next_is_long());
