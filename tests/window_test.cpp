@@ -84,7 +84,7 @@ await_window() {
   window=
   for _ in $(seq 150); do
     kill -0 $pid 2>/dev/null || fail "the program ended early: $(cat errors)"
-    window=$(xdotool search --onlyvisible --name '^knit-mesh$' 2>/dev/null | head -n 1) || true
+    window=$(xdotool search --onlyvisible --name '(^| - )knit-mesh$' 2>/dev/null | head -n 1) || true
     [ -z "$window" ] || break
     sleep 0.1
   done
@@ -209,6 +209,8 @@ TEST_CASE("the real window opens, plays, seeks to the end and shows the knit mes
   const Folder folder;
   const std::string trouble = run_on_screen(folder, R"(
 start --save-report opened.json
+titled() { xdotool getwindowname $window | grep -qx 'thesis-sphere - knit-mesh'; }
+await "the title does not name the mesh" titled
 close
 start --save-report played.json
 xdotool key space

@@ -260,8 +260,6 @@ Cursor ImGuiGlue::wanted_cursor() const {
   // clang-format on
 }
 
-bool ImGuiGlue::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
-bool ImGuiGlue::wants_keyboard() const { return ImGui::GetIO().WantCaptureKeyboard; }
 bool ImGuiGlue::wants_text() const { return ImGui::GetIO().WantTextInput; }
 
 bool ImGuiGlue::busy() const {

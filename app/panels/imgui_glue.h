@@ -59,8 +59,6 @@ class ImGuiGlue {
 
   // After a frame.
   Cursor wanted_cursor() const;
-  bool wants_mouse() const;
-  bool wants_keyboard() const;  // a text field or other widget is using the keys
   bool wants_text() const;
   // Something is held or blinks, so that a next frame is due even without an event.
   bool busy() const;

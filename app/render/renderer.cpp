@@ -79,7 +79,11 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   if (viewport.width <= 0 || viewport.height <= 0) {
     return;
   }
-  for (Program* program : programs()) program->refresh();
+  shader_problem_.clear();
+  for (Program* program : programs()) {
+    program->refresh();
+    if (shader_problem_.empty()) shader_problem_ = program->problem();
+  }
   last_ = {};
   upload(scene);
   Frame frame{.scene = scene,
@@ -268,16 +272,6 @@ void Renderer::draw_points(const Frame& frame, bool hidden) {
 
 std::array<Program*, 8> Renderer::programs() {
   return {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_};
-}
-
-std::string Renderer::shader_problem() const {
-  for (const Program* program :
-       {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_}) {
-    if (!program->problem().empty()) {
-      return program->problem();
-    }
-  }
-  return {};
 }
 
 Renderer::Counters Renderer::counters() const {

@@ -27,8 +27,8 @@ class Renderer {
   // Afterwards depth test, blending and scissor are off and the viewport is `viewport`.
   void draw(const Scene& scene, Rect viewport, float ui_scale);
 
-  // Empty, or why a shader that was saved while the program runs is not in use.
-  std::string shader_problem() const;
+  // Empty, or why a shader that was saved while the program runs is not in use, as of the last draw().
+  [[nodiscard]] const std::string& shader_problem() const { return shader_problem_; }
 
   // For tests and for the curious.
   struct Counters {
@@ -63,6 +63,7 @@ class Renderer {
   Batch<std::vector<Line>> isolines_, line_sets_, frame_lines_;
   Batch<std::vector<Point>> point_sets_, frame_points_;
   Counters last_;
+  std::string shader_problem_;
 };
 
 }  // namespace app

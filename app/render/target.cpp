@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
 namespace app {
 
@@ -124,17 +123,6 @@ void Target::present(int window_width, int window_height) const {
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
                     same ? GL_NEAREST : GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
-int samples_for_speed() {
-  const GLubyte* bytes = glGetString(GL_RENDERER);
-  const std::string_view name = bytes != nullptr ? reinterpret_cast<const char*>(bytes) : "";
-  for (const std::string_view software : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) {
-    if (name.find(software) != std::string_view::npos) {
-      return 1;
-    }
-  }
-  return 4;
 }
 
 }  // namespace app

@@ -31,8 +31,4 @@ class Target {
   int width_ = 0, height_ = 0, wanted_ = 0, samples_ = 0;
 };
 
-// Four samples a pixel, or one where the processor does the drawing (llvmpipe), which it does twice as fast
-// then.
-int samples_for_speed();
-
 }  // namespace app

@@ -58,6 +58,8 @@ class FrameDrawer {
 
   [[nodiscard]] const Target& target() const { return target_; }
   [[nodiscard]] const ImGuiGlue& glue() const { return glue_; }
+  // Why a shader saved meanwhile is not in use; for developers.
+  [[nodiscard]] const std::string& shader_problem() const { return renderer_.shader_problem(); }
   // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
   [[nodiscard]] bool busy() const {
     return glue_.busy() || ui_.click.has_value() || since_step_s_ < motion_s || unfinished_;

@@ -9,6 +9,7 @@
 #include "app/core/session_file.h"
 #include "app/core/sweep_work.h"
 #include "app/window/animation.h"
+#include "knit/quoting.h"
 
 namespace app {
 
@@ -60,6 +61,19 @@ void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
   save_pictures_wanted(session, drawer.target());
   save_pages_wanted(session, drawer);
   save_figures_wanted(session);
+}
+
+// Once each time that it changes.
+void tell_shader_problem(Session& session, const FrameDrawer& drawer, Pace& pace) {
+  if (drawer.shader_problem() == pace.shader_problem) return;
+  pace.shader_problem = drawer.shader_problem();
+  if (!pace.shader_problem.empty()) session.notices.push_back({Notice::Kind::warning, pace.shader_problem});
+}
+
+std::string title_of(const Session& session) {
+  const Source& source = session.source;
+  const std::string name = source.file.empty() ? source.example : source.file.filename().string();
+  return name.empty() ? "knit-mesh" : knit::printable(name) + " - knit-mesh";
 }
 
 }  // namespace
@@ -114,6 +128,8 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   const auto start = std::chrono::steady_clock::now();
   const Actions wishes =
       drawer.draw(session, shape_of(window, seconds, samples), window.input().take_frame());
+  tell_shader_problem(session, drawer, pace);
+  window.set_title(title_of(session));
   window.set_cursor(drawer.glue().wanted_cursor());
   drawer.target().present(pixels.width, pixels.height);
   if (samples > 1) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "app/window/frame.h"
 #include "app/window/window.h"
@@ -15,6 +16,7 @@ struct Pace {
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
   double frame_seconds = 1.0 / 60.0;  // what a frame costs, smoothed
   int frames_due = frames_after_event;
+  std::string shader_problem;  // as told
 
   double tick();  // seconds since the one before
 };

@@ -19,6 +19,7 @@ struct Window::Inside {
   InputQueue input;
   std::vector<std::string> dropped;
   bool refresh = true;
+  std::string title;  // as set last
   Cursor cursor = Cursor::Arrow;
   std::array<GLFWcursor*, 10> cursors{};  // by Cursor; null: the system's arrow
 
@@ -168,7 +169,6 @@ Window::~Window() = default;
 
 void Window::poll() { glfwPollEvents(); }
 void Window::wait(double seconds) { glfwWaitEventsTimeout(std::max(seconds, 0.001)); }
-void Window::wake() { glfwPostEmptyEvent(); }
 void Window::swap() { glfwSwapBuffers(inside_->window); }
 bool Window::lost() const {
   return inside_->reset_status != nullptr && inside_->reset_status() != GL_NO_ERROR;
@@ -178,7 +178,6 @@ InputQueue& Window::input() { return inside_->input; }
 std::vector<std::string> Window::take_dropped() { return std::exchange(inside_->dropped, {}); }
 bool Window::take_refresh() { return std::exchange(inside_->refresh, false); }
 bool Window::close_requested() const { return glfwWindowShouldClose(inside_->window) != GLFW_FALSE; }
-void Window::cancel_close() { glfwSetWindowShouldClose(inside_->window, GLFW_FALSE); }
 bool Window::minimised() const { return glfwGetWindowAttrib(inside_->window, GLFW_ICONIFIED) != GLFW_FALSE; }
 
 Window::Size Window::size() const {
@@ -207,7 +206,11 @@ float Window::unit_scale() const {
   return known ? pixel_scale() * static_cast<float>(units) / static_cast<float>(pixels) : pixel_scale();
 }
 
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(inside_->window, title.c_str()); }
+void Window::set_title(const std::string& title) {
+  if (title == inside_->title) return;
+  inside_->title = title;
+  glfwSetWindowTitle(inside_->window, title.c_str());
+}
 
 void Window::set_cursor(Cursor cursor) {
   if (cursor == inside_->cursor) {

@@ -21,11 +21,9 @@ class Window {
   Window& operator=(Window&&) noexcept;
   ~Window();
 
-  // Collects what happened since; wait() sleeps until something does or the time is over. Any thread may
-  // wake() it.
+  // Collects what happened since; wait() sleeps until something does or the time is over.
   void poll();
   void wait(double seconds);
-  static void wake();
   // Shows what was drawn (see Target::present), in step with the screen.
   void swap();
   // The driver has lost what was given to it (a reset, a card taken out): nothing drawn is seen any more, and only a
@@ -38,8 +36,6 @@ class Window {
   // True once after the picture must be drawn anew: size, density, or uncovered.
   bool take_refresh();
   bool close_requested() const;
-  // A wish to close that is not granted yet ("there is unsaved work").
-  void cancel_close();
   bool minimised() const;
 
   struct Size {
@@ -53,7 +49,7 @@ class Window {
   // where window units are large themselves.
   float unit_scale() const;
 
-  void set_title(const std::string& title);
+  void set_title(const std::string& title);  // a line of UTF-8
   void set_cursor(Cursor cursor);
   std::string clipboard() const;
   void set_clipboard(const std::string& text);
