@@ -31,10 +31,18 @@ void colour(GLuint index, std::size_t stride, std::size_t offset) {
 
 float squared(const glm::vec3& way) { return glm::dot(way, way); }
 
-void put(std::byte*& at, const auto& value) {
-  std::memcpy(at, &value, sizeof value);
-  at += sizeof value;
-}
+// Writes values one after the other.
+class Writer {
+ public:
+  explicit Writer(void* at) : at_(static_cast<std::byte*>(at)) {}
+  void put(const auto& value) {
+    std::memcpy(at_, &value, sizeof value);
+    at_ += sizeof value;
+  }
+
+ private:
+  std::byte* at_;
+};
 
 // How each kind lies in the buffer: the vertices of an item, as bytes and as OpenGL finds them, and the items'
 // places. A line or a point has three vertices alike, the corners of what it covers on the screen, told apart by
@@ -56,8 +64,8 @@ struct Kind<std::vector<Line>> {
     colour(2, stride, offsetof(Line, colour));
     floats(3, 1, stride, offsetof(Line, width_px));
   }
-  static void write(const Line& line, std::byte*& at) {
-    for (std::size_t corner = 0; corner < vertices; ++corner) put(at, line);
+  static void write(const Line& line, Writer& writer) {
+    for (std::size_t corner = 0; corner < vertices; ++corner) writer.put(line);
   }
 };
 
@@ -75,8 +83,8 @@ struct Kind<std::vector<Point>> {
     colour(1, stride, offsetof(Point, colour));
     floats(2, 1, stride, offsetof(Point, diameter_px));
   }
-  static void write(const Point& point, std::byte*& at) {
-    for (std::size_t corner = 0; corner < vertices; ++corner) put(at, point);
+  static void write(const Point& point, Writer& writer) {
+    for (std::size_t corner = 0; corner < vertices; ++corner) writer.put(point);
   }
 };
 
@@ -88,6 +96,7 @@ struct Kind<FaceShape> {
     glm::vec3 normal;
     Colour colour;
   };
+  static_assert(sizeof(Vertex) == 28 && offsetof(Vertex, colour) == 24);
   using Item = FaceShape::Face;
   static constexpr std::size_t vertices = 4;
   static constexpr std::size_t stride = sizeof(Vertex);
@@ -97,10 +106,10 @@ struct Kind<FaceShape> {
   static void describe() {
     floats(0, 3, stride, offsetof(Vertex, position));
     floats(1, 3, stride, offsetof(Vertex, normal));
-    app::colour(2, stride, offsetof(Vertex, colour));
+    colour(2, stride, offsetof(Vertex, colour));
   }
-  static void write(const Item& face, std::byte*& at) {
-    for (const glm::vec3& corner : face.corners) put(at, Vertex{corner, face.normal, face.colour});
+  static void write(const Item& face, Writer& writer) {
+    for (const glm::vec3& corner : face.corners) writer.put(Vertex{corner, face.normal, face.colour});
   }
   static float longest_side_squared(const Item& face) {
     const auto& [a, b, c, d] = face.corners;
@@ -260,13 +269,13 @@ void Batch<Shape>::store(std::size_t first_entry) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
     // What is written anew from the beginning must not wait for the frame that still reads the old.
     const GLbitfield forget = first == 0 ? GL_MAP_INVALIDATE_BUFFER_BIT : GL_MAP_INVALIDATE_RANGE_BIT;
-    auto* at = static_cast<std::byte*>(glMapBufferRange(
+    void* const memory = glMapBufferRange(
         GL_ARRAY_BUFFER, static_cast<GLintptr>(first * bytes_an_item<Shape>),
-        static_cast<GLsizeiptr>((end - first) * bytes_an_item<Shape>), GL_MAP_WRITE_BIT | forget));
-    if (at != nullptr) {
-      for (auto entry = entries_.begin() + static_cast<std::ptrdiff_t>(first_entry); entry != entries_.end();
-           ++entry) {
-        for (const auto& item : Kind<Shape>::items(*entry->shape)) Kind<Shape>::write(item, at);
+        static_cast<GLsizeiptr>((end - first) * bytes_an_item<Shape>), GL_MAP_WRITE_BIT | forget);
+    if (memory != nullptr) {
+      Writer writer(memory);
+      for (std::size_t i = first_entry; i < entries_.size(); ++i) {
+        for (const auto& item : Kind<Shape>::items(*entries_[i].shape)) Kind<Shape>::write(item, writer);
       }
       stored = glUnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE;
     }
@@ -291,6 +300,7 @@ void Batch<Shape>::show(std::span<const Pointer> shapes) {
     if (nothing_left) truncate(0);
     if (nothing_left && capacity_ > large) {
       buffer_ = GlBuffer::make();
+      indices_ = GlBuffer();
       capacity_ = 0;
     }
     return;
