@@ -54,6 +54,7 @@ class Renderer {
   void upload(const Scene& scene);
 
   std::array<Program*, 8> programs();
+  void refresh_next_program();
 
   // The plain ones are for frames without a band, which most are.
   Program surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
@@ -64,6 +65,7 @@ class Renderer {
   Batch<std::vector<Point>> point_sets_, frame_points_;
   Counters last_;
   std::string shader_problem_;
+  std::size_t next_refreshed_ = 0;
 };
 
 }  // namespace app
