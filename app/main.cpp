@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/core/command_line.h"
+#include "app/script/command_line.h"
 #include "app/window/run.h"
-#include "knit/bug.h"
+#include "knit/model/bug.h"
 
 namespace {
 

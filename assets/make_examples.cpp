@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 
 namespace {
 

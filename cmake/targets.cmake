@@ -10,8 +10,10 @@ target_compile_options(our_flags INTERFACE
   $<$<BOOL:${KNIT_WARNINGS_AS_ERRORS}>:-Werror>)
 target_include_directories(our_flags INTERFACE "${CMAKE_SOURCE_DIR}")
 
+# our_library(name folder...): every .cpp in these folders and the folders in them.
 function(our_library name)
-  file(GLOB sources CONFIGURE_DEPENDS LIST_DIRECTORIES false ${ARGN})
+  list(TRANSFORM ARGN APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS LIST_DIRECTORIES false ${patterns})
   if(NOT sources)
     set(sources "${CMAKE_BINARY_DIR}/generated/empty.cpp")
     file(CONFIGURE OUTPUT "${sources}" CONTENT "")
@@ -19,6 +21,15 @@ function(our_library name)
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE our_flags)
+  # The files of a folder at once: a header that all of them include is read once. Names in anonymous namespaces are
+  # the folder's then, not the file's.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${KNIT_UNITY} UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${CMAKE_SOURCE_DIR}")
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
 endfunction()
 
 # Headers that most files of a library include, compiled once. Only where asked for: elsewhere each file shows that it

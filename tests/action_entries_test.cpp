@@ -1,12 +1,12 @@
 // Finding what can be done by what is typed, and what the palette offers in a session.
-#include "app/core/action_entries.h"
+#include "app/actions/action_entries.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/core/word_search.h"
-#include "app/panels/palette_list.h"
-#include "app/panels/save_dialog.h"
+#include "app/base/word_search.h"
+#include "app/panels/dialogs/action_palette.h"
+#include "app/panels/dialogs/file_dialogs.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -249,7 +249,8 @@ TEST_CASE("lessons are listed by their titles, and files that are none are left 
   const test_support::Folder folder;
   std::filesystem::create_directory(folder.path() / "lessons");
   test_support::write_text(folder.path() / "lessons/first.json",
-                           "{\"version\": 1, \"title\": \"What it does\"}");
+                           R"({"knit-mesh-lesson": 1, "key": "first", "title": "What it does", "about": "A",
+                               "pages": [{"title": "One", "text": "First."}]})");
   test_support::write_text(folder.path() / "lessons/broken.json", "{\"title\": ");
   test_support::write_text(folder.path() / "lessons/untitled.json", "[1, 2]");
   test_support::write_text(folder.path() / "lessons/notes.txt", "nothing");

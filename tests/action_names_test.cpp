@@ -1,11 +1,11 @@
 // Every action has a name, an entry in the palette, and a button, a line of a menu or a place to point at.
-#include "app/core/action_names.h"
+#include "app/actions/action_names.h"
 
 #include <set>
 
-#include "app/core/figures.h"
-#include "app/panels/palette_list.h"
-#include "app/panels/save_dialog.h"
+#include "app/files/figures.h"
+#include "app/panels/dialogs/action_palette.h"
+#include "app/panels/dialogs/file_dialogs.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

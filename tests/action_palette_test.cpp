@@ -1,5 +1,5 @@
 // The palette of all actions by keyboard and mouse, and the ways that lead there.
-#include "app/core/action_entries.h"
+#include "app/actions/action_entries.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

@@ -1,8 +1,8 @@
 // What each action does to a session, and that a refused one leaves it as it was.
 #include <filesystem>
 
-#include "app/core/action.h"
-#include "knit/machine.h"
+#include "app/session/action.h"
+#include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -3,11 +3,11 @@
 #include <glm/vec4.hpp>
 #include <set>
 
-#include "app/core/describe.h"
-#include "app/core/pick_thing.h"
-#include "app/core/queries.h"
-#include "app/core/why_words.h"
-#include "knit/narrate.h"
+#include "app/describe/describe.h"
+#include "app/describe/pick.h"
+#include "app/explain/why_words.h"
+#include "app/script/queries.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,11 +1,11 @@
 // What the command line asks of a mesh that opens only after the window came: when mends are made, or a worker is done.
-#include "app/core/asked_at_start.h"
+#include "app/script/open_as_asked.h"
 
 #include <sstream>
 #include <thread>
 
-#include "app/core/opening.h"
-#include "knit/obj.h"
+#include "app/actions/opening.h"
+#include "knit/import/obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"

@@ -1,5 +1,5 @@
 // Break conditions: as text, and where they hold in whole runs, against plain walks.
-#include "knit/breaks.h"
+#include "knit/insight/breaks.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,12 +1,12 @@
 // The turntable camera: what is under the cursor stays there, and everything fits when framed.
-#include "app/core/camera.h"
+#include "app/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace app;

@@ -1,7 +1,7 @@
 // Undo, redo, and parameters as text.
-#include "app/core/changes.h"
+#include "app/session/changes.h"
 
-#include "app/core/parameters_text.h"
+#include "app/actions/parameters_text.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

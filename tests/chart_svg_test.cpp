@@ -1,4 +1,4 @@
-#include "app/core/chart_svg.h"
+#include "app/files/chart_svg.h"
 
 #include <array>
 #include <cstdio>

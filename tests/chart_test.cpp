@@ -1,12 +1,12 @@
-#include "knit/chart.h"
+#include "knit/pattern/chart.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 
-#include "knit/bug.h"
-#include "knit/timeline.h"
-#include "knit/wales.h"
+#include "knit/model/bug.h"
+#include "knit/pattern/wales.h"
+#include "knit/run/timeline.h"
 #include "tests/support/catch.h"
 #include "tests/support/hand_rounds.h"
 #include "tests/support/run.h"

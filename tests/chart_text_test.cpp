@@ -1,10 +1,10 @@
 // The chart as characters, and its symbols' strokes.
-#include "knit/chart_text.h"
+#include "knit/pattern/chart.h"
 
 #include <sstream>
 
-#include "app/core/chart_strokes.h"
-#include "knit/pattern_reader.h"
+#include "app/describe/chart_strokes.h"
+#include "knit/reader/pattern_reader.h"
 #include "tests/support/catch.h"
 #include "tests/support/hand_rounds.h"
 #include "tests/support/session.h"

@@ -1,5 +1,5 @@
 // `knit-mesh check`: lines, summary and exit codes.
-#include "app/core/check_command.h"
+#include "app/script/subcommands.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

@@ -1,12 +1,12 @@
-#include "knit/check.h"
+#include "knit/import/check.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <optional>
 
-#include "knit/obj.h"
-#include "knit/shapes.h"
+#include "knit/import/obj.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,4 +1,4 @@
-#include "knit/closeness.h"
+#include "knit/quality/closeness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The command line as others script against it: words in, actions or an answer out.
-#include "app/core/command_line.h"
+#include "app/script/command_line.h"
 
 #include <algorithm>
 #include <map>

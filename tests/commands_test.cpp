@@ -1,5 +1,5 @@
 // Keys: each gives its action, and none while a person types.
-#include "app/panels/commands.h"
+#include "app/panels/kit/commands.h"
 
 #include "tests/support/desk.h"
 

@@ -1,7 +1,7 @@
 // The sides Compare and Sweep of the right column, without a window.
 #include "tests/support/desk.h"
 
-#include "app/panels/sweep_plot.h"
+#include "app/panels/compare/sweep_plot.h"
 
 using namespace desk;
 

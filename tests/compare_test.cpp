@@ -1,11 +1,11 @@
 // The pinned run beside the one at hand: what differs, the swap, and the ghost.
-#include "app/core/compare_runs.h"
+#include "app/compare/compare_runs.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/core/describe.h"
-#include "app/core/palette.h"
+#include "app/describe/describe.h"
+#include "app/scene/palette.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

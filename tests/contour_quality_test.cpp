@@ -1,9 +1,9 @@
 // What rows from contours with placement `nearest` are held to: the figures of finished runs.
 #include <glm/geometric.hpp>
 
-#include "knit/closeness.h"
-#include "knit/quality.h"
-#include "knit/timeline.h"
+#include "knit/quality/closeness.h"
+#include "knit/quality/quality.h"
+#include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"

@@ -1,13 +1,13 @@
 // Where the surface is cut into rows, and how many stitches each cut carries.
-#include "knit/contour_rows.h"
+#include "knit/rows/contour_rows.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "knit/heights.h"
-#include "knit/narrate.h"
-#include "knit/timeline.h"
+#include "knit/insight/narrate.h"
+#include "knit/run/timeline.h"
+#include "knit/timing/heights.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"

@@ -1,5 +1,5 @@
 // The surface cut at one value of a field.
-#include "knit/contour.h"
+#include "knit/rows/contour.h"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "app/core/action.h"
+#include "app/session/action.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "app/core/session_file.h"
+#include "app/files/session_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"

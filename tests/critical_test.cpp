@@ -1,7 +1,7 @@
 // Critical points of the time, and why level sets split.
-#include "knit/critical.h"
+#include "knit/timing/critical.h"
 
-#include "knit/levels.h"
+#include "knit/timing/levels.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 

@@ -1,12 +1,12 @@
 // What is drawn of stitches too small to be told apart, of the last step's movement and of symbols come near.
-#include "app/core/describe_coarse.h"
+#include "app/describe/describe_coarse.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/core/describe.h"
-#include "app/core/describe_motion.h"
-#include "app/core/describe_symbols.h"
+#include "app/describe/describe.h"
+#include "app/describe/describe_motion.h"
+#include "app/describe/describe_symbols.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

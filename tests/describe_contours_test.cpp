@@ -1,14 +1,14 @@
 // What there is to see while rows come from contours, of isolines and of critical points.
-#include "app/core/describe_contours.h"
+#include "app/describe/describe_contours.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/core/describe.h"
-#include "app/core/palette.h"
-#include "knit/narrate.h"
+#include "app/describe/describe.h"
+#include "app/scene/palette.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

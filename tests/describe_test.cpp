@@ -1,14 +1,14 @@
 // What there is to see at each step: what the step is about, in the palette's colours, layer by layer.
-#include "app/core/describe.h"
+#include "app/describe/describe.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/core/palette.h"
-#include "knit/machine.h"
-#include "knit/measures.h"
-#include "knit/narrate.h"
+#include "app/scene/palette.h"
+#include "knit/insight/narrate.h"
+#include "knit/quality/measures.h"
+#include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

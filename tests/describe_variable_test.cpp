@@ -1,13 +1,13 @@
 // A variable pointed at is lit where its quantity lives; and what a step draws of its quantity by itself.
-#include "app/core/describe_variable.h"
+#include "app/describe/describe_variable.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/core/code_variables.h"
-#include "app/core/describe.h"
-#include "knit/narrate.h"
+#include "app/describe/describe.h"
+#include "app/explain/code_variables.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,4 +1,4 @@
-#include "knit/dissection.h"
+#include "knit/timing/dissection.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // With nothing open: how one comes there, by hand and from the command line, and that nothing can be asked then.
-#include "app/core/command_line.h"
-#include "app/core/export.h"
+#include "app/files/export.h"
+#include "app/script/command_line.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

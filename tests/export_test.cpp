@@ -1,5 +1,5 @@
 // What can be taken home: mesh, map, report and steps, and how files get written.
-#include "app/core/export.h"
+#include "app/files/export.h"
 
 #include <sys/resource.h>
 
@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/core/card_text.h"
-#include "app/core/command_line.h"
-#include "app/core/files.h"
-#include "app/core/index_command.h"
-#include "knit/obj.h"
+#include "app/base/files.h"
+#include "app/files/card.h"
+#include "app/script/command_line.h"
+#include "app/script/subcommands.h"
+#include "knit/import/obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -7,8 +7,7 @@
 
 #include <csignal>
 
-#include "app/core/aside_file.h"
-#include "app/core/files.h"
+#include "app/base/files.h"
 #include "app/render/animation_file.h"
 #include "app/render/gl_handle.h"
 #include "app/render/headless_gl.h"

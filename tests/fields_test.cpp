@@ -1,9 +1,9 @@
-#include "knit/fields.h"
+#include "knit/timing/fields.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "knit/bug.h"
+#include "knit/model/bug.h"
 #include "tests/support/catch.h"
 #include "tests/support/rough_sphere.h"
 

@@ -1,7 +1,7 @@
 // Saving pictures and animations by keyboard and mouse.
 #include <imgui.h>
 
-#include "app/core/figures.h"
+#include "app/files/figures.h"
 #include "tests/support/desk.h"
 
 using namespace desk;

@@ -1,5 +1,5 @@
 // The command line's part about pictures and animations.
-#include "app/core/figure_words.h"
+#include "app/script/figure_words.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

@@ -1,11 +1,11 @@
 // Rounds as phrases: what they are worth in words, and that they say what was there.
-#include "knit/fold.h"
+#include "knit/pattern/fold.h"
 
 #include <algorithm>
 #include <random>
 #include <string>
 
-#include "knit/pattern_words.h"
+#include "knit/pattern/pattern_words.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,5 +1,5 @@
 // The two views of the stitch size: whatever is set, on whatever mesh, they say the same.
-#include "knit/gauge.h"
+#include "knit/model/gauge.h"
 
 #include <limits>
 

@@ -1,11 +1,11 @@
 // The glossary: its terms, where they are found in a text, and the window that shows them.
-#include "app/core/glossary.h"
+#include "app/explain/glossary.h"
 
 #include <algorithm>
 #include <set>
 #include <sstream>
 
-#include "knit/narrate.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

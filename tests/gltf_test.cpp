@@ -1,14 +1,14 @@
 // glTF by a reader of its own that lets nothing pass.
-#include "app/core/gltf.h"
+#include "app/files/gltf.h"
 
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/core/describe_step.h"
-#include "app/core/export.h"
-#include "knit/gauge.h"
+#include "app/describe/describe_step.h"
+#include "app/files/export.h"
+#include "knit/model/gauge.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

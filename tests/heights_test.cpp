@@ -1,5 +1,5 @@
 // How far up the surface each level lies.
-#include "knit/heights.h"
+#include "knit/timing/heights.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,12 +1,12 @@
 // A slow frame must lose no click and no key, in the queue alone and through Dear ImGui.
-#include "app/core/input_queue.h"
+#include "app/actions/input_queue.h"
 
 #include <imgui.h>
 
 #include <string>
 #include <vector>
 
-#include "app/panels/imgui_glue.h"
+#include "app/panels/kit/imgui_glue.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -1,10 +1,10 @@
-#include "knit/intrinsic.h"
+#include "knit/timing/intrinsic.h"
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "knit/bug.h"
+#include "knit/model/bug.h"
 #include "tests/support/catch.h"
 #include "tests/support/rough_sphere.h"
 

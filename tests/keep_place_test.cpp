@@ -1,5 +1,5 @@
 // Tuning keeps one's place, and says when the place is gone.
-#include "app/core/keep_place.h"
+#include "app/actions/navigate.h"
 
 #include "tests/support/beside.h"
 

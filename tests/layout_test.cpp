@@ -1,5 +1,5 @@
 // Where panels stand: they never overlap, and the view keeps its share, whatever is closed and dragged.
-#include "app/panels/layout.h"
+#include "app/panels/kit/layout.h"
 
 #include <array>
 #include <cmath>

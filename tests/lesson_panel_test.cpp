@@ -1,5 +1,5 @@
 // The strip of a lesson and the card that asks for a guess: what is clicked becomes answers.
-#include "app/core/predict.h"
+#include "app/lessons/predict.h"
 #include "tests/support/desk.h"
 #include "tests/support/lesson.h"
 

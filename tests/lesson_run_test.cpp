@@ -1,5 +1,5 @@
 // Beginning, turning, skipping and leaving lessons; what is kept.
-#include "app/core/command_line.h"
+#include "app/script/command_line.h"
 #include "tests/support/lesson.h"
 
 using namespace app;

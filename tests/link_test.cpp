@@ -1,8 +1,8 @@
 // The copied command line opens exactly the state it was copied from.
-#include "app/core/link.h"
+#include "app/files/link.h"
 
-#include "app/core/command_line.h"
-#include "app/core/session_file.h"
+#include "app/files/session_file.h"
+#include "app/script/command_line.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

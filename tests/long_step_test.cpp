@@ -1,7 +1,7 @@
 // Steps that take long: where they are, that they can be taken elsewhere, and that they are taken once.
 #include <set>
 
-#include "knit/narrate.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/beside.h"
 
 using namespace knit;

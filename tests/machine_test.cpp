@@ -1,16 +1,16 @@
 // The machine's steps: every kind is met, places rise, stops leave the state alone, and edits in odd places
 // are survived.
-#include "knit/machine.h"
+#include "knit/run/machine.h"
 
 #include <glm/geometric.hpp>
 #include <map>
 #include <random>
 #include <set>
 
-#include "knit/bug.h"
-#include "knit/measures.h"
-#include "knit/narrate.h"
-#include "knit/step_fields.h"
+#include "knit/insight/narrate.h"
+#include "knit/insight/step_fields.h"
+#include "knit/model/bug.h"
+#include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

@@ -1,5 +1,5 @@
 // What makes a large mesh anew is done beside the window: welding it otherwise, going back to how it was welded.
-#include "app/core/opening.h"
+#include "app/actions/opening.h"
 #include "tests/support/beside.h"
 
 using namespace app;

@@ -1,5 +1,5 @@
 // How close the finished piece is, measured beside the window: once it is finished, and of that run only.
-#include "app/core/work_beside.h"
+#include "app/actions/background_work.h"
 #include "tests/support/beside.h"
 
 using namespace app;

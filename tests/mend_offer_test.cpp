@@ -2,10 +2,11 @@
 // with the session, and said by the command line.
 #include <tuple>
 
-#include "app/core/command_line.h"
-#include "app/core/link.h"
-#include "app/core/report.h"
-#include "app/core/session_file.h"
+#include "app/actions/show_session.h"
+#include "app/files/link.h"
+#include "app/files/report.h"
+#include "app/files/session_file.h"
+#include "app/script/command_line.h"
 #include "tests/support/corpus.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"

@@ -1,14 +1,14 @@
 // Mends: each does what its words say and no more, and a plan is found just where mends make a mesh fit.
-#include "knit/mend.h"
+#include "knit/import/repair.h"
 
 #include <algorithm>
 #include <limits>
 #include <random>
 #include <sstream>
 
-#include "knit/check.h"
-#include "knit/obj.h"
-#include "knit/shapes.h"
+#include "knit/import/check.h"
+#include "knit/import/obj.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"

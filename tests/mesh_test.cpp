@@ -1,9 +1,9 @@
-#include "knit/mesh.h"
+#include "knit/mesh/mesh.h"
 
 #include <cmath>
 #include <limits>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,9 +1,9 @@
 // Algorithm 2 with other rulers: the same walk, measured along the ring or along the surface.
 #include <map>
 
-#include "knit/machine.h"
-#include "knit/measures.h"
-#include "knit/rows.h"
+#include "knit/quality/measures.h"
+#include "knit/rows/rows.h"
+#include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

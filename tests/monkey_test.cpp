@@ -6,8 +6,8 @@
 #include <random>
 #include <span>
 
-#include "app/core/describe.h"
-#include "app/core/presets.h"
+#include "app/describe/describe.h"
+#include "app/session/presets.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

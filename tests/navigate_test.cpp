@@ -1,5 +1,5 @@
 // Forward and back by item, row and stage, from everywhere in a small run.
-#include "app/core/navigate.h"
+#include "app/actions/navigate.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

@@ -1,5 +1,5 @@
 // Placement nearest: which stitch hangs on which, and the labels that follow.
-#include "knit/nearest.h"
+#include "knit/stitches/nearest.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "knit/obj.h"
+#include "knit/import/obj.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,8 +11,8 @@
 #include <random>
 #include <sstream>
 
-#include "knit/check.h"
-#include "knit/shapes.h"
+#include "knit/import/check.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,11 +1,11 @@
 // A large file is opened beside the window: to the same end, with progress, and cancelled whenever one likes.
-#include "app/core/opening.h"
+#include "app/actions/opening.h"
 
 #include <sstream>
 #include <thread>
 
-#include "app/core/session_file.h"
-#include "knit/obj.h"
+#include "app/files/session_file.h"
+#include "knit/import/obj.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

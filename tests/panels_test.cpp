@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "knit/gauge.h"
+#include "knit/model/gauge.h"
 #include "tests/support/desk.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // The one table of parameters: text in, text out, ranges, first readers.
-#include "knit/parameters.h"
+#include "knit/model/parameters.h"
 
 #include <algorithm>
 

@@ -1,11 +1,9 @@
-#include "app/core/pattern_export.h"
+#include "app/files/pattern_export.h"
 
 #include <nlohmann/json.hpp>
 
-#include "app/core/base64.h"
-#include "app/core/pattern_html.h"
-#include "app/core/xml_text.h"
-#include "knit/timeline.h"
+#include "app/base/text.h"
+#include "knit/run/timeline.h"
 #include "tests/support/catch.h"
 #include "tests/support/hand_rounds.h"
 #include "tests/support/run.h"

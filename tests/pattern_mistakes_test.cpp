@@ -1,7 +1,7 @@
 // Mistakes planted in random patterns are found where they are; bytes of any kind upset nothing.
 #include <functional>
 
-#include "knit/pattern_reader.h"
+#include "knit/reader/pattern_reader.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_pattern.h"
 

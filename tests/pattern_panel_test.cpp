@@ -1,7 +1,7 @@
 // The written pattern in its panel: what is lit, what is hovered, what is typed.
-#include "app/core/pattern_file.h"
-#include "app/panels/pattern_lines.h"
-#include "app/panels/track.h"
+#include "app/files/pattern_export.h"
+#include "app/panels/kit/track.h"
+#include "app/panels/pattern/pattern_lines.h"
 #include "tests/support/desk.h"
 
 using namespace desk;

@@ -1,5 +1,5 @@
 // The reader of written patterns: what it understands, what it blames and where, and that nothing upsets it.
-#include "knit/pattern_reader.h"
+#include "knit/reader/pattern_reader.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/random_pattern.h"

@@ -1,15 +1,14 @@
 // From the run to text and back: what a knitter reads leads to the very graph that was written.
 #include <random>
 
-#include "app/core/pattern_export.h"
-#include "app/core/pattern_html.h"
-#include "knit/chart_text.h"
-#include "knit/gauge.h"
-#include "knit/pattern_reader.h"
-#include "knit/shapes.h"
-#include "knit/stitch_index.h"
-#include "knit/timeline.h"
-#include "knit/written_pattern.h"
+#include "app/files/pattern_export.h"
+#include "knit/mesh/shapes.h"
+#include "knit/model/gauge.h"
+#include "knit/pattern/chart.h"
+#include "knit/pattern/written_pattern.h"
+#include "knit/reader/pattern_reader.h"
+#include "knit/run/timeline.h"
+#include "knit/stitches/stitch_index.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,5 +1,5 @@
 // Picking: the vertex that appears under the pointer, on the near side of the surface.
-#include "app/core/pick.h"
+#include "app/describe/pick.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>

@@ -1,11 +1,11 @@
 // How playing moves: slow motion, the loop, and stopping at break conditions.
-#include "app/core/playing.h"
+#include "app/actions/playing.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/core/navigate.h"
-#include "knit/measures.h"
+#include "app/actions/navigate.h"
+#include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,11 +1,11 @@
 // The plots as files: the numbers are the run's, and the drawing can be read.
-#include "app/core/plots_file.h"
+#include "app/files/plots.h"
 
 #include <map>
 
-#include "app/core/export.h"
-#include "app/core/words.h"
-#include "knit/quality.h"
+#include "app/base/text.h"
+#include "app/files/export.h"
+#include "knit/quality/quality.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 #include "tests/support/xml_check.h"

@@ -1,5 +1,5 @@
 // Small plots on a stage of their own: what they draw stays on their ground, what is clicked is told.
-#include "app/panels/plots.h"
+#include "app/panels/kit/plots.h"
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/panels/widgets.h"
+#include "app/panels/kit/widgets.h"
 #include "tests/support/desk.h"
 
 namespace {

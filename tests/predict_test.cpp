@@ -1,8 +1,8 @@
 // Guessing: playing and stepping pause before each verdict, rows do not, and a guess is held against the step.
-#include "app/core/predict.h"
+#include "app/lessons/predict.h"
 
-#include "app/core/describe.h"
-#include "knit/narrate.h"
+#include "app/describe/describe.h"
+#include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

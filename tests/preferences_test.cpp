@@ -1,12 +1,11 @@
 // Preferences: what is remembered, where, and what becomes of a file that is wrong.
-#include "app/core/preferences_file.h"
+#include "app/files/preferences_file.h"
 
 #include <algorithm>
 #include <map>
 
-#include "app/core/apply_parts.h"
-#include "app/core/every_panel.h"
-#include "app/core/recent.h"
+#include "app/actions/apply_parts.h"
+#include "app/session/every_panel.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

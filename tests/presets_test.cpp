@@ -1,9 +1,9 @@
 // Presets: settings that the table takes, that run, and that say what they are for.
-#include "app/core/presets.h"
+#include "app/session/presets.h"
 
 #include <set>
 
-#include "knit/measures.h"
+#include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,5 +1,5 @@
 // The ranking of problems: the same ones as is_unusual finds, worst first.
-#include "knit/problems.h"
+#include "knit/insight/problems.h"
 
 #include <algorithm>
 

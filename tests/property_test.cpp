@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "knit/check.h"
-#include "knit/gauge.h"
-#include "knit/narrate.h"
-#include "knit/timeline.h"
+#include "knit/import/check.h"
+#include "knit/insight/narrate.h"
+#include "knit/model/gauge.h"
+#include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/promises.h"

@@ -1,7 +1,7 @@
 // The pseudo-code as a panel: lines, values and variables that can be pointed at.
 #include <set>
 
-#include "app/core/code_variables.h"
+#include "app/explain/code_variables.h"
 #include "tests/support/desk.h"
 
 namespace {

@@ -1,16 +1,16 @@
 // The pseudo-code against real runs: every kind of step has its line, every line has its step, and every number
 // of a step is the value of a variable.
-#include "app/core/pseudo_code.h"
+#include "app/explain/pseudo_code.h"
 
 #include <algorithm>
 #include <set>
 
-#include "app/core/code_variable_table.h"
-#include "app/core/code_variables.h"
-#include "app/core/queries.h"
-#include "app/core/step_table.h"
-#include "knit/machine.h"
-#include "knit/narrate.h"
+#include "app/explain/code_variable_table.h"
+#include "app/explain/code_variables.h"
+#include "app/explain/step_table.h"
+#include "app/script/queries.h"
+#include "knit/insight/narrate.h"
+#include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

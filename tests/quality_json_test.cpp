@@ -1,4 +1,4 @@
-#include "app/core/quality_json.h"
+#include "app/files/report.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/run.h"

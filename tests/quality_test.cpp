@@ -1,4 +1,4 @@
-#include "knit/quality.h"
+#include "knit/quality/quality.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Words from files in messages.
-#include "knit/quoting.h"
+#include "knit/import/quoting.h"
 
 #include "tests/support/catch.h"
 

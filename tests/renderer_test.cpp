@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/panels/imgui_glue.h"
+#include "app/panels/kit/imgui_glue.h"
 #include "app/render/headless_gl.h"
 #include "app/render/imgui_draw.h"
 #include "app/render/target.h"

@@ -2,8 +2,8 @@
 #include <array>
 #include <set>
 
-#include "app/core/card_figures.h"
-#include "app/panels/card_cache.h"
+#include "app/files/card.h"
+#include "app/panels/report/card_cache.h"
 #include "tests/support/desk.h"
 
 namespace {

@@ -1,13 +1,14 @@
 // What is saved aside while the program runs, and found after a crash.
-#include "app/core/rescue.h"
+#include "app/files/rescue.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
-#include "app/core/action.h"
-#include "app/core/session_file.h"
+#include "app/actions/show_session.h"
+#include "app/files/session_file.h"
+#include "app/session/action.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,12 +1,12 @@
 // Rings: order, start, orientation, and levels that are none.
-#include "knit/ring.h"
+#include "knit/rows/ring.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "knit/critical.h"
-#include "knit/levels.h"
-#include "knit/timing.h"
+#include "knit/timing/critical.h"
+#include "knit/timing/levels.h"
+#include "knit/timing/timing.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

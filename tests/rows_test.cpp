@@ -1,11 +1,11 @@
 // Algorithm 2 and its closing, on rings small enough to count by hand.
-#include "knit/rows.h"
+#include "knit/rows/rows.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "knit/ring.h"
+#include "knit/rows/ring.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

@@ -1,9 +1,9 @@
 // What the panels keep of a run, against a walk through all of it.
-#include "app/panels/run_cache.h"
+#include "app/panels/step/run_cache.h"
 
 #include <algorithm>
 
-#include "app/core/step_table.h"
+#include "app/explain/step_table.h"
 #include "tests/support/desk.h"
 
 using namespace desk;

@@ -1,9 +1,9 @@
 // Sessions as files: what is saved is shown again, and what cannot be read is said in one sentence.
-#include "app/core/session_file.h"
+#include "app/files/session_file.h"
+#include "app/actions/show_session.h"
 
-#include "app/core/describe.h"
-#include "app/core/saved_run.h"
-#include "app/core/session_json.h"
+#include "app/describe/describe.h"
+#include "app/files/session_json.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -1,11 +1,11 @@
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <sstream>
 
-#include "knit/check.h"
-#include "knit/obj.h"
+#include "knit/import/check.h"
+#include "knit/import/obj.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

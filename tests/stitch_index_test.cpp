@@ -1,13 +1,13 @@
 // Labels against Appendix A, and what must hold for every transition.
-#include "knit/stitch_index.h"
+#include "knit/stitches/stitch_index.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <random>
 
-#include "knit/faces.h"
-#include "knit/pattern.h"
+#include "knit/stitches/faces.h"
+#include "knit/stitches/pattern.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -2,12 +2,12 @@
 // understood and mended.
 #include <algorithm>
 
-#include "app/core/apply_parts.h"
-#include "app/core/run_figures.h"
-#include "app/core/sweep_work.h"
-#include "knit/candidates.h"
-#include "knit/narrate.h"
-#include "knit/problems.h"
+#include "app/actions/apply_parts.h"
+#include "app/compare/sweep_work.h"
+#include "app/session/run_figures.h"
+#include "knit/insight/candidates.h"
+#include "knit/insight/narrate.h"
+#include "knit/insight/problems.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

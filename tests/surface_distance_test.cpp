@@ -1,4 +1,4 @@
-#include "knit/surface_distance.h"
+#include "knit/mesh/surface_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "knit/check.h"
-#include "knit/shapes.h"
+#include "knit/import/check.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,12 +1,12 @@
 // Sweeps: each run is what a run of its own would be, on however many threads, and faults are sentences.
-#include "app/core/sweep_work.h"
+#include "app/compare/sweep_work.h"
 
 #include <algorithm>
 #include <chrono>
 #include <set>
 #include <thread>
 
-#include "app/core/queries.h"
+#include "app/script/queries.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

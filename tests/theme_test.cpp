@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/palette.h"
+#include "app/scene/palette.h"
 #include "tests/support/catch.h"
 
 namespace {

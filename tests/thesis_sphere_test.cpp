@@ -1,5 +1,5 @@
 // The thesis's one result, as far as it can be reproduced: golden counts of the fixture.
-#include "knit/measures.h"
+#include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

@@ -1,8 +1,8 @@
 // The rewind contract for rows from contours and for times solved for on the surface.
-#include "knit/check.h"
-#include "knit/gauge.h"
-#include "knit/heights.h"
-#include "knit/narrate.h"
+#include "knit/import/check.h"
+#include "knit/insight/narrate.h"
+#include "knit/model/gauge.h"
+#include "knit/timing/heights.h"
 #include "tests/support/scrub.h"
 
 using namespace knit;

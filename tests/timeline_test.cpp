@@ -1,5 +1,5 @@
 // The rewind contract, proved by scrubbing: the state at a position never depends on the way there.
-#include "knit/gauge.h"
+#include "knit/model/gauge.h"
 #include "tests/support/scrub.h"
 
 using namespace knit;

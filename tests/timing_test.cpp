@@ -1,10 +1,10 @@
 // Algorithm 1, the choice of ends, levels and where one tube ends.
-#include "knit/timing.h"
+#include "knit/timing/timing.h"
 
-#include "knit/cast_on.h"
-#include "knit/critical.h"
-#include "knit/levels.h"
-#include "knit/narrate.h"
+#include "knit/insight/narrate.h"
+#include "knit/rows/cast_on.h"
+#include "knit/timing/critical.h"
+#include "knit/timing/levels.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 

@@ -1,8 +1,7 @@
 // Running to break conditions, and steps over, into and out.
-#include "app/core/break_hits.h"
-#include "app/core/keep_place.h"
-#include "app/core/navigate.h"
-#include "app/core/queries.h"
+#include "app/actions/navigate.h"
+#include "app/script/queries.h"
+#include "app/session/break_hits.h"
 #include "tests/support/beside.h"
 
 using namespace app;

@@ -1,10 +1,10 @@
-#include "knit/triangle_tree.h"
+#include "knit/mesh/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

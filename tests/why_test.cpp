@@ -1,10 +1,10 @@
 // "Why" leads from a thing to the step after which it is there and before which it is not.
-#include "knit/why.h"
+#include "knit/insight/why.h"
 
 #include <map>
 #include <random>
 
-#include "knit/candidates.h"
+#include "knit/insight/candidates.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/core/palette.h"
+#include "app/scene/palette.h"
 #include "tests/support/catch.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"

@@ -1,5 +1,5 @@
 // Long work beside the window: it comes to the same, nobody waits for it, and nothing stale counts.
-#include "app/core/work_beside.h"
+#include "app/actions/background_work.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 // The document that a knitter gets: its order, its sentences, its sizes.
-#include "knit/written_pattern.h"
+#include "knit/pattern/written_pattern.h"
 
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
-#include "knit/pattern_words.h"
-#include "knit/shapes.h"
-#include "knit/timeline.h"
+#include "knit/mesh/shapes.h"
+#include "knit/pattern/pattern_words.h"
+#include "knit/run/timeline.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

@@ -1,5 +1,5 @@
 // Yarn for a gauge, against the sources' own figures.
-#include "knit/yarn.h"
+#include "knit/pattern/yarn.h"
 
 #include "tests/support/catch.h"
 

@@ -1,6 +1,6 @@
 #include "app/panels/captions_alone.h"
 
-#include "app/panels/widgets.h"
+#include "app/panels/kit/widgets.h"
 
 namespace app {
 

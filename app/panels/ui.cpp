@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "app/panels/commands.h"
-#include "app/panels/panels.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/panels.h"
 
 namespace app {
 

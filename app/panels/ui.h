@@ -26,19 +26,19 @@
 #include <string>
 #include <vector>
 
-#include "app/core/action.h"
-#include "app/core/scene.h"
-#include "app/panels/candidate_list.h"
-#include "app/panels/card_cache.h"
-#include "app/panels/chart_cache.h"
-#include "app/panels/compare_cache.h"
-#include "app/panels/figure_dialog.h"
-#include "app/panels/imgui_glue.h"
-#include "app/panels/layout.h"
-#include "app/panels/pattern_lines.h"
-#include "app/panels/run_cache.h"
-#include "app/panels/sweep_cache.h"
-#include "app/panels/words_state.h"
+#include "app/panels/compare/compare_cache.h"
+#include "app/panels/compare/sweep_cache.h"
+#include "app/panels/dialogs/figure_dialog.h"
+#include "app/panels/kit/imgui_glue.h"
+#include "app/panels/kit/layout.h"
+#include "app/panels/kit/words_state.h"
+#include "app/panels/pattern/chart_cache.h"
+#include "app/panels/pattern/pattern_lines.h"
+#include "app/panels/report/card_cache.h"
+#include "app/panels/step/candidate_list.h"
+#include "app/panels/step/run_cache.h"
+#include "app/scene/scene.h"
+#include "app/session/action.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "app/core/figures.h"
+#include "app/files/figures.h"
 #include "app/render/image.h"
 
 namespace app {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/aside_file.h"
+#include "app/base/files.h"
 #include "app/render/animation_file.h"
 
 namespace app {

@@ -16,14 +16,6 @@ constexpr std::size_t always_whole = 4096;  // so few are drawn faster than look
 constexpr std::size_t large = std::size_t{1}
                               << 20;  // items; so large a buffer is given back when it is empty
 
-// OpenGL takes offsets into buffers as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
-const void* at_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
-
-void floats(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), at_offset(offset));
-}
-
 void colour(GLuint index, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
   glVertexAttribPointer(index, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<GLsizei>(stride), at_offset(offset));

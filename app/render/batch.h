@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "app/core/scene.h"
 #include "app/render/gl_handle.h"
+#include "app/scene/scene.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/core/files.h"
+#include "app/base/files.h"
 #include "app/render/animation_file.h"
 
 namespace app {

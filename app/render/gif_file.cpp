@@ -1,7 +1,7 @@
 // Animated GIF by giflib. Every picture has colours of its own and covers only what changes.
 #include <utility>
 
-#include "app/core/aside_file.h"
+#include "app/base/files.h"
 #include "app/render/animation_file.h"
 
 #if KNIT_HAVE_GIF

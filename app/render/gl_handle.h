@@ -4,6 +4,7 @@
 
 #include <glad/gl.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -82,5 +83,14 @@ using GlFramebuffer = GlHandle<FramebufferKind>;
 using GlRenderbuffer = GlHandle<RenderbufferKind>;
 using GlProgram = GlHandle<ProgramKind>;
 using GlShader = GlHandle<ShaderKind>;
+
+// OpenGL takes offsets into buffers as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
+inline const void* at_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+
+// An attribute of `size` floats in the buffer that is bound.
+inline void floats(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), at_offset(offset));
+}
 
 }  // namespace app

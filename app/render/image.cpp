@@ -1,6 +1,6 @@
 #include "app/render/image.h"
 
-#include "app/core/files.h"
+#include "app/base/files.h"
 
 // Only this file sees stb's functions; the system's library may hold the same names.
 #if defined(__GNUC__)

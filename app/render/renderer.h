@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <string>
 
-#include "app/core/scene.h"
 #include "app/render/batch.h"
 #include "app/render/program.h"
 #include "app/render/shape_cache.h"
+#include "app/scene/scene.h"
 
 namespace app {
 

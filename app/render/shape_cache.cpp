@@ -7,19 +7,11 @@ namespace app {
 
 namespace {
 
-// OpenGL takes offsets into buffers as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
-const void* at_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
-
 template <class Item>
 void fill(GLenum target, const GlBuffer& buffer, std::span<const Item> items, GLenum usage) {
   glBindBuffer(target, buffer.id());
   glBufferData(target, static_cast<GLsizeiptr>(items.size_bytes()), items.empty() ? nullptr : items.data(),
                usage);
-}
-
-void floats(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), at_offset(offset));
 }
 
 // Of many edges every so many-th tells it as well.

@@ -7,9 +7,9 @@
 #include <memory>
 #include <span>
 
-#include "app/core/scene.h"
 #include "app/render/batch.h"
 #include "app/render/gl_handle.h"
+#include "app/scene/scene.h"
 
 namespace app {
 

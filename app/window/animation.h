@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/core/figures.h"
+#include "app/files/figures.h"
 #include "app/window/frame.h"
 
 namespace app {

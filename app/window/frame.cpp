@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/panels/captions_alone.h"
-#include "app/panels/style.h"
+#include "app/panels/kit/style.h"
 #include "app/render/headless_gl.h"
 
 namespace app {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "app/core/action.h"
-#include "app/core/describe.h"
-#include "app/core/describe_motion.h"
+#include "app/describe/describe.h"
+#include "app/describe/describe_motion.h"
 #include "app/panels/ui.h"
 #include "app/render/image.h"
 #include "app/render/imgui_draw.h"
 #include "app/render/renderer.h"
 #include "app/render/target.h"
+#include "app/session/action.h"
 
 namespace app {
 

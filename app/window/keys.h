@@ -1,7 +1,7 @@
 // GLFW's names of keys and buttons in ours.
 #pragma once
 
-#include "app/core/input_queue.h"
+#include "app/actions/input_queue.h"
 
 namespace app {
 

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/asked_at_start.h"
-#include "app/core/export.h"
-#include "app/core/figure_words.h"
-#include "app/core/opening.h"
-#include "app/core/preferences_file.h"
-#include "app/core/queries.h"
-#include "app/core/rescue.h"
-#include "app/core/terminal.h"
+#include "app/actions/opening.h"
+#include "app/base/files.h"
+#include "app/files/export.h"
+#include "app/files/preferences_file.h"
+#include "app/files/rescue.h"
 #include "app/render/memory.h"
+#include "app/script/figure_words.h"
+#include "app/script/open_as_asked.h"
+#include "app/script/queries.h"
 #include "app/window/animation.h"
 #include "app/window/run.h"
 #include "app/window/turn.h"

@@ -2,16 +2,16 @@
 
 #include <cstdio>
 
-#include "app/core/export.h"
-#include "app/core/figure_words.h"
-#include "app/core/pattern_file.h"
-#include "app/core/queries.h"
-#include "app/core/terminal.h"
-#include "app/core/work_beside.h"
+#include "app/actions/background_work.h"
+#include "app/base/files.h"
+#include "app/files/export.h"
+#include "app/files/pattern_export.h"
 #include "app/render/memory.h"
+#include "app/script/figure_words.h"
+#include "app/script/queries.h"
 #include "app/window/animation.h"
 #include "app/window/frame.h"
-#include "knit/narrate.h"
+#include "knit/insight/narrate.h"
 
 namespace app {
 

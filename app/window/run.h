@@ -1,7 +1,7 @@
 // The program's two ways to run: in a window, and without one.
 #pragma once
 
-#include "app/core/command_line.h"
+#include "app/script/command_line.h"
 
 namespace app {
 

@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "app/core/export.h"
-#include "app/core/pattern_file.h"
-#include "app/core/session_file.h"
-#include "app/core/sweep_work.h"
+#include "app/compare/sweep_work.h"
+#include "app/files/export.h"
+#include "app/files/pattern_export.h"
+#include "app/files/session_file.h"
 #include "app/window/animation.h"
-#include "knit/quoting.h"
+#include "knit/import/quoting.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/core/input_queue.h"
+#include "app/actions/input_queue.h"
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 
 namespace benchmark {
 

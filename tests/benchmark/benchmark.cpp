@@ -20,9 +20,9 @@
 #include <optional>
 #include <string_view>
 
-#include "app/core/load.h"
+#include "app/files/load.h"
 #include "app/render/memory.h"
-#include "knit/timeline.h"
+#include "knit/run/timeline.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/frames.h"
 #include "tests/benchmark/large.h"

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "app/core/action.h"
-#include "app/core/describe.h"
-#include "app/panels/style.h"
+#include "app/describe/describe.h"
+#include "app/panels/kit/style.h"
 #include "app/panels/ui.h"
+#include "app/session/action.h"
 
 namespace benchmark {
 

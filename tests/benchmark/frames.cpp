@@ -2,8 +2,8 @@
 
 #include <glad/gl.h>
 
-#include "app/core/command_line.h"
 #include "app/render/headless_gl.h"
+#include "app/script/command_line.h"
 #include "tests/benchmark/cost.h"
 
 namespace benchmark {

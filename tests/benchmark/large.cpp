@@ -3,9 +3,8 @@
 #include <glad/gl.h>
 #include <thread>
 
-#include "app/core/opening.h"
-#include "app/core/pick.h"
-#include "app/core/pick_thing.h"
+#include "app/actions/opening.h"
+#include "app/describe/pick.h"
 #include "app/render/headless_gl.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"

@@ -8,7 +8,7 @@
 
 #include <tiny_obj_loader.h>
 
-#include "knit/machine.h"
+#include "knit/run/machine.h"
 
 namespace benchmark {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/load.h"
-#include "knit/timeline.h"
+#include "app/files/load.h"
+#include "knit/run/timeline.h"
 
 namespace benchmark {
 

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <sstream>
 
-#include "knit/machine.h"
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
+#include "knit/run/machine.h"
 #include "tests/benchmark/pipeline.h"
 
 namespace benchmark {

@@ -12,10 +12,10 @@
 #include <random>
 #include <thread>
 
-#include "app/core/files.h"
-#include "app/core/opening.h"
-#include "app/core/rescue.h"
-#include "app/core/sweep_work.h"
+#include "app/actions/opening.h"
+#include "app/base/files.h"
+#include "app/compare/sweep_work.h"
+#include "app/files/rescue.h"
 #include "app/render/headless_gl.h"
 #include "app/window/animation.h"
 #include "tests/benchmark/ball_file.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "knit/obj.h"
+#include "knit/import/obj.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/large.h"

@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/sweep_work.h"
-#include "knit/timeline.h"
+#include "app/compare/sweep_work.h"
+#include "knit/run/timeline.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/core/load.h"
+#include "app/files/load.h"
 
 namespace benchmark {
 

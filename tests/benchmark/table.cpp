@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/core/files.h"
-#include "app/core/fixed_text.h"
+#include "app/base/files.h"
+#include "app/base/text.h"
 #include "tests/benchmark/ball_file.h"
 
 namespace benchmark {

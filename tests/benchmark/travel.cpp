@@ -5,7 +5,7 @@
 
 #include "app/render/headless_gl.h"
 #include "app/window/frame.h"
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/desk.h"
 

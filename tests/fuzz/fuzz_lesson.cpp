@@ -1,6 +1,6 @@
 // Lesson files: a lesson that can be held, or a sentence.
-#include "app/core/lesson.h"
-#include "app/core/lesson_judge.h"
+#include "app/lessons/lesson.h"
+#include "app/lessons/lesson_judge.h"
 #include "tests/fuzz/bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "knit/check.h"
-#include "knit/mesh.h"
-#include "knit/obj.h"
+#include "knit/import/check.h"
+#include "knit/import/obj.h"
+#include "knit/mesh/mesh.h"
 #include "tests/fuzz/bytes.h"
 
 namespace {

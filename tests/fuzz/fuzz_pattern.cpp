@@ -1,8 +1,8 @@
 // The pattern reader: any text is read to its end, and what reads without a mistake is written and read again.
-#include "knit/gauge.h"
-#include "knit/pattern_reader.h"
-#include "knit/rounds.h"
-#include "knit/written_pattern.h"
+#include "knit/model/gauge.h"
+#include "knit/pattern/rounds.h"
+#include "knit/pattern/written_pattern.h"
+#include "knit/reader/pattern_reader.h"
 #include "tests/fuzz/bytes.h"
 
 namespace {

@@ -1,11 +1,11 @@
 // The whole pipeline on a small mesh with any parameters: to its end or to a stop that says why, and back and forth.
 #include <algorithm>
 
-#include "knit/check.h"
-#include "knit/gauge.h"
-#include "knit/narrate.h"
-#include "knit/step_fields.h"
-#include "knit/timeline.h"
+#include "knit/import/check.h"
+#include "knit/insight/narrate.h"
+#include "knit/insight/step_fields.h"
+#include "knit/model/gauge.h"
+#include "knit/run/timeline.h"
 #include "tests/fuzz/small_run.h"
 #include "tests/support/promises.h"
 

@@ -1,5 +1,5 @@
 // Session files: read, written and read again, the two files are the same.
-#include "app/core/session_json.h"
+#include "app/files/session_json.h"
 #include "tests/fuzz/bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

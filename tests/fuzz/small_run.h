@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <vector>
 
-#include "knit/parameters.h"
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
+#include "knit/model/parameters.h"
 #include "tests/fuzz/bytes.h"
 
 namespace fuzz {

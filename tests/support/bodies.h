@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "knit/machine.h"
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
+#include "knit/run/machine.h"
 #include "tests/support/rough_sphere.h"
 
 namespace test_support {

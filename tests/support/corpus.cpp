@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 
 namespace corpus {
 

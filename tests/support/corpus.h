@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/mesh.h"
+#include "knit/mesh/mesh.h"
 
 namespace corpus {
 

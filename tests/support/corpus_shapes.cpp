@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/corpus.h"
 
 namespace corpus {

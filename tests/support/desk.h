@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/core/describe.h"
-#include "app/panels/commands.h"
-#include "app/panels/style.h"
+#include "app/describe/describe.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/style.h"
 #include "app/panels/ui.h"
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
 namespace desk {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "knit/rounds.h"
+#include "knit/pattern/rounds.h"
 #include "tests/support/rough_sphere.h"
 
 namespace test_support {

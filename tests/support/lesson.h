@@ -3,8 +3,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/core/lesson_judge.h"
-#include "app/core/predict.h"
+#include "app/lessons/lesson_judge.h"
+#include "app/lessons/predict.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

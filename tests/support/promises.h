@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "knit/faces.h"
-#include "knit/measures.h"
-#include "knit/rounds.h"
-#include "knit/state.h"
+#include "knit/pattern/rounds.h"
+#include "knit/quality/measures.h"
+#include "knit/run/state.h"
+#include "knit/stitches/faces.h"
 
 namespace test_support {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/rounds.h"
+#include "knit/pattern/rounds.h"
 
 namespace test_support {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "knit/shapes.h"
+#include "knit/mesh/shapes.h"
 
 namespace test_support {
 

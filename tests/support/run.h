@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "knit/shapes.h"
-#include "knit/timeline.h"
+#include "knit/mesh/shapes.h"
+#include "knit/run/timeline.h"
 
 namespace test_support {
 

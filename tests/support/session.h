@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/core/action.h"
+#include "app/session/action.h"
 #include "tests/support/run.h"
 
 namespace test_support {

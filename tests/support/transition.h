@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "knit/faces.h"
-#include "knit/pattern.h"
+#include "knit/stitches/faces.h"
+#include "knit/stitches/pattern.h"
 
 namespace test_support {
 

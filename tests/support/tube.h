@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "knit/faces.h"
-#include "knit/measures.h"
+#include "knit/quality/measures.h"
+#include "knit/stitches/faces.h"
 
 namespace test_support {
 

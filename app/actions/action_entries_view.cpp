@@ -1,0 +1,239 @@
+// Entries about what is seen: from which side, which panels and lists, in which theme and size.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/actions/action_entries_parts.h"
+#include "app/actions/navigate.h"
+#include "app/base/text.h"
+#include "app/files/pattern_export.h"
+#include "app/files/session_file.h"
+
+namespace app {
+
+namespace {
+
+using Read = std::variant<Action, std::string>;
+
+struct Side {
+  const char* words;
+  double yaw, pitch;  // of the camera; a turn of 1 is a right angle
+};
+
+void add_sides(EntryList& list) {
+  constexpr std::array sides{Side{"Look from the front", 0.0, 0.0}, Side{"Look from the right", 1.0, 0.0},
+                             Side{"Look from the back", 2.0, 0.0},  Side{"Look from the left", 3.0, 0.0},
+                             Side{"Look from above", 0.0, 0.9},     Side{"Look from below", 0.0, -0.9}};
+  constexpr double right_angle = 0.5 * std::numbers::pi;
+  const Camera& camera = list.session.camera;
+  for (const Side& side : sides) {
+    // The shorter way round.
+    const double turn = std::remainder(side.yaw * right_angle - camera.yaw, 4.0 * right_angle);
+    list.add({side.words, group::view, "", Orbit{turn, side.pitch * right_angle - camera.pitch},
+              list.unless_open(), "", true});
+  }
+}
+
+void add_moves(EntryList& list) {
+  constexpr double by = 0.25;  // of half the view
+  list.add({"Zoom in", group::view, "", Zoom{0.8, {0.0, 0.0}}, list.unless_open(), "", true});
+  list.add({"Zoom out", group::view, "", Zoom{1.25, {0.0, 0.0}}, list.unless_open(), "", true});
+  list.add({"Move the view left", group::view, "", Pan{{-by, 0.0}}, list.unless_open(), "", true});
+  list.add({"Move the view right", group::view, "", Pan{{by, 0.0}}, list.unless_open(), "", true});
+  list.add({"Move the view up", group::view, "", Pan{{0.0, by}}, list.unless_open(), "", true});
+  list.add({"Move the view down", group::view, "", Pan{{0.0, -by}}, list.unless_open(), "", true});
+}
+
+void add_shown(EntryList& list) {
+  const Session& session = list.session;
+  for (std::size_t i = 0; i < side_keys.size(); ++i) {
+    const auto side = static_cast<SidePanel>(i);
+    list.add({"Show the side panel: " + std::string(side_keys[i]), group::panels, "", ShowSide{side},
+              session.side == side ? "It is shown." : ""});
+  }
+  for (std::size_t i = 0; i < list_keys.size(); ++i) {
+    const auto shown = static_cast<RunList>(i);
+    list.add({"Show the list: " + std::string(list_keys[i]), group::panels, "Below the step.",
+              ShowList{shown}, session.list == shown ? "It is shown." : ""});
+  }
+  for (std::size_t i = 0; i < panel_keys.size(); ++i) {
+    const auto panel = static_cast<Panel>(i);
+    list.add({"Open or close the panel: " + std::string(panel_keys[i]), group::panels, "",
+              ShowPanel{panel, !session.preferences.shows(panel)}});
+  }
+}
+
+// In units of a plain screen.
+ActionPrompt ask_split(Split split) {
+  return {"Size, or 0 for as there is room", "300",
+          [split](const Session& /*session*/, const std::string& typed) -> Read {
+            const auto size = whole_number<int>(typed);
+            if (size && *size >= 0 && *size <= 10000) return SetSplit{split, static_cast<double>(*size)};
+            return "A size is a whole number from 0 to 10000, not \"" + typed + "\".";
+          }};
+}
+
+void add_layout(EntryList& list) {
+  list.add(
+      {"Set the width of the left panel to...", group::panels, "", ask_split(Split::left), "", "", true});
+  list.add(
+      {"Set the width of the right panel to...", group::panels, "", ask_split(Split::right), "", "", true});
+  list.add(
+      {"Set the height of the timeline to...", group::panels, "", ask_split(Split::bottom), "", "", true});
+  list.add({"Put the panels back as they were at first", group::panels, "Reset the layout.", ResetLayout{}});
+}
+
+Read read_scale(const Session& /*session*/, const std::string& typed) {
+  const auto percent = whole_number<int>(typed);
+  const double scale = percent ? static_cast<double>(*percent) / 100.0 : 0.0;
+  if (scale >= smallest_scale && scale <= largest_scale) return SetScale{scale};
+  return "The size is from 75 to 250 per cent, not \"" + typed + "\".";
+}
+
+void add_look(EntryList& list) {
+  const Preferences& now = list.session.preferences;
+  for (std::size_t i = 0; i < theme_keys.size(); ++i) {
+    const auto theme = static_cast<ThemeKind>(i);
+    list.add({"Use the " + std::string(theme_keys[i]) + " theme", group::program, "", SetTheme{theme},
+              now.theme == theme ? "It is in use." : ""});
+  }
+  list.add({"Words and lines in their usual size", group::program, "", SetScale{1.0}});
+  list.add({"Words and lines large, for a projector", group::program, "", SetScale{projector_scale}});
+  list.add({"Set the size of words and lines to...", group::program, "",
+            ActionPrompt{"Per cent", "125", read_scale}});
+  list.add({"Allow or stop short movements", group::program, "", SetMotion{!now.motion}});
+}
+
+}  // namespace
+
+void add_view_entries(EntryList& list) {
+  add_shown(list);
+  add_layout(list);
+  add_sides(list);
+  add_moves(list);
+  add_look(list);
+}
+
+// Entries about files: examples, what was opened lately, pictures, the pattern's words; and notices.
+
+namespace {
+
+using Read = std::variant<Action, std::string>;
+
+void add_opening(EntryList& list, const ActionSources& sources) {
+  list.add(
+      {"Open file...", group::files, "A mesh (.obj) or a session (.json), by its path.",
+       ActionPrompt{"Path", "mesh.obj", [](const Session& /*session*/, const std::string& typed) -> Read {
+                      std::error_code error;
+                      if (std::filesystem::is_regular_file(typed, error)) return opening_of(typed);
+                      return typed + " is no file.";
+                    }}});
+  for (const std::string& name : sources.examples) {
+    list.add({"Open the example " + name, group::files, "", OpenExample{name}, "", "", true});
+  }
+  for (const auto& [path, opening] : sources.recent) {
+    list.add({"Open again: " + path, group::files, "", opening, "", "", true});
+  }
+  const std::string no_offer = list.session.mend_offer ? "" : "No mesh waits for mends.";
+  list.add({"Mend the mesh and open it", group::files, "What was found wrong with it is mended.",
+            MendAndOpen{}, no_offer});
+  list.add({"Do not mend the mesh", group::files, "What is open stays.", DropMendOffer{}, no_offer});
+  list.add({"Undo the mends", group::files, "Back to what was open before.", UndoMend{},
+            list.session.before_mend ? "" : "No mesh was mended in this window."});
+  const bool none = list.session.preferences.recent.empty();
+  list.add({"Forget what was opened lately", group::files, "", ForgetRecent{},
+            none ? "Nothing is remembered." : ""});
+  const std::string no_rescue = list.session.rescued ? "" : "No session was left by a crash.";
+  list.add({"Open the session from before the crash", group::files, "", TakeRescued{}, no_rescue});
+  list.add({"Forget the session from before the crash", group::files, "", DropRescued{}, no_rescue});
+}
+
+// "ball.png", or with a size: "ball.png 1920x1080".
+Read read_picture(const Session& /*session*/, const std::string& typed) {
+  const std::size_t blank = typed.rfind(' ');
+  SavePicture wish{typed.substr(0, blank)};
+  if (blank != std::string::npos) {
+    const auto size = split(std::string_view(typed).substr(blank + 1), 'x');
+    const auto width = whole_number<int>(size[0]);
+    const auto height = size.size() == 2 ? whole_number<int>(size[1]) : std::nullopt;
+    if (!width || !height || *width < 64 || *height < 64 || *width > 16384 || *height > 16384)
+      return "After the name, a size is WIDTHxHEIGHT, each from 64 to 16384, not \"" +
+             typed.substr(blank + 1) + "\".";
+    wish.width = *width;
+    wish.height = *height;
+  }
+  if (wish.path.extension() != ".png") return "A picture's name ends in .png.";
+  return wish;
+}
+
+Read read_animation(const Session& session, const std::string& typed) {
+  if (typed.empty()) return "Give a name: FILE.gif, FILE.png, or a folder for numbered pictures.";
+  const auto row = stretch_of_row(session);
+  return SaveAnimation{typed, row.value_or(Stretch{0, session.timeline->known()})};
+}
+
+void add_figures(EntryList& list) {
+  list.add({"Save a picture of any size...", group::files, "Of the view alone, without panels.",
+            ActionPrompt{"Name and size", "picture.png 1920x1080", read_picture}, list.unless_open()});
+  list.add({"Save an animation of this row...", group::files,
+            "An animated picture, or numbered ones in a folder.",
+            ActionPrompt{"Name", "row.gif", read_animation}, list.unless_open()});
+  list.add({"Cancel the animation", group::files, "", CancelAnimation{},
+            list.session.animation ? "" : "No animation is in the making."});
+}
+
+// The pattern's options with one of its words set.
+ActionPrompt ask_words(const char* label, const char* example, std::string knit::PatternOptions::*field) {
+  return {label, example, [field](const Session& session, const std::string& typed) -> Read {
+            knit::PatternOptions options = session.pattern;
+            options.*field = typed;
+            return SetPatternOptions{std::move(options)};
+          }};
+}
+
+Read read_needle(const Session& session, const std::string& typed) {
+  knit::PatternOptions options = session.pattern;
+  options.needle_mm = needle_mm_of(typed);
+  if (!options.needle_mm) return "The needle cannot be \"" + typed + "\" mm; give " + needle_range + ".";
+  return SetPatternOptions{std::move(options)};
+}
+
+void add_switch(EntryList& list, const char* words, bool knit::PatternOptions::*field) {
+  knit::PatternOptions options = list.session.pattern;
+  options.*field = !(options.*field);
+  list.add({words, group::the_pattern, "", SetPatternOptions{std::move(options)}, "", "", true});
+}
+
+void add_pattern(EntryList& list) {
+  list.add({"Set the pattern's title to...", group::the_pattern, "",
+            ask_words("Title", "A ball for Ada", &knit::PatternOptions::title), "", "", true});
+  list.add({"Set the pattern's yarn to...", group::the_pattern, "",
+            ask_words("Yarn", "Merino DK", &knit::PatternOptions::yarn), "", "", true});
+  list.add({"Set the yarn's colour to...", group::the_pattern, "",
+            ask_words("Colour", "sea green", &knit::PatternOptions::colour), "", "", true});
+  list.add({"Set the needle to...", group::the_pattern, "", ActionPrompt{"Needle, in mm", "4", read_needle},
+            "", "", true});
+  add_switch(list, "Markers at main lines: on or off", &knit::PatternOptions::markers);
+  add_switch(list, "Repeats with stars: on or off", &knit::PatternOptions::stars);
+  list.add({"Knit along from round...", group::the_pattern, "One round at a time, large.",
+            ActionPrompt{"Round", "1",
+                         [](const Session& /*session*/, const std::string& typed) -> Read {
+                           const auto round = whole_number<std::int32_t>(typed);
+                           if (round && *round >= 1) return KnitAlong{*round};
+                           return "A round is a whole number from 1 on, not \"" + typed + "\".";
+                         }},
+            list.unless_open()});
+}
+
+}  // namespace
+
+void add_file_entries(EntryList& list, const ActionSources& sources) {
+  add_opening(list, sources);
+  add_figures(list);
+  add_pattern(list);
+  const std::size_t notices = list.session.notices.size();
+  list.add({"Dismiss the newest notice", group::program, "", DismissNotice{notices > 0 ? notices - 1 : 0},
+            notices > 0 ? "" : "There is no notice."});
+}
+
+}  // namespace app

@@ -1,0 +1,378 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "app/actions/apply_parts.h"
+#include "app/actions/background_work.h"
+#include "app/actions/navigate.h"
+#include "app/actions/opening.h"
+#include "app/actions/playing.h"
+#include "app/files/export.h"
+#include "app/files/load.h"
+#include "app/files/pattern_export.h"
+#include "app/files/preferences_file.h"
+#include "app/files/session_file.h"
+#include "app/session/action.h"
+#include "app/session/presets.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void notify(Session& session, Notice::Kind kind, std::string text) {
+  session.notices.push_back({kind, std::move(text)});
+}
+
+// What belongs to the open mesh and its run goes with them; what was pinned stays.
+void forget_mesh(Session& session) {
+  session.long_step.reset();
+  session.measuring_run.reset();
+  session.measuring = false;
+  session.timeline.reset();
+  session.original.reset();
+  session.source = {};
+  session.findings.clear();
+  session.mended.clear();
+  session.mend_offer.reset();
+  session.before_mend.reset();
+  session.run_ms = 0.0;
+  session.picking = Picking::nothing;
+  session.before_change.reset();
+  session.hovered_stitch.reset();
+  session.hovered_rounds.reset();
+  session.knit_along.reset();
+  session.knit_along_round = 1;
+  session.travel.history = {};
+  session.travel.left_by_seek.reset();
+  session.travel.selected.reset();
+  take(session, SetLoop{});
+  session.sweep.reset();
+  session.changes = {};
+  session.camera_kept = false;
+  session.notices.clear();
+  stop_playing(session);
+  session.camera = Camera{};
+}
+
+// One overload an action. Actions about a run do nothing while nothing is open.
+struct Apply {
+  Session& session;
+
+  [[nodiscard]] bool open() const { return session.timeline.has_value(); }
+  [[nodiscard]] knit::Timeline& timeline() const { return *session.timeline; }
+
+  void take_loaded(std::variant<Loaded, std::string> result, Source source,
+                   std::chrono::steady_clock::time_point start) {
+    if (const auto* error = std::get_if<std::string>(&result)) {
+      notify(session, Notice::Kind::error, *error);
+      note_not_opened(session, source);
+      session.mend_offer.reset();
+      return;
+    }
+    auto& loaded = std::get<Loaded>(result);
+    forget_mesh(session);
+    session.source = std::move(source);
+    session.original = std::move(loaded.original);
+    session.mesh_hash = std::move(loaded.mesh_hash);
+    session.findings = std::move(loaded.findings);
+    session.mended = std::move(loaded.mended);
+    session.source.mends.clear();
+    for (const knit::MendStep& step : session.mended) session.source.mends.push_back(step.kind);
+    session.defaults = loaded.parameters;
+    session.timeline.emplace(std::move(loaded.input), loaded.parameters);
+    session.load_ms = milliseconds_since(start);
+    session.open_dialog_open = false;
+    for (const knit::MendStep& step : session.mended) notify(session, Notice::Kind::info, step.did);
+    for (const knit::Finding& finding : session.findings)
+      notify(session, Notice::Kind::warning, finding.sentence);
+    session.camera.frame(session.timeline->input().bounds, session.aspect);
+    note_opened(session);
+  }
+
+  void operator()(const OpenExample& a) {
+    cancel_opening(session);
+    const auto start = std::chrono::steady_clock::now();
+    take_loaded(load_example(session.assets, a.name), {a.name, {}, {}}, start);
+  }
+
+  void operator()(const CloseMesh& /*a*/) {
+    cancel_opening(session);
+    if (session.lesson) app::take(session, LeaveLesson{});
+    if (!open()) return;
+    forget_mesh(session);
+    session.pinned.reset();
+    session.closeness.reset();
+    session.saved.reset();
+    session.place_note.clear();
+    session.prediction.reset();
+    session.animation.reset();
+    session.pointed_variable.clear();
+  }
+
+  // Does what may work the run out further, and counts the time if it did.
+  template <class Work>
+  auto counted(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t known = timeline().known();
+    const auto result = work();
+    if (timeline().known() != known) session.run_ms += milliseconds_since(start);
+    return result;
+  }
+
+  void operator()(const StepBy& a) {
+    if (!open()) return;
+    session.playback.playing = false;
+    if (session.beside && a.direction > 0) {
+      counted([&] { return extend_now(steps_of_slice(timeline())); });
+      if (const auto place = place_ahead(timeline(), a.unit)) return timeline().await(*place);
+    }
+    timeline().seek(counted([&] { return position_after(timeline(), a.unit, a.direction); }));
+  }
+  void operator()(const SeekTo& a) {
+    if (!open()) return;
+    const std::size_t known = timeline().known();
+    // A drag along the track is one jump: it is remembered where it began.
+    const bool goes_on = session.travel.left_by_seek == timeline().position();
+    if (!goes_on && a.position != timeline().position()) remember_place(session);
+    if (a.position > known) counted([&] { return extend_now(a.position - known); });
+    timeline().seek(a.position);
+    session.travel.left_by_seek = timeline().position();
+  }
+  void operator()(const SeekPlace& a) {
+    if (!open()) return;
+    remember_place(session);
+    if (session.beside) return timeline().await(a.place);
+    timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
+  }
+  bool extend_now(std::size_t steps) {
+    return session.beside ? timeline().extend_briefly(steps) : timeline().extend(steps);
+  }
+  void operator()(const ToFirst& /*a*/) {
+    if (!open()) return;
+    remember_place(session);
+    timeline().seek(0);
+  }
+  void operator()(const ToLast& /*a*/) {
+    if (!open()) return;
+    remember_place(session);
+    // In a window the rest follows with the clock's ticks.
+    const std::size_t most = std::numeric_limits<std::size_t>::max();
+    counted([&] { return extend_now(session.beside ? steps_of_slice(timeline()) : most); });
+    if (timeline().complete()) return timeline().seek(timeline().known());
+    timeline().await({knit::Stage::done, 0, 0});
+  }
+  void operator()(const SetPlaying& a) {
+    if (!open()) return;
+    const bool at_end = timeline().complete() && timeline().position() == timeline().known();
+    // Play at the end begins again, as players do.
+    if (a.playing && a.direction > 0 && at_end && !session.playback.playing) timeline().seek(0);
+    session.playback.playing = a.playing;
+    session.playback.direction = a.direction < 0 ? -1 : 1;
+    session.playback.owed = 0.0;
+  }
+  void operator()(const SetSpeed& a) {
+    session.playback.steps_per_second =
+        std::clamp(a.steps_per_second, slowest_steps_per_second, fastest_steps_per_second);
+  }
+
+  void operator()(const PassTime& a) {
+    if (!open()) return;
+    work_beside(session, a.seconds);
+    counted([&] { return extend_now(steps_of_slice(timeline())); });
+    tend_travel(session);
+    // A tuned run that has not come back to its place yet plays on from there, not from where it has got to.
+    if (session.playback.playing && !timeline().sought()) play(session, a.seconds);
+  }
+
+  void operator()(const Tune& a) {
+    if (!open()) return;
+    if (refuse(a.parameters)) return;
+    remember_knobs(session);
+    if (!session.long_step) session.before_change = timeline().parameters();
+    if (a.parameters.weld != timeline().parameters().weld) {
+      reload(a);
+    } else {
+      timeline().tune(a.parameters);
+    }
+  }
+  // Welding changes the mesh itself: the run begins anew on the other mesh, at the same place. Edits are
+  // kept.
+  void reload(const Tune& a) {
+    const knit::Parameters& parameters = a.parameters;
+    const auto result = welded_for(session, a, parameters);
+    if (!result) return;
+    if (const auto* error = std::get_if<std::string>(&*result)) {
+      notify(session, Notice::Kind::error, *error);
+      return;
+    }
+    const auto& loaded = std::get<Loaded>(*result);
+    if (const auto fault = knit::fault_of(parameters, loaded.input->mesh)) {
+      notify(session, Notice::Kind::error, *fault);
+      return;
+    }
+    timeline().change_input(loaded.input, parameters);
+  }
+  void operator()(const EditFromHere& a) {
+    if (!open() || refuse(a.parameters)) return;
+    if (a.parameters.weld != timeline().parameters().weld) {
+      notify(session, Notice::Kind::error,
+             "Welding changes the mesh itself; set it for the whole run, not from here.");
+      return;
+    }
+    const knit::Place next = timeline().state().next;
+    if (a.parameters.rows != timeline().parameters().rows && next > knit::Place{knit::Stage::cast_on, 1, 0}) {
+      notify(session, Notice::Kind::error,
+             "Rows have begun from " +
+                 knit::value_text(*knit::find_parameter("rows"), timeline().parameters()) +
+                 " already; set where they come from for the whole run, not from here.");
+      return;
+    }
+    remember_knobs(session);
+    if (!session.long_step) session.before_change = timeline().parameters();
+    timeline().edit_from_here(a.parameters);
+  }
+  void operator()(const ApplyPreset& a) {
+    const Preset* preset = find_preset(a.key);
+    if (preset == nullptr) {
+      notify(session, Notice::Kind::error,
+             "There is no preset \"" + a.key + "\"; choose " + preset_keys() + ".");
+    } else if (open()) {
+      (*this)(Tune{with_preset(*preset, timeline().parameters())});
+    }
+  }
+  void operator()(const CancelWork& /*a*/) {
+    if (session.opening) return cancel_opening(session);
+    if (!open() || !session.long_step) return;
+    knit::Parameters linear = timeline().parameters();
+    linear.timing = knit::TimingKind::linear;
+    const knit::Parameters back = session.before_change.value_or(linear);
+    session.long_step.reset();
+    remember_knobs(session);
+    timeline().tune(back);
+    // What is cancelled was never done.
+    Changes& changes = session.changes;
+    if (!changes.undo.empty() && changes.undo.back() == knobs_of(timeline())) {
+      changes.undo.pop_back();
+      changes.before.reset();
+    }
+  }
+  bool refuse(const knit::Parameters& wished) {
+    const knit::Parameters parameters = knit::agreed(wished, timeline().input());
+    const auto fault = knit::fault_of(parameters, timeline().input().mesh);
+    if (fault) notify(session, Notice::Kind::error, *fault);
+    return fault.has_value();
+  }
+  void operator()(const RemoveEdit& a) {
+    if (!open() || a.index >= timeline().edits().size()) return;
+    remember_knobs(session);
+    timeline().remove_edit(a.index);
+  }
+  void operator()(const SetPicking& a) { session.picking = a.picking; }
+  void operator()(const PickVertex& a) {
+    if (!open() || session.picking == Picking::nothing) return;
+    knit::Parameters parameters = timeline().parameters();
+    (session.picking == Picking::start ? parameters.start : parameters.end) = a.vertex;
+    session.picking = Picking::nothing;
+    (*this)(Tune{parameters});
+  }
+
+  void operator()(const SetLayer& a) { session.layers[static_cast<std::size_t>(a.layer)] = a.on; }
+  void operator()(const Orbit& a) { session.camera.orbit(a.yaw, a.pitch); }
+  void operator()(const Pan& a) { session.camera.pan(a.move, session.aspect); }
+  void operator()(const Zoom& a) {
+    if (a.factor > 0.0) session.camera.zoom(a.factor, a.cursor, session.aspect);
+  }
+  void operator()(const FrameAll& /*a*/) {
+    if (open()) session.camera.frame(timeline().input().bounds, session.aspect);
+  }
+  void operator()(const SetAspect& a) {
+    if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.aspect = a.aspect;
+  }
+
+  void operator()(const ShowSide& a) { session.side = a.side; }
+  void operator()(const ShowList& a) { session.list = a.list; }
+
+  void operator()(const Export& a) {
+    if (!open()) return;
+    if (a.kind == ExportKind::picture) {
+      session.screenshots_wanted.push_back(a.path);
+      return;
+    }
+    // A page with a picture of the finished piece is made where pictures are.
+    if (a.kind == ExportKind::pattern && pattern_format_of(a.path) == PatternFormat::html) {
+      session.pages_wanted.push_back(a.path);
+      return;
+    }
+    if (const auto error = export_to_file(session, a.kind, a.path)) {
+      notify(session, Notice::Kind::error, *error);
+    } else if (a.path != "-") {
+      if (a.kind == ExportKind::session) {
+        note_saved(session, a.path);
+        note_recent(session.preferences, recent_name(a.path));
+      }
+      notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");
+    }
+  }
+
+  void operator()(const SetPatternOptions& a) { session.pattern = a.options; }
+  void operator()(const ShowCentre& a) { session.centre = a.centre; }
+  void operator()(const HoverStitch& a) { session.hovered_stitch = a.stitch; }
+  void operator()(const HoverRounds& a) { session.hovered_rounds = a.rounds; }
+  void operator()(const KnitAlong& a) {
+    session.knit_along = a.round;
+    if (a.round) session.knit_along_round = *a.round;
+  }
+  void operator()(const PointAt& a) { session.pointed_variable = a.variable; }
+  void operator()(const ShowActionPalette& a) { session.action_palette_open = a.open; }
+  void operator()(const ShowGlossary& a) {
+    session.glossary_open = a.open;
+    session.glossary_term = a.term;
+  }
+  void operator()(const ShowHelp& a) { session.help_open = a.open; }
+  void operator()(const ShowOpenDialog& a) { session.open_dialog_open = a.open; }
+  void operator()(const DismissNotice& a) {
+    if (a.index < session.notices.size()) {
+      session.notices.erase(session.notices.begin() + static_cast<std::ptrdiff_t>(a.index));
+    }
+  }
+  void operator()(const Quit& /*a*/) { session.quit = true; }
+
+  // The others: apply_parts.h.
+  template <class Other>
+  void operator()(const Other& other) {
+    app::take(session, other);
+  }
+};
+
+}  // namespace
+
+void stop_playing(Session& session) { session.playback = {false, 1, session.playback.steps_per_second, 0.0}; }
+
+void apply(Session& session, const Action& action) {
+  if (const auto* tick = action.get_if<PassTime>()) tend_opening(session, tick->seconds);
+  const Whereabouts before = before_action(session, action);
+  ActionKinds::visit(Apply{session}, action);
+  if (session.changes.before) {
+    const auto* tune = action.get_if<Tune>();
+    const auto* edit = action.get_if<EditFromHere>();
+    const bool held = tune != nullptr ? tune->held : edit != nullptr && edit->held;
+    note_change(session.changes, knobs_of(*session.timeline), held);
+  }
+  after_action(session, before);
+  tend_lesson(session, action);
+}
+
+void show_loaded(Session& session, Loaded loaded, Source source,
+                 std::chrono::steady_clock::time_point start) {
+  Apply{session}.take_loaded(std::move(loaded), std::move(source), start);
+}
+
+}  // namespace app

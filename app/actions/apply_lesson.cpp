@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/actions/apply_parts.h"
+#include "app/lessons/lesson_judge.h"
+#include "app/lessons/predict.h"
+#include "knit/insight/narrate.h"
+
+namespace app {
+
+namespace {
+
+void change(Session& session, LessonRun run) {
+  session.lesson = std::make_shared<const LessonRun>(std::move(run));
+}
+
+bool opens_afresh(const LessonPage& page) {
+  return std::any_of(page.deeds.begin(), page.deeds.end(),
+                     [](const Deed& deed) { return std::holds_alternative<OpenAsItComes>(deed); });
+}
+
+void note_score(Session& session) {
+  const LessonRun& run = *session.lesson;
+  const LessonScore score = run.score();
+  const auto best = session.preferences.lessons.find(run.lesson->key);
+  const bool known = best != session.preferences.lessons.end();
+  const bool better = known ? score.right > best->second.right || score.of != best->second.of
+                            : score.right > 0 || run.at_end();
+  if (better) session.preferences.lessons.insert_or_assign(run.lesson->key, score);
+}
+
+void name_next(const Session& session, LessonRun& run) {
+  const auto entries = list_lessons(session.assets);
+  const auto now = std::find_if(entries.begin(), entries.end(),
+                                [&](const LessonEntry& entry) { return entry.key == run.lesson->key; });
+  if (now == entries.end() || std::next(now) == entries.end()) return;
+  run.next_key = std::next(now)->key;
+  run.next_title = std::next(now)->title;
+}
+
+// The page has its deeds done; `first`: those of pages before it are done again, from this one on.
+void open_page(Session& session, std::size_t page, std::size_t first) {
+  LessonRun run = *session.lesson;
+  run.page = page;
+  run.progress = {};
+  run.progress.opening = true;
+  change(session, run);
+  session.playback.playing = false;
+  apply(session, Select{});
+  for (std::size_t i = first; i <= page && i < run.lesson->pages.size(); ++i) {
+    for (const Deed& deed : run.lesson->pages[i].deeds) do_deed(session, deed);
+  }
+  const LessonPage* shown = run.shown();
+  if (shown != nullptr) {
+    for (const Light& light : shown->lights) {
+      if (light.thing) apply(session, Select{light.thing});
+    }
+    const bool rests = !shown->wait && !shown->question;
+    if (rests && run.outcomes[page] == PageOutcome::open) run.outcomes[page] = PageOutcome::done;
+    if (shown->wait && shown->wait->parameter != nullptr && session.timeline)
+      run.progress.value = knit::value_text(*shown->wait->parameter, session.timeline->parameters());
+  }
+  if (run.at_end()) name_next(session, run);
+  session.changes = {};  // undoing ends where the page began
+  run.progress.opening = false;
+  run.mesh = session.original;
+  change(session, std::move(run));
+  note_score(session);
+}
+
+// What the page stands on: the last one up to it that opens an example afresh.
+std::size_t ground_of(const Lesson& lesson, std::size_t page) {
+  std::size_t first = std::min(page, lesson.pages.size() - 1);
+  while (first > 0 && !opens_afresh(lesson.pages[first])) --first;
+  return first;
+}
+
+void skip(Session& session) {
+  LessonRun run = *session.lesson;
+  const LessonPage* page = run.shown();
+  if (page == nullptr || run.outcome() != PageOutcome::open) return;
+  run.outcomes[run.page] = PageOutcome::skipped;
+  if (page->question)
+    run.progress.judgement = Judgement{Said::unclear, truth_of(session, *page->question).reason};
+  change(session, std::move(run));
+}
+
+}  // namespace
+
+LessonScore LessonRun::score() const {
+  LessonScore score;
+  score.of = lesson->questions();
+  score.right =
+      static_cast<std::int32_t>(std::count(outcomes.begin(), outcomes.end(), PageOutcome::first_try));
+  return score;
+}
+
+const Question* open_question(const Session& session) {
+  if (!session.lesson) return nullptr;
+  const LessonPage* page = session.lesson->shown();
+  const bool open = page != nullptr && page->question && session.lesson->outcome() == PageOutcome::open;
+  return open ? &*page->question : nullptr;
+}
+
+std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t number) {
+  if (!session.lesson) return "no lesson is open; give --lesson too.";
+  const Lesson& lesson = *session.lesson->lesson;
+  const auto page = static_cast<std::size_t>(std::max(0, number)) - 1;
+  if (number < 1 || page >= lesson.pages.size()) {
+    return "the lesson " + lesson.key + " has no page " + std::to_string(number) + "; give 1 to " +
+           std::to_string(lesson.pages.size()) + ".";
+  }
+  open_page(session, page, ground_of(lesson, page));
+  return std::nullopt;
+}
+
+void take(Session& session, const StartLesson& action) {
+  auto found = find_lesson(session.assets, action.key);
+  if (auto* error = std::get_if<std::string>(&found)) {
+    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    return;
+  }
+  LessonRun run;
+  // From one lesson into the next, leaving still goes back to before the first.
+  run.before = session.lesson ? session.lesson->before : std::make_shared<const Session>(session);
+  run.lesson = std::make_shared<const Lesson>(std::move(std::get<Lesson>(found)));
+  run.outcomes.assign(run.lesson->pages.size(), PageOutcome::open);
+  change(session, std::move(run));
+  open_page(session, 0, 0);
+}
+
+// As it was before the lesson, but for what is the program's own.
+void take(Session& session, const LeaveLesson& /*action*/) {
+  if (!session.lesson) return;
+  const std::shared_ptr<const Session> before = session.lesson->before;
+  if (before == nullptr) return session.lesson.reset();
+  Session back = *before;
+  back.beside = session.beside;
+  back.aspect = session.aspect;
+  back.preferences = std::move(session.preferences);
+  back.rescued = std::move(session.rescued);
+  back.animation = std::move(session.animation);
+  back.clipboard_wanted = std::move(session.clipboard_wanted);
+  back.figures_wanted = std::move(session.figures_wanted);
+  back.pages_wanted = std::move(session.pages_wanted);
+  back.screenshots_wanted = std::move(session.screenshots_wanted);
+  back.quit = session.quit;
+  back.playback.playing = false;
+  session = std::move(back);
+}
+
+void take(Session& session, const TurnLesson& action) {
+  if (!session.lesson) return;
+  const LessonRun run = *session.lesson;
+  if (action.direction == 0) return open_page(session, run.page, ground_of(*run.lesson, run.page));
+  if (action.direction < 0) {
+    if (run.page == 0) return;
+    return open_page(session, run.page - 1, ground_of(*run.lesson, run.page - 1));
+  }
+  if (run.at_end() || run.outcome() == PageOutcome::open) return;
+  open_page(session, run.page + 1, run.page + 1);
+}
+
+void take(Session& session, const AnswerLesson& action) {
+  if (!session.lesson) return;
+  if (action.answer == "skip") return skip(session);
+  const Question* question = open_question(session);
+  if (question == nullptr) return;
+  // Without a window nothing works the run out by itself.
+  if (session.timeline && !session.beside) session.timeline->extend_to_end();
+  LessonRun run = *session.lesson;
+  run.progress.judgement = judge(session, *question, action.answer);
+  if (run.progress.judgement->said == Said::wrong) ++run.progress.tries;
+  if (run.progress.judgement->said == Said::right)
+    run.outcomes[run.page] = run.progress.tries == 0 ? PageOutcome::first_try : PageOutcome::later_try;
+  change(session, std::move(run));
+  note_score(session);
+}
+
+void tend_lesson(Session& session, const Action& action) {
+  tend_prediction(session);
+  if (!session.lesson || session.lesson->progress.opening) return;
+  const LessonRun& now = *session.lesson;
+  if (session.original != now.mesh) {
+    tell(session, "The lesson is over, because another mesh was opened; the menu Learn begins it again.");
+    session.lesson.reset();
+    return;
+  }
+  const LessonPage* page = now.shown();
+  if (page == nullptr) return;
+  PageProgress progress = now.progress;
+  if (!progress.from && session.timeline && !session.timeline->sought())
+    progress.from = session.timeline->position();
+  const bool waits = page->wait && now.outcome() == PageOutcome::open;
+  const bool done = waits && holds(*page->wait, session, action, progress);
+  if (!done && progress == now.progress) return;
+  LessonRun run = now;
+  run.progress = std::move(progress);
+  if (done) run.outcomes[run.page] = PageOutcome::done;
+  change(session, std::move(run));
+}
+
+namespace {
+
+const knit::CandidateMeasured* measured_at(const knit::Timeline& timeline, std::size_t index) {
+  return index < timeline.known() ? std::get_if<knit::CandidateMeasured>(&timeline.step(index).what)
+                                  : nullptr;
+}
+
+}  // namespace
+
+std::optional<AskedVertex> asked_vertex(const Session& session) {
+  if (!session.prediction || !session.timeline || session.timeline->sought()) return std::nullopt;
+  const auto* next = measured_at(*session.timeline, session.timeline->position());
+  return next != nullptr ? std::optional(AskedVertex{next->anchor, next->candidate}) : std::nullopt;
+}
+
+std::optional<std::size_t> verdict_ahead(const Session& session, std::size_t end) {
+  if (!session.prediction) return std::nullopt;
+  for (std::size_t position = session.timeline->position(); position <= end; ++position) {
+    if (measured_at(*session.timeline, position) != nullptr) return position;
+  }
+  return std::nullopt;
+}
+
+void wait_for_guess(Session& session) {
+  Prediction prediction = *session.prediction;
+  prediction.playing_from = session.timeline->position();
+  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+}
+
+void take(Session& session, const SetPredicting& action) {
+  if (action.on == (session.prediction != nullptr)) return;
+  session.prediction = action.on ? std::make_shared<const Prediction>() : nullptr;
+}
+
+void take(Session& session, const Guess& action) {
+  if (!asked_vertex(session)) return;
+  knit::Timeline& timeline = *session.timeline;
+  const std::size_t index = timeline.position();
+  const knit::Verdict verdict = measured_at(timeline, index)->verdict;
+  const std::string words = knit::narrate(timeline.step(index), timeline.parameters_of_step(index));
+  Prediction prediction = *session.prediction;
+  const bool right = action.verdict == verdict;
+  ++prediction.guessed;
+  prediction.right += right ? 1 : 0;
+  prediction.streak = right ? prediction.streak + 1 : 0;
+  const bool plays_on = prediction.playing_from == index;
+  prediction.playing_from.reset();
+  prediction.told = Prediction::Told{index + 1, right, words};
+  std::int32_t& longest = session.preferences.longest_streak;
+  longest = std::max(longest, prediction.streak);
+  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+  timeline.seek(index + 1);
+  session.playback.playing = plays_on;
+  session.playback.direction = 1;
+}
+
+void tend_prediction(Session& session) {
+  if (!session.prediction || !session.timeline) return;
+  knit::Timeline& timeline = *session.timeline;
+  // Whether a verdict comes next can be said only once its step is there; taking it later is another matter.
+  if (timeline.position() == timeline.known() && !timeline.complete() && !timeline.sought())
+    session.beside ? timeline.extend_briefly(1) : timeline.extend(1);
+  const auto& told = session.prediction->told;
+  if (!told || told->position == timeline.position()) return;
+  Prediction prediction = *session.prediction;
+  prediction.told.reset();
+  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+}
+
+}  // namespace app

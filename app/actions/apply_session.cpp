@@ -1,0 +1,81 @@
+#include "app/actions/apply_parts.h"
+#include "app/actions/opening.h"
+#include "app/actions/show_session.h"
+#include "app/files/link.h"
+#include "app/files/preferences_file.h"
+#include "app/files/rescue.h"
+#include "app/files/session_file.h"
+
+namespace app {
+
+// Among the recent ones the session stands for itself, not its mesh.
+void take(Session& session, const OpenSession& action) {
+  cancel_opening(session);
+  if (session.beside && is_long_to_open(action.path, true))
+    return begin_opening_session(session, action.path);
+  const auto start = std::chrono::steady_clock::now();
+  auto read = read_session(session.assets, action.path);
+  if (auto* error = std::get_if<std::string>(&read)) {
+    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    note_not_opened(session, {{}, action.path});
+    return;
+  }
+  take_opened(session, std::get<OpenedSession>(std::move(read)), start, false);
+}
+
+void take(Session& session, const CopyLink& /*action*/) {
+  if (!session.timeline) return;
+  auto link = link_by_session(session);
+  const bool by_options = !link;
+  if (by_options) link = link_by_options(session);
+  if (!link) {
+    session.notices.push_back(
+        {Notice::Kind::warning,
+         "Options alone cannot say all of this; save the session first, then the link names "
+         "its file."});
+    return;
+  }
+  session.clipboard_wanted = *link;
+  tell(session,
+       "Copied: " + *link +
+           (by_options ? "  (without the camera and the layers; a saved session has them too)" : ""));
+}
+
+// It stays on offer until it could be opened, and on disk until this program has a file of its own: the same one.
+void take(Session& session, const TakeRescued& /*action*/) {
+  if (!session.rescued) return;
+  cancel_opening(session);
+  if (session.beside && is_long_to_open(session.rescued->path, true)) return begin_opening_rescued(session);
+  const auto start = std::chrono::steady_clock::now();
+  auto read = read_session(session.assets, session.rescued->path);
+  if (auto* error = std::get_if<std::string>(&read)) {
+    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    return;
+  }
+  take_opened(session, std::get<OpenedSession>(std::move(read)), start, true);
+}
+
+void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start,
+                 bool rescued) {
+  const std::filesystem::path path = opened.path;
+  std::vector<std::string> recent = session.preferences.recent;
+  show_session(session, std::move(opened), start);
+  if (!rescued) {
+    session.preferences.recent = std::move(recent);
+    note_recent(session.preferences, recent_name(path));
+    return;
+  }
+  session.rescued.reset();
+  session.saved.reset();  // that file is nobody's to name
+  std::error_code ignored;
+  std::filesystem::rename(path, rescue_file(path.parent_path(), this_process()), ignored);
+}
+
+void take(Session& session, const DropRescued& /*action*/) {
+  if (!session.rescued) return;
+  std::error_code ignored;
+  std::filesystem::remove(session.rescued->path, ignored);
+  session.rescued = find_rescued(session.rescued->path.parent_path());
+}
+
+}  // namespace app

@@ -1,0 +1,220 @@
+// Break conditions, the loop, slow motion, and steps over, into and out.
+#include <algorithm>
+#include <utility>
+
+#include "app/actions/apply_parts.h"
+#include "app/actions/navigate.h"
+#include "app/actions/playing.h"
+#include "app/lessons/predict.h"
+
+namespace app {
+
+namespace {
+
+void stop_at(Session& session, std::size_t position) {
+  session.timeline->seek(position);
+  const knit::BreakCondition* condition = session.travel.hits.condition_at(position);
+  if (condition != nullptr) session.place_note = "Break: " + knit::words_of(*condition) + ".";
+}
+
+// Goes to the hit that is looked for, once it is certain which one it is, or that there is none.
+void try_to_run(Session& session) {
+  Travel& travel = session.travel;
+  if (travel.running_to == 0) return;
+  const bool forward = travel.running_to > 0;
+  const std::size_t position = session.timeline->position();
+  if (!forward && travel.hits.reach() < position) return;
+  const auto hit = forward ? travel.hits.from(position + 1) : travel.hits.before(position);
+  const bool all_seen = !forward || (session.timeline->complete() && travel.hits.whole());
+  if (!hit && !all_seen) return;
+  travel.running_to = 0;
+  if (hit) return stop_at(session, *hit);
+  session.place_note = forward ? "No break condition holds from here to the end of the run."
+                               : "No break condition holds before this step.";
+}
+
+// Positions follow the places of the loop into another run; a loop whose steps are gone waits for them.
+void tend_loop(Session& session) {
+  const knit::Timeline& timeline = *session.timeline;
+  Travel& travel = session.travel;
+  if (!travel.loop_places) {
+    if (!travel.loop || travel.loop->end > timeline.known()) return;
+    travel.loop_places =
+        PlaceStretch{timeline.step(travel.loop->begin).place, timeline.step(travel.loop->end - 1).place};
+  }
+  travel.loop = stretch_of(timeline, *travel.loop_places);
+}
+
+}  // namespace
+
+void tend_travel(Session& session) {
+  if (!session.timeline) return;
+  Travel& travel = session.travel;
+  // In a window as much at a time as is worked out, so that a frame stays short.
+  travel.hits.refresh(*session.timeline, travel.breaks, session.beside ? steps_per_tick : BreakHits::all);
+  tend_loop(session);
+  try_to_run(session);
+}
+
+void play(Session& session, double seconds) {
+  knit::Timeline& timeline = *session.timeline;
+  Travel& travel = session.travel;
+  const std::size_t position = timeline.position();
+  // Where hits are not known yet, playing waits for them.
+  const std::size_t end = std::min(timeline.known(), travel.hits.reach());
+  const bool waits = position > end || (travel.loop && travel.loop->end > travel.hits.reach());
+  if (waits) return;
+  const Due due = steps_due(session, std::clamp(seconds, 0.0, 0.25));
+  session.playback.owed = due.owed;
+  const int direction = session.playback.direction;
+  const bool loops = travel.loop && travel.loop->end <= end;
+  Played now = played({end, direction, loops ? travel.loop : std::nullopt}, travel.hits, position, due.steps);
+  const auto asked =
+      direction > 0 ? verdict_ahead(session, std::min(end, position + due.steps)) : std::nullopt;
+  const bool to_be_guessed = asked && (!now.broke || *asked < now.position);
+  if (to_be_guessed) now = {*asked, false};
+  if (now.position != position) forget_place(session);
+  timeline.seek(now.position);
+  const bool at_end =
+      direction > 0 ? timeline.complete() && now.position == timeline.known() : now.position == 0;
+  if (now.broke || to_be_guessed || (at_end && !loops)) stop_playing(session);
+  if (to_be_guessed) wait_for_guess(session);
+  if (now.broke) stop_at(session, now.position);
+}
+
+void take(Session& session, const StepDeep& action) {
+  if (!session.timeline) return;
+  const int direction = action.direction < 0 ? -1 : 1;
+  if (const auto unit = unit_of_depth(*session.timeline, action.depth)) {
+    apply(session, StepBy{*unit, direction});
+  } else if (direction > 0) {
+    apply(session, ToLast{});
+  } else {
+    apply(session, ToFirst{});
+  }
+}
+
+void take(Session& session, const SetBreaks& action) {
+  std::vector<knit::BreakCondition> conditions;
+  for (const knit::BreakCondition& condition : action.conditions) {
+    if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end())
+      conditions.push_back(condition);
+  }
+  session.travel.breaks = std::move(conditions);
+  session.travel.running_to = 0;
+  tend_travel(session);
+}
+
+void take(Session& session, const RunToBreak& action) {
+  if (!session.timeline) return;
+  session.playback.playing = false;
+  Travel& travel = session.travel;
+  if (travel.breaks.empty()) {
+    session.place_note = "There is no break condition yet; the list Breaks offers the usual ones.";
+    return;
+  }
+  remember_place(session);
+  travel.running_to = action.direction < 0 ? -1 : 1;
+  tend_travel(session);
+  // In a window the ticks go on with it.
+  while (!session.beside && travel.running_to != 0) apply(session, PassTime{0.0});
+}
+
+void take(Session& session, const SetLoop& action) {
+  session.travel.loop_places.reset();
+  session.travel.loop.reset();
+  if (!session.timeline || !action.stretch || action.stretch->end <= action.stretch->begin) return;
+  session.travel.loop = action.stretch;
+  tend_loop(session);
+}
+
+void take(Session& session, const SetSlowMotion& action) { session.travel.slow_motion = action.on; }
+
+namespace {
+
+constexpr std::size_t most_remembered = 200;
+
+// The start stands before the first step's place.
+knit::Place here(const knit::Timeline& timeline) {
+  if (timeline.sought()) return *timeline.sought();
+  return timeline.position() == 0 ? knit::Place{knit::Stage::import, 0, 0} : timeline.place();
+}
+
+void push(std::vector<knit::Place>& places, const knit::Place& place) {
+  if (!places.empty() && places.back() == place) return;
+  places.push_back(place);
+  if (places.size() > most_remembered) places.erase(places.begin());
+}
+
+// Only to what is known, or as soon as it is; nothing is worked out here.
+void go(Session& session, const knit::Place& place) {
+  session.playback.playing = false;
+  session.timeline->await(place);
+}
+
+void jump_after(Session& session, std::size_t step) {
+  remember_place(session);
+  session.playback.playing = false;
+  session.timeline->seek(step + 1);
+}
+
+// Takes the nearest place that is another than this one.
+void go_along(Session& session, std::vector<knit::Place>& from, std::vector<knit::Place>& onto) {
+  if (!session.timeline) return;
+  const knit::Place now = here(*session.timeline);
+  while (!from.empty() && from.back() == now) from.pop_back();
+  if (from.empty()) return;
+  push(onto, now);
+  const knit::Place place = from.back();
+  from.pop_back();
+  go(session, place);
+}
+
+bool is_of_mesh(const Session& session, const knit::Thing& thing) {
+  const auto* vertex = std::get_if<knit::VertexThing>(&thing);
+  return vertex == nullptr || vertex->vertex < session.timeline->input().mesh.positions.size();
+}
+
+}  // namespace
+
+void take(Session& session, const Select& action) {
+  if (action.thing && (!session.timeline || !is_of_mesh(session, *action.thing))) return;
+  session.travel.selected = action.thing;
+}
+
+void take(Session& session, const ShowWhy& action) {
+  if (!session.timeline || !is_of_mesh(session, action.thing)) return;
+  session.travel.selected = action.thing;
+  if (const auto step = knit::made_by(*session.timeline, action.thing)) jump_after(session, *step);
+}
+
+void take(Session& session, const ToTouch& action) {
+  if (!session.timeline || !session.travel.selected) return;
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::Thing& thing = *session.travel.selected;
+  // The step shown is the last one taken.
+  const std::size_t position = timeline.position();
+  const auto step = action.direction > 0 ? knit::touch_from(timeline, thing, position)
+                    : position > 0       ? knit::touch_before(timeline, thing, position - 1)
+                                         : std::nullopt;
+  if (step) jump_after(session, *step);
+}
+
+void take(Session& session, const GoBack& /*action*/) {
+  PlaceHistory& history = session.travel.history;
+  go_along(session, history.behind, history.ahead);
+}
+
+void take(Session& session, const GoForward& /*action*/) {
+  PlaceHistory& history = session.travel.history;
+  go_along(session, history.ahead, history.behind);
+}
+
+void remember_place(Session& session) {
+  if (!session.timeline) return;
+  push(session.travel.history.behind, here(*session.timeline));
+  session.travel.history.ahead.clear();
+  session.travel.left_by_seek.reset();
+}
+
+}  // namespace app

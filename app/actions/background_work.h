@@ -1,0 +1,14 @@
+// Long work done beside the window: steps that take long, and how close the finished piece is to the mesh.
+#pragma once
+
+#include "app/session/session.h"
+
+namespace app {
+
+// Takes what is ready, starts what is due; `seconds` since the last call. Does nothing unless session.beside.
+void work_beside(Session& session, double seconds);
+
+// How many steps may be worked out in one tick without holding up a frame: fewer where each is dear.
+std::size_t steps_of_slice(const knit::Timeline& timeline);
+
+}  // namespace app

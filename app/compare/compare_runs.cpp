@@ -1,0 +1,167 @@
+#include "app/compare/compare_runs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/base/text.h"
+
+namespace app {
+
+namespace {
+
+FigureLine count_line(const char* key, const char* name, double a, double b) {
+  FigureLine line{key, name, fixed_text(a, 0), fixed_text(b, 0), ""};
+  if (a != b) line.difference = (b > a ? "+" : "") + fixed_text(b - a, 0);
+  return line;
+}
+
+// What is not there yet has no value.
+FigureLine spread_line(const char* key, const char* name, const knit::LengthFigures& a,
+                       const knit::LengthFigures& b, double knit::LengthFigures::*field, int decimals,
+                       double unit_a = 1.0, double unit_b = 1.0) {
+  const std::string none = "\xE2\x80\x93";
+  const double value_a = a.*field / unit_a;
+  const double value_b = b.*field / unit_b;
+  FigureLine line{key, name, a.count > 0 ? fixed_text(value_a, decimals) : none,
+                  b.count > 0 ? fixed_text(value_b, decimals) : none, ""};
+  if (a.count == 0 || b.count == 0 || value_a == value_b) return line;
+  const std::string text = fixed_text(value_b - value_a, decimals);
+  // What is smaller than the last digit shown is said to be.
+  const bool seen = text.find_first_of("123456789") != std::string::npos;
+  line.difference = seen ? (value_b > value_a ? "+" : "") + text : "~0";
+  return line;
+}
+
+std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
+  const auto count = [&](const char* key, const char* name, auto RunFigures::*field) {
+    return count_line(key, name, static_cast<double>(a.figures.*field),
+                      static_cast<double>(b.figures.*field));
+  };
+  const knit::Parameters& pa = parameters_at(a.knobs, a.state.next);
+  const knit::Parameters& pb = parameters_at(b.knobs, b.state.next);
+  const RunFigures& fa = a.figures;
+  const RunFigures& fb = b.figures;
+  return {count("rows", "Rows", &RunFigures::rows),
+          count("stitches", "Stitches", &RunFigures::stitches),
+          count("increases", "Increases", &RunFigures::increases),
+          count("decreases", "Decreases", &RunFigures::decreases),
+          count("most", "Most in a row", &RunFigures::most_in_a_row),
+          count("problems", "Problems", &RunFigures::problems),
+          spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,
+                      pa.stitch_width, pb.stitch_width),
+          spread_line("course-cv", "Course CV", fa.course, fb.course, &knit::LengthFigures::cv, 3),
+          spread_line("wale-mean", "Wale / h", fa.wale, fb.wale, &knit::LengthFigures::mean, 3,
+                      knit::stitch_height_of(pa), knit::stitch_height_of(pb)),
+          spread_line("wale-cv", "Wale CV", fa.wale, fb.wale, &knit::LengthFigures::cv, 3),
+          count("steps", "Steps", &RunFigures::steps)};
+}
+
+std::optional<FirstRow> first_row_of(const knit::State& a, const knit::State& b) {
+  const std::size_t both = std::min(a.rows.size(), b.rows.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    const auto& in_a = a.rows[i]->stitches;
+    const auto& in_b = b.rows[i]->stitches;
+    FirstRow row{static_cast<std::int32_t>(i) + 1, RowDiffers::size, static_cast<std::int32_t>(in_a.size()),
+                 static_cast<std::int32_t>(in_b.size())};
+    if (in_a.size() != in_b.size()) return row;
+    row.how = RowDiffers::places;
+    if (a.rows[i].content_hash() != b.rows[i].content_hash() && in_a != in_b) return row;
+    row.how = RowDiffers::shaping;
+    const bool there_a = i > 0 && i - 1 < a.transitions.size();
+    const bool there_b = i > 0 && i - 1 < b.transitions.size();
+    if (there_a != there_b) return row;
+    if (there_a && a.transitions[i - 1]->labels != b.transitions[i - 1]->labels) return row;
+  }
+  if (a.rows.size() == b.rows.size()) return std::nullopt;
+  const auto size_of = [&](const knit::State& state) {
+    return both < state.rows.size() ? static_cast<std::int32_t>(state.rows[both]->stitches.size()) : 0;
+  };
+  return FirstRow{static_cast<std::int32_t>(both) + 1, RowDiffers::missing, size_of(a), size_of(b)};
+}
+
+std::string padded(std::string text, std::size_t width, bool to_right) {
+  // Only signs beyond ASCII take more bytes than places.
+  const auto places = static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  const std::string space(places < width ? width - places : 0, ' ');
+  return to_right ? space + text : text + space;
+}
+
+}  // namespace
+
+bool RunDifference::any() const {
+  return !same_mesh || !parameters.empty() || edits_differ || first_row || stop_a != stop_b ||
+         std::any_of(figures.begin(), figures.end(),
+                     [](const FigureLine& f) { return !f.difference.empty(); });
+}
+
+RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
+  RunDifference result;
+  const knit::Mesh& mesh_a = a.input.mesh;
+  const knit::Mesh& mesh_b = b.input.mesh;
+  result.same_mesh =
+      &a.input == &b.input || (mesh_a.positions == mesh_b.positions && mesh_a.triangles == mesh_b.triangles);
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    std::string in_a = knit::value_text(info, a.knobs.base);
+    std::string in_b = knit::value_text(info, b.knobs.base);
+    if (in_a == in_b) continue;
+    // The view of the stitch size that only follows would say everything twice.
+    const bool gauge = a.knobs.base.sizes == knit::SizesFrom::gauge;
+    const bool follows =
+        gauge ? info.key == "stitch-width" || info.key == "stitch-height" : info.key == "gauge";
+    if (follows && a.knobs.base.sizes == b.knobs.base.sizes) continue;
+    result.parameters.push_back(
+        {std::string(info.key), std::string(info.label), std::move(in_a), std::move(in_b)});
+  }
+  result.edits_differ = a.knobs.edits != b.knobs.edits;
+  result.first_row = first_row_of(a.state, b.state);
+  result.figures = figure_lines(a, b);
+  result.stop_a = a.figures.stop;
+  result.stop_b = b.figures.stop;
+  return result;
+}
+
+std::string words_of(const std::optional<FirstRow>& row) {
+  if (!row) return "All rows are the same, stitch by stitch.";
+  const std::string number = "Row " + std::to_string(row->row);
+  const std::string first = number + " is the first that differs: ";
+  switch (row->how) {
+    case RowDiffers::size:
+      return first + std::to_string(row->a) + " stitches and " + std::to_string(row->b) + ".";
+    case RowDiffers::places:
+      return first + std::to_string(row->a) + " stitches in both, in other places.";
+    case RowDiffers::shaping:
+      return first + std::to_string(row->a) + " stitches in both, made by other increases or decreases.";
+    case RowDiffers::missing:
+      break;
+  }
+  return first + "only " + (row->a > 0 ? "the first" : "the second") + " run has it.";
+}
+
+std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name) {
+  if (!difference.any()) return "Nothing differs.\n";
+  std::string text;
+  if (!difference.same_mesh) text += "The meshes differ.\n";
+  text += words_of(difference.first_row) + "\n";
+  if (difference.edits_differ) text += "The changes on the way differ.\n";
+  if (!difference.stop_a.empty()) text += std::string(a_name) + " stopped: " + difference.stop_a + "\n";
+  if (!difference.stop_b.empty()) text += std::string(b_name) + " stopped: " + difference.stop_b + "\n";
+  std::vector<std::array<std::string, 4>> lines{{"", std::string(a_name), std::string(b_name), ""}};
+  for (const ParameterLine& line : difference.parameters)
+    lines.push_back({"--" + line.key, line.a, line.b, ""});
+  for (const FigureLine& line : difference.figures)
+    lines.push_back({line.name, line.a, line.b, line.difference});
+  std::array<std::size_t, 4> widths{};
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  for (const auto& line : lines) {
+    std::string words = padded(line[0], widths[0], false);
+    for (std::size_t i = 1; i < line.size(); ++i) words += "  " + padded(line[i], widths[i], true);
+    words.erase(words.find_last_not_of(' ') + 1);
+    text += words + "\n";
+  }
+  return text;
+}
+
+}  // namespace app

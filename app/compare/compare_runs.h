@@ -1,0 +1,55 @@
+// What differs between two runs, a and b: the pinned one and the one at hand, or those of two sessions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session/run_figures.h"
+
+namespace app {
+
+// A run to its end, finished or stopped; the references must outlive the comparison.
+struct RunEnd {
+  const knit::Input& input;
+  const Knobs& knobs;
+  const knit::State& state;
+  const RunFigures& figures;
+};
+
+struct FigureLine {
+  std::string key, name;         // "course-cv", "Course CV"
+  std::string a, b, difference;  // as text; the difference is b's over a's, and empty where they are equal
+};
+
+struct ParameterLine {
+  std::string key, label, a, b;
+};
+
+// Of the first row that is not the same in both.
+enum class RowDiffers : std::uint8_t { size, places, shaping, missing };
+struct FirstRow {
+  std::int32_t row = 1;
+  RowDiffers how = RowDiffers::size;
+  std::int32_t a = 0, b = 0;  // stitches; 0 where there is no such row
+};
+
+struct RunDifference {
+  bool same_mesh = true;
+  std::vector<ParameterLine> parameters;  // those that differ from the start
+  bool edits_differ = false;
+  std::optional<FirstRow> first_row;
+  std::vector<FigureLine> figures;  // all of them, equal or not
+  std::string stop_a, stop_b;       // why they stopped; empty: finished
+  [[nodiscard]] bool any() const;
+};
+RunDifference difference_of(const RunEnd& a, const RunEnd& b);
+
+// "Row 7 is the first that differs: 44 stitches and 45."
+std::string words_of(const std::optional<FirstRow>& row);
+// A line each; tables are aligned. The names head the two columns.
+std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name);
+
+}  // namespace app

@@ -1,0 +1,162 @@
+#include "app/compare/sweep_work.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace app {
+
+namespace {
+constexpr std::size_t steps_a_look = 256;  // between two looks whether it is still wanted
+}
+
+struct SweepWork::Shared {
+  SweepBase base;
+  SweepPlan plan;
+  std::vector<double> first, second;
+  std::vector<SweepRun> runs;
+  std::unique_ptr<std::atomic<bool>[]> ready;
+  RunTally prefix;  // written before the other threads start
+  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<bool> cancelled{false};
+  std::mutex mutex;
+  std::condition_variable ended;
+  unsigned threads = 0;  // still at it; guarded by the mutex
+
+  [[nodiscard]] std::vector<double> values_at(std::size_t index) const {
+    if (second.empty()) return {first[index]};
+    return {first[index / second.size()], second[index % second.size()]};
+  }
+
+  // False: no longer wanted.
+  bool go_on_while_wanted(RunTally& run, const Knobs& knobs, knit::Stage before) const {
+    while (go_on(run, *base.input, knobs, steps_a_look, before)) {
+      if (cancelled.load(std::memory_order_relaxed)) return false;
+    }
+    return true;
+  }
+
+  // A fault of ours in one run is its result, too: the others go on.
+  bool work_out(SweepRun& run) const {
+    try {
+      return work_out_soundly(run);
+    } catch (const std::exception& error) {
+      run.refused = std::string("this run went wrong inside the program: ") + error.what() + ".";
+      return true;
+    }
+  }
+
+  bool work_out_soundly(SweepRun& run) const {
+    const auto knobs = swept_knobs(base, plan, run.values);
+    if (const auto* fault = std::get_if<std::string>(&knobs)) {
+      run.refused = *fault;
+      return true;
+    }
+    RunTally tally = prefix;
+    if (!go_on_while_wanted(tally, std::get<Knobs>(knobs), knit::Stage::done)) return false;
+    run.figures = figures_of(tally, std::get<Knobs>(knobs));
+    return true;
+  }
+
+  // Where even this goes wrong, each run begins at the beginning and tells.
+  bool work_out_prefix() {
+    try {
+      return go_on_while_wanted(prefix, base.knobs, first_reader_of(plan));
+    } catch (const std::exception&) {
+      prefix = {};
+      return true;
+    }
+  }
+
+  void work_on() {
+    for (;;) {
+      const std::size_t index = next.fetch_add(1, std::memory_order_relaxed);
+      if (index >= runs.size() || cancelled.load(std::memory_order_relaxed)) return;
+      runs[index].values = values_at(index);
+      if (!work_out(runs[index])) return;
+      ready[index].store(true, std::memory_order_release);
+      done.fetch_add(1, std::memory_order_release);
+    }
+  }
+
+  void leave() {
+    const std::lock_guard lock(mutex);
+    if (--threads == 0) ended.notify_all();
+  }
+};
+
+SweepWork::SweepWork(SweepBase base, const SweepPlan& plan, unsigned threads)
+    : shared_(std::make_shared<Shared>()) {
+  Shared& shared = *shared_;
+  shared.base = std::move(base);
+  shared.plan = plan;
+  shared.first = values_of(plan.axis);
+  if (plan.second) shared.second = values_of(*plan.second);
+  shared.runs.resize(shared.first.size() * std::max<std::size_t>(1, shared.second.size()));
+  shared.ready = std::make_unique<std::atomic<bool>[]>(shared.runs.size());
+  const unsigned wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  shared.threads = static_cast<unsigned>(std::min<std::size_t>(wanted, shared.runs.size()));
+  // The first thread runs what is shared, then all of them take runs.
+  std::thread([box = shared_, count = shared.threads] {
+    if (box->work_out_prefix()) {
+      for (unsigned i = 1; i < count; ++i) {
+        std::thread([box] {
+          box->work_on();
+          box->leave();
+        }).detach();
+      }
+      box->work_on();
+    } else {
+      for (unsigned i = 1; i < count; ++i) box->leave();
+    }
+    box->leave();
+  }).detach();
+}
+
+SweepWork::~SweepWork() { cancel(); }
+
+void SweepWork::cancel() { shared_->cancelled.store(true, std::memory_order_relaxed); }
+
+void SweepWork::wait() {
+  std::unique_lock lock(shared_->mutex);
+  shared_->ended.wait(lock, [&] { return shared_->threads == 0; });
+}
+
+std::size_t SweepWork::total() const { return shared_->runs.size(); }
+std::size_t SweepWork::done() const { return shared_->done.load(std::memory_order_acquire); }
+bool SweepWork::running() const { return !cancelled() && done() < total(); }
+bool SweepWork::cancelled() const { return shared_->cancelled.load(std::memory_order_relaxed); }
+
+const SweepRun* SweepWork::run(std::size_t index) const {
+  if (index >= total() || !shared_->ready[index].load(std::memory_order_acquire)) return nullptr;
+  return &shared_->runs[index];
+}
+
+const SweepPlan& SweepWork::plan() const { return shared_->plan; }
+const SweepBase& SweepWork::base() const { return shared_->base; }
+const std::vector<double>& SweepWork::first_values() const { return shared_->first; }
+const std::vector<double>& SweepWork::second_values() const { return shared_->second; }
+
+bool swept_otherwise(const SweepWork& work, const knit::Timeline& now) {
+  const SweepPlan& plan = work.plan();
+  const SweepBase& base = work.base();
+  if (now.input_pointer() != base.input || now.edits().size() != base.knobs.edits.size()) return true;
+  const auto is_swept = [&](std::string_view key) {
+    return key == plan.axis.key || (plan.second && key == plan.second->key);
+  };
+  const auto table = knit::parameter_table();
+  const std::string_view sizes = knit::find_parameter("sizes")->group;
+  // Stitch sizes follow each other.
+  const bool sizes_swept = std::any_of(table.begin(), table.end(), [&](const knit::ParameterInfo& info) {
+    return info.group == sizes && is_swept(info.key);
+  });
+  return std::any_of(table.begin(), table.end(), [&](const knit::ParameterInfo& info) {
+    if (is_swept(info.key) || (sizes_swept && info.group == sizes)) return false;
+    return knit::value_text(info, now.parameters()) != knit::value_text(info, base.at_hand);
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,143 @@
+#include "app/describe/describe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/describe/describe_contours.h"
+#include "app/describe/describe_motion.h"
+#include "app/describe/describe_quantity.h"
+#include "app/describe/describe_selected.h"
+#include "app/describe/describe_step.h"
+#include "app/describe/describe_symbols.h"
+#include "app/describe/describe_variable.h"
+#include "app/scene/palette.h"
+
+namespace app {
+
+namespace {
+
+Colour stitch_colour(const Theme& theme, const knit::Row& row, std::size_t rows_in_run, bool finished) {
+  const bool cast = row.number == 1 || (finished && row.number == static_cast<std::int32_t>(rows_in_run));
+  return cast ? theme.of(knit::Label::cast) : theme.stitch;
+}
+
+std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
+  std::vector<Line> lines;
+  const std::size_t n = row.stitches.size();
+  lines.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    lines.push_back(
+        {glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position), colour, 1.8F});
+  }
+  return std::make_shared<const std::vector<Line>>(std::move(lines));
+}
+
+std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colour colour) {
+  std::vector<Point> points;
+  points.reserve(row.stitches.size());
+  for (const knit::Stitch& stitch : row.stitches)
+    points.push_back({glm::vec3(stitch.position), colour, 3.2F});
+  return std::make_shared<const std::vector<Point>>(std::move(points));
+}
+
+// A row is being picked, placed or labelled: it shall be the one bright thing.
+bool in_the_making(const knit::State& state) {
+  return std::holds_alternative<knit::RowWork>(state.work) ||
+         std::holds_alternative<knit::ContourWork>(state.work) ||
+         std::holds_alternative<knit::IndexWork>(state.work);
+}
+
+}  // namespace
+
+// Shapes have their colours in them.
+void Describer::take_theme(const Theme& theme) {
+  if (theme_ == &theme) return;
+  theme_ = &theme;
+  ground_.forget_colours();
+  rows_.clear();
+  strips_.clear();
+}
+
+void Describer::add_rows(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  rows_.resize(std::max(rows_.size(), state.rows.size()));
+  for (std::size_t i = 0; i < state.rows.size(); ++i) {
+    RowShapes& kept = rows_[i];
+    const auto row = state.rows[i].pointer();
+    const bool ends_here = state.stage() > knit::Stage::rows;
+    const Colour colour = stitch_colour(*scene.theme, *row, state.rows.size(), ends_here);
+    if (kept.row != row || kept.colour != colour) {
+      const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
+      kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
+    }
+    if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
+    if (session.shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);
+  }
+}
+
+void Describer::add_strips(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  strips_.resize(std::max(strips_.size(), state.strips.size()));
+  for (std::size_t i = 0; i < state.strips.size(); ++i) {
+    StripShapes& kept = strips_[i];
+    const auto strip = state.strips[i].pointer();
+    const auto below = state.rows[i].pointer();
+    const auto above = state.rows[i + 1].pointer();
+    if (kept.strip != strip || kept.below != below || kept.above != above) {
+      const StripPlaces places = places_of(state, i);
+      kept = {strip, below, above,
+              std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), places)),
+              std::make_shared<const std::vector<Line>>(
+                  columns_of(*scene.theme, *strip, strip->column_edges.size(), places))};
+    }
+    if (session.shows(Layer::faces)) scene.faces.push_back(kept.faces);
+    if (session.shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
+  }
+}
+
+namespace {
+
+// From the first row to the last that a finished strip reaches.
+std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  if (!session.shows(Layer::faces) || state.strips.empty() || scene.unfinished) return std::nullopt;
+  return TimeSpan{static_cast<float>(state.rows.front()->time),
+                  static_cast<float>(state.rows[state.strips.size()]->time)};
+}
+
+}  // namespace
+
+Scene Describer::describe(const Session& session, const Showing& showing) {
+  Scene scene;
+  scene.theme = &theme_of(session.preferences.theme);
+  take_theme(*scene.theme);
+  scene.background = scene.theme->background;
+  scene.ground = scene.theme->ground;
+  scene.time_low = scene.theme->time_low;
+  scene.time_middle = scene.theme->time_middle;
+  scene.time_high = scene.theme->time_high;
+  scene.view = session.camera.view(session.aspect);
+  if (!session.timeline) return scene;
+
+  const knit::State& state = session.timeline->state();
+  ground_.describe(session, showing.in_pieces, scene);
+  scene.coarse = coarseness(session, showing.height_px);
+  scene.calm = in_the_making(state);
+  if (scene.coarse > 1) {
+    coarse_.describe(session, scene.coarse, showing.in_pieces, scene);
+  } else {
+    add_rows(session, scene);
+    add_strips(session, scene);
+  }
+  scene.covered = covered_by_faces(session, scene);
+  ghost_.describe(session, scene);
+  describe_step(session, scene);
+  describe_quantity(session, scene);
+  symbols_.describe(session, showing.height_px, scene);
+  describe_selected(session, scene);
+  describe_variable(session, scene);
+  describe_motion(session, showing.appeared, scene);
+  return scene;
+}
+
+}  // namespace app

@@ -1,0 +1,57 @@
+// From a session to what there is to see: a pure function, but for products already turned into shapes, which
+// are kept.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/describe/describe_coarse.h"
+#include "app/describe/describe_ghost.h"
+#include "app/describe/describe_ground.h"
+#include "app/describe/describe_symbols.h"
+#include "app/scene/scene.h"
+#include "app/session/session.h"
+
+namespace app {
+
+// What a picture depends on beside the session.
+struct Showing {
+  double height_px = 600.0;  // of the view, in pixels of a plain screen
+  double appeared = 1.0;     // of the last step's movement: describe_motion.h
+  bool in_pieces = false;    // much that is new may come over some frames: Scene::unfinished
+};
+
+// Keeps the shapes of finished products, by the products' pointers, so that a renderer uploads each once.
+class Describer {
+ public:
+  [[nodiscard]] Scene describe(const Session& session, const Showing& showing = {});
+
+ private:
+  struct RowShapes {
+    std::shared_ptr<const knit::Row> row;
+    Colour colour;
+    std::shared_ptr<const std::vector<Line>> edges;
+    std::shared_ptr<const std::vector<Point>> stitches;
+  };
+  struct StripShapes {
+    std::shared_ptr<const knit::Strip> strip;
+    std::shared_ptr<const knit::Row> below, above;
+    std::shared_ptr<const FaceShape> faces;
+    std::shared_ptr<const std::vector<Line>> columns;
+  };
+
+  void take_theme(const Theme& theme);
+  void add_rows(const Session& session, Scene& scene);
+  void add_strips(const Session& session, Scene& scene);
+
+  const Theme* theme_ = nullptr;  // of the shapes kept
+  Ground ground_;
+  std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
+  std::vector<StripShapes> strips_;
+  Coarse coarse_;
+  Symbols symbols_;
+  Ghost ghost_;
+};
+
+}  // namespace app

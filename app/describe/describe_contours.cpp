@@ -1,0 +1,158 @@
+#include "app/describe/describe_contours.h"
+
+#include <algorithm>
+
+#include "app/scene/palette.h"
+#include "knit/insight/narrate.h"
+#include "knit/rows/contour.h"
+#include "knit/timing/heights.h"
+
+namespace app {
+
+namespace {
+
+constexpr int isoline_count = 20;
+constexpr std::size_t most_cuts_shown = 150;
+constexpr std::size_t most_names = 24;  // more would only cover each other
+
+const knit::Step* step_shown(const Session& session) {
+  const knit::Step* stop = stop_shown(session);
+  return stop != nullptr ? stop : last_step(session);
+}
+
+// So many that they can be told apart.
+void add_plan(const knit::CutPlan& plan, Scene& scene) {
+  const std::size_t stride = 1 + plan.cuts.size() / most_cuts_shown;
+  for (std::size_t i = 0; i < plan.cuts.size(); i += stride) {
+    for (const auto& loop : plan.cuts[i].loops) add_loop(*loop, scene.theme->ring, 1.2F, scene.lines);
+  }
+}
+
+void add_crossings(const knit::Cut& cut, Colour colour, Scene& scene) {
+  for (const auto& loop : cut.loops) {
+    for (const glm::dvec3& point : loop->points) scene.points.push_back({glm::vec3(point), colour, 4.5F});
+  }
+}
+
+void add_stitches(const Session& session, const knit::ContourWork& work, Scene& scene) {
+  if (!session.shows(Layer::stitches)) return;
+  const bool cast_on = session.timeline->state().rows.empty();
+  const Colour colour = cast_on ? scene.theme->of(knit::Label::cast) : scene.theme->stitch;
+  for (const knit::Stitch& stitch : work.stitches)
+    scene.points.push_back({glm::vec3(stitch.position), colour, 7.0F});
+}
+
+std::string_view word_of(knit::CriticalKind kind) {
+  switch (kind) {
+    case knit::CriticalKind::minimum:
+      return "minimum";
+    case knit::CriticalKind::saddle:
+      return "saddle";
+    case knit::CriticalKind::maximum:
+      return "maximum";
+  }
+  return "";
+}
+
+Colour colour_of(const Theme& theme, knit::CriticalKind kind) {
+  switch (kind) {
+    case knit::CriticalKind::minimum:
+      return theme.time_low;
+    case knit::CriticalKind::saddle:
+      return theme.problem;
+    case knit::CriticalKind::maximum:
+      return theme.time_high;
+  }
+  return theme.ring;
+}
+
+}  // namespace
+
+void add_loop(const knit::Ring& ring, Colour colour, float width_px, std::vector<Line>& lines) {
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    const glm::dvec3& next = ring.points[(i + 1) % ring.points.size()];
+    lines.push_back({glm::vec3(ring.points[i]), glm::vec3(next), colour, width_px});
+  }
+}
+
+void describe_contours(const Session& session, const knit::ContourWork& work, Scene& scene) {
+  if (!work.plan || static_cast<std::size_t>(work.cut) >= work.plan->cuts.size()) return;
+  const knit::Step* step = step_shown(session);
+  if (step == nullptr || !session.shows(Layer::cycle)) return add_stitches(session, work, scene);
+  const knit::Cut& cut = work.plan->cuts[static_cast<std::size_t>(work.cut)];
+  if (std::holds_alternative<knit::RowsPlanned>(step->what)) add_plan(*work.plan, scene);
+  if (knit::is_stop(*step)) {
+    for (const auto& loop : cut.loops) add_loop(*loop, scene.theme->problem, 3.0F, scene.lines);
+    return;
+  }
+  switch (work.phase) {
+    case knit::ContourPhase::plan:
+    case knit::ContourPhase::cut:
+      return;
+    case knit::ContourPhase::loop:
+      return add_crossings(cut, scene.theme->ring, scene);
+    case knit::ContourPhase::measure:
+    case knit::ContourPhase::count:
+    case knit::ContourPhase::place:
+      break;
+  }
+  const knit::Ring& ring = *cut.loops.front();
+  add_loop(ring, scene.theme->anchor, work.phase == knit::ContourPhase::place ? 1.6F : 2.6F, scene.lines);
+  const glm::vec3 start(ring.points.front());
+  scene.points.push_back({start, scene.theme->anchor, 10.0F});
+  if (const auto* measured = std::get_if<knit::LengthMeasured>(&step->what))
+    scene.captions.push_back({start, "L = " + knit::short_number(measured->length), scene.theme->anchor});
+  if (const auto* chosen = std::get_if<knit::CountChosen>(&step->what))
+    scene.captions.push_back({start, std::to_string(chosen->count) + " stitches", scene.theme->anchor});
+  add_stitches(session, work, scene);
+  if (std::holds_alternative<knit::StitchPlaced>(step->what) && !work.stitches.empty())
+    scene.points.push_back({glm::vec3(work.stitches.back().position), scene.theme->accepted, 10.0F});
+}
+
+std::shared_ptr<const std::vector<Line>> isolines_of(const Theme& theme, const knit::Input& input,
+                                                     const knit::Timing& timing) {
+  std::vector<double> times;
+  std::vector<double> values;
+  for (int i = 1; i < isoline_count; ++i) {
+    times.push_back(static_cast<double>(i) / isoline_count);
+    const double height = times.back() * timing.scale.total();
+    values.push_back(timing.retimed ? knit::value_at(timing.scale, height) : times.back());
+  }
+  const knit::RowFrame frame = knit::row_frame(timing.ends.direction, std::nullopt);
+  std::vector<Line> lines;
+  for (const knit::Cut& cut : knit::cut_surface(input, timing.cut_field(), values, times, frame)) {
+    for (const auto& loop : cut.loops) add_loop(*loop, theme.isoline, 1.0F, lines);
+  }
+  return std::make_shared<const std::vector<Line>>(std::move(lines));
+}
+
+void describe_criticals(const Session& session, Scene& scene) {
+  const knit::State& state = session.timeline->state();
+  const auto* work = std::get_if<knit::TimingWork>(&state.work);
+  const knit::Criticals* criticals = state.timing                         ? &state.timing->criticals
+                                     : work != nullptr && work->criticals ? &*work->criticals
+                                                                          : nullptr;
+  if (criticals == nullptr || !session.shows(Layer::criticals)) return;
+  const knit::Step* step = step_shown(session);
+  const auto* stopped = step != nullptr ? std::get_if<knit::Stopped>(&step->what) : nullptr;
+  const bool news = step != nullptr && std::holds_alternative<knit::CriticalsFound>(step->what);
+  std::size_t names = 0;
+  for (const knit::CriticalPoint& point : criticals->points) {
+    const bool to_blame = stopped != nullptr && stopped->reason == knit::StopReason::splits &&
+                          stopped->vertex == point.vertex && point.kind == knit::CriticalKind::saddle;
+    const glm::vec3 at(session.timeline->input().mesh.positions[point.vertex]);
+    const Colour colour = colour_of(*scene.theme, point.kind);
+    scene.points.push_back({at, colour, to_blame ? 14.0F : 8.0F});
+    if (!to_blame && !(news && names < most_names)) continue;
+    ++names;
+    // A ring of minima is a minimum and a saddle at one place.
+    const bool same_place = news && !scene.captions.empty() && scene.captions.back().position == at;
+    if (same_place) {
+      scene.captions.back().text += " and " + std::string(word_of(point.kind));
+    } else {
+      scene.captions.push_back({at, std::string(word_of(point.kind)), colour});
+    }
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,164 @@
+#include "app/describe/describe_selected.h"
+
+#include <algorithm>
+
+#include "app/describe/describe_step.h"
+#include "app/describe/thing_places.h"
+#include "app/explain/why_words.h"
+#include "app/lessons/lesson.h"
+#include "app/lessons/predict.h"
+#include "app/scene/palette.h"
+#include "knit/insight/narrate.h"
+#include "knit/rows/rows.h"
+
+namespace app {
+
+namespace {
+
+// Brighter where it is there already, faint where it is still to come.
+struct Glow {
+  Colour colour;
+  float width_px, diameter_px;
+};
+
+void light_up(const std::vector<glm::dvec3>& outline, const Glow& light, Scene& scene) {
+  const std::size_t n = outline.size();
+  if (n == 1) scene.points.push_back({glm::vec3(outline[0]), light.colour, light.diameter_px});
+  const std::size_t sides = n == 2 ? 1 : n > 2 ? n : 0;
+  for (std::size_t i = 0; i < sides; ++i) {
+    scene.lines.push_back(
+        {glm::vec3(outline[i]), glm::vec3(outline[(i + 1) % n]), light.colour, light.width_px});
+  }
+}
+
+// The anchor that refused or took the vertex, the way to it and the band; gives the caption's words. Nothing is
+// added where no anchor measured it; the step at hand writes its own distance.
+std::string describe_measuring(const Session& session, const knit::VertexThing& thing, Scene& scene) {
+  std::string name = words_of(thing);
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
+  if (!story.decided || story.measured.empty() || *story.decided != story.measured.back()) return name;
+  const knit::Step& step = timeline.step(*story.decided);
+  const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what);
+  const auto* missed = std::get_if<knit::BandMissed>(&step.what);
+  if (measured == nullptr && missed == nullptr) return name;
+  const knit::VertexId anchor = measured != nullptr ? measured->anchor : missed->anchor;
+  const double distance = measured != nullptr ? measured->distance : missed->distance;
+  const auto& positions = timeline.input().mesh.positions;
+  const glm::vec3 from(positions[anchor]);
+  const glm::vec3 to(positions[thing.vertex]);
+  if (session.shows(Layer::band))
+    scene.band = band_around(session, anchor, timeline.parameters_of_step(*story.decided), scene);
+  scene.points.push_back({from, scene.theme->anchor, 10.0F});
+  if (timeline.position() == *story.decided + 1 && session.shows(Layer::cycle)) return "";
+  if (anchor == thing.vertex) return name;
+  scene.lines.push_back({from, to, scene.theme->selected, 3.0F});
+  return name + ": " + knit::short_number(distance);
+}
+
+}  // namespace
+
+void describe_selected(const Session& session, Scene& scene) {
+  const auto& selected = session.travel.selected;
+  if (!selected) return;
+  const knit::Timeline& timeline = *session.timeline;
+  const auto* vertex = std::get_if<knit::VertexThing>(&*selected);
+  if (vertex != nullptr && vertex->vertex >= timeline.input().mesh.positions.size()) return;
+  std::vector<glm::dvec3> outline = outline_of(timeline.input(), timeline.state(), *selected);
+  const bool there = !outline.empty();
+  if (!there) outline = outline_of(timeline.input(), timeline.furthest(), *selected);
+  if (outline.empty()) return;
+  const Colour faint = with_alpha(scene.theme->selected, 110);
+  light_up(outline, there ? Glow{scene.theme->selected, 5.0F, 13.0F} : Glow{faint, 2.5F, 9.0F}, scene);
+  const std::string words =
+      vertex != nullptr ? describe_measuring(session, *vertex, scene) : words_of(*selected);
+  if (words.empty()) return;
+  glm::dvec3 middle(0.0);
+  for (const glm::dvec3& point : outline) middle += point / static_cast<double>(outline.size());
+  scene.captions.push_back({glm::vec3(middle), words, there ? scene.theme->selected : faint});
+}
+
+namespace {
+
+void describe_vertex(const Session& session, const AskedVertex& asked, Scene& scene) {
+  const auto& positions = session.timeline->input().mesh.positions;
+  const glm::vec3 from(positions[asked.anchor]);
+  const glm::vec3 to(positions[asked.candidate]);
+  const Colour colour = scene.theme->selected;
+  if (asked.anchor != asked.candidate) scene.lines.push_back({from, to, with_alpha(colour, 150), 2.0F});
+  scene.points.push_back({to, colour, 12.0F});
+  scene.captions.push_back({to, "?", colour});
+}
+
+// A row that is not made yet at this place of the run stands where it is going to be.
+void describe_lit_row(const Session& session, std::int32_t row, Scene& scene) {
+  auto places = stitch_places(session.timeline->state(), row);
+  if (places.size() < 3) places = stitch_places(session.timeline->furthest(), row);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const glm::vec3 from(places[i]);
+    const glm::vec3 to(places[(i + 1) % places.size()]);
+    scene.lines.push_back({from, to, scene.theme->selected, 3.5F});
+  }
+}
+
+}  // namespace
+
+void describe_asked(const Session& session, Scene& scene) {
+  if (const auto asked = asked_vertex(session)) describe_vertex(session, *asked, scene);
+  const LessonPage* page = session.lesson ? session.lesson->shown() : nullptr;
+  if (page == nullptr) return;
+  for (const Light& light : page->lights) {
+    if (light.row > 0) describe_lit_row(session, light.row, scene);
+  }
+}
+
+namespace {
+
+struct RoundLook {
+  Colour colour;
+  float width_px;
+};
+
+const knit::Row* row_at(const Session& session, std::int32_t number) {
+  for (const knit::State* state : {&session.timeline->state(), &session.timeline->furthest()}) {
+    const bool there = number >= 1 && static_cast<std::size_t>(number) <= state->rows.size();
+    if (there) return &*state->rows[static_cast<std::size_t>(number) - 1];
+  }
+  return nullptr;
+}
+
+void describe_round(const knit::Row& row, const RoundLook& look, Scene& scene) {
+  for (std::size_t i = 0; i < row.stitches.size(); ++i) {
+    const glm::vec3 from(row.stitches[i].position);
+    const glm::vec3 to(row.stitches[(i + 1) % row.stitches.size()].position);
+    scene.lines.push_back({from, to, look.colour, look.width_px});
+  }
+}
+
+void describe_stitch(const knit::Row& row, std::size_t stitch, Scene& scene) {
+  const glm::vec3 at(row.stitches[stitch].position);
+  scene.points.push_back({at, scene.theme->accepted, 12.0F});
+  scene.captions.push_back({at,
+                            "row " + std::to_string(row.number) + ", stitch " + std::to_string(stitch + 1),
+                            scene.theme->accepted});
+}
+
+}  // namespace
+
+void describe_meant(const Session& session, Scene& scene) {
+  if (const knit::Row* row = session.knit_along ? row_at(session, *session.knit_along) : nullptr)
+    describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
+  if (const auto& rounds = session.hovered_rounds) {
+    const auto rows = static_cast<std::int32_t>(
+        std::max(session.timeline->state().rows.size(), session.timeline->furthest().rows.size()));
+    for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
+      describe_round(*row_at(session, number), {scene.theme->accepted, 3.5F}, scene);
+  }
+  const auto& at = session.hovered_stitch;
+  const knit::Row* row = at ? row_at(session, at->row) : nullptr;
+  if (row == nullptr || at->stitch < 0) return;
+  const auto stitch = static_cast<std::size_t>(at->stitch);
+  if (stitch < row->stitches.size()) describe_stitch(*row, stitch, scene);
+}
+
+}  // namespace app

@@ -1,0 +1,412 @@
+#include "app/describe/describe_variable.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "app/describe/describe_contours.h"
+#include "app/describe/describe_quantity.h"
+#include "app/describe/describe_step.h"
+#include "app/explain/code_variables.h"
+#include "knit/insight/narrate.h"
+#include "knit/rows/ring.h"
+
+namespace app {
+
+namespace {
+
+// What was measured last: by the step, or to come next by the walk.
+struct Measured {
+  knit::VertexId anchor = knit::no_vertex, candidate = knit::no_vertex;
+  double distance = 0.0;
+};
+
+// One variable's light at one place of the run.
+class VariableLight {
+ public:
+  VariableLight(const Session& session, const Explained& at, Scene& scene)
+      : session_(session),
+        state_(session.timeline->state()),
+        at_(at),
+        scene_(scene),
+        colour_(scene.theme->selected),
+        row_(row_shown(state_, at.step != nullptr ? at.step->place.row : 0)) {}
+
+  void timing(std::string_view name);
+  void row(std::string_view name);
+  void walk(std::string_view name);
+  void contour(std::string_view name);
+  void index(std::string_view name);
+  void strip(std::string_view name);
+
+ private:
+  template <class Kind>
+  [[nodiscard]] const Kind* step_as() const {
+    return at_.step != nullptr ? std::get_if<Kind>(&at_.step->what) : nullptr;
+  }
+  [[nodiscard]] glm::vec3 place(knit::VertexId vertex) const {
+    return glm::vec3(session_.timeline->input().mesh.positions[vertex]);
+  }
+  [[nodiscard]] const knit::Parameters& parameters() const {
+    return at_.stopped ? session_.timeline->parameters_of_stop() : parameters_of_last_step(session_);
+  }
+  [[nodiscard]] Measured measured() const;
+
+  // What the step wrote makes room for it, and what is written at the same place.
+  void caption(const glm::vec3& at, const std::string& words) {
+    if (words.empty()) return;
+    const auto in_the_way = [&](const Caption& other) {
+      return other.position == at || other.colour != colour_;
+    };
+    scene_.captions.erase(std::remove_if(scene_.captions.begin(), scene_.captions.end(), in_the_way),
+                          scene_.captions.end());
+    scene_.captions.push_back({at, words, colour_});
+  }
+  void point(const glm::vec3& at, const std::string& words) {
+    scene_.points.push_back({at, colour_, 13.0F});
+    caption(at, words);
+  }
+  void vertex(knit::VertexId vertex, const std::string& words) {
+    if (vertex != knit::no_vertex) point(place(vertex), words);
+  }
+  void line(const glm::vec3& from, const glm::vec3& to, const std::string& words) {
+    scene_.lines.push_back({from, to, colour_, 5.0F});
+    caption(0.5F * (from + to), words);
+  }
+  void ring(const std::string& words) {
+    if (row_.ring == nullptr) return;
+    add_loop(*row_.ring, colour_, 4.0F, scene_.lines);
+    caption(glm::vec3(row_.ring->points.front()), words);
+  }
+  void stitches(const knit::Row* row, const std::string& words);
+  void level(std::int32_t number, const std::string& words);
+  void ends_line(const std::string& words);
+  void criticals(knit::CriticalKind kind);
+  void distance();
+  void band();
+  void gap(const std::string& name, double gap);
+  void kept();
+  void links(bool doubled_only, bool longest_only);
+  void cell(std::int32_t cell, const std::string& words);
+
+  const Session& session_;
+  const knit::State& state_;
+  const Explained& at_;
+  Scene& scene_;
+  Colour colour_;
+  RowShown row_;
+};
+
+Measured VariableLight::measured() const {
+  if (const auto* step = step_as<knit::CandidateMeasured>())
+    return {step->anchor, step->candidate, step->distance};
+  if (const auto* step = step_as<knit::BandMissed>()) return {step->anchor, step->taken, step->distance};
+  if (const auto* stop = step_as<knit::Stopped>(); stop != nullptr && stop->reason == knit::StopReason::stall)
+    return {stop->vertex, knit::no_vertex, 0.0};
+  const auto* work = std::get_if<knit::RowWork>(&state_.work);
+  if (work == nullptr || !work->ring || work->phase > knit::RowPhase::missed) return {};
+  return {work->ring->vertices[static_cast<std::size_t>(work->walk.anchor)], knit::no_vertex, 0.0};
+}
+
+void VariableLight::stitches(const knit::Row* row, const std::string& words) {
+  if (row == nullptr) return;
+  for (std::size_t i = 0; i < row->stitches.size(); ++i) {
+    const glm::vec3 from(row->stitches[i].position);
+    const glm::vec3 to(row->stitches[(i + 1) % row->stitches.size()].position);
+    scene_.lines.push_back({from, to, colour_, 3.5F});
+    scene_.points.push_back({from, colour_, 7.0F});
+  }
+  caption(glm::vec3(row->stitches.front().position),
+          words + std::to_string(row->stitches.size()) + " stitches");
+}
+
+// A level's vertices, whether they are a ring already or not.
+void VariableLight::level(std::int32_t number, const std::string& words) {
+  if (!state_.timing || number < 0 || number >= state_.timing->levels.count()) return;
+  const auto vertices = state_.timing->levels.level(number);
+  for (const knit::VertexId v : vertices) scene_.points.push_back({place(v), colour_, 6.0F});
+  caption(place(vertices.front()), words);
+}
+
+void VariableLight::ends_line(const std::string& words) {
+  const knit::Ends* ends = ends_shown(state_);
+  if (ends != nullptr) line(glm::vec3(ends->origin), glm::vec3(ends->origin + ends->direction), words);
+}
+
+void VariableLight::criticals(knit::CriticalKind kind) {
+  const auto* work = std::get_if<knit::TimingWork>(&state_.work);
+  const knit::Criticals* found = state_.timing                        ? &state_.timing->criticals
+                                 : work != nullptr && work->criticals ? &*work->criticals
+                                                                      : nullptr;
+  if (found == nullptr) return;
+  for (const knit::CriticalPoint& critical : found->points) {
+    if (critical.kind == kind) point(place(critical.vertex), "");
+  }
+}
+
+void VariableLight::timing(std::string_view name) {
+  const knit::Ends* ends = ends_shown(state_);
+  const auto* timed = step_as<knit::VertexTimed>();
+  if (name == "minima") return criticals(knit::CriticalKind::minimum);
+  if (name == "saddles") return criticals(knit::CriticalKind::saddle);
+  if (name == "maxima") return criticals(knit::CriticalKind::maximum);
+  if (ends == nullptr) return;
+  if (name == "start") return vertex(ends->start, "v_start");
+  if (name == "end" || name == "far") return vertex(ends->end, "v_end");
+  if (name == "direction") return ends_line("d");
+  if (name == "mag") return ends_line(knit::short_number(glm::length(ends->direction)));
+  if (name == "height") return ends_line("H");
+  if (name == "split_level") {
+    const auto* grouped = step_as<knit::LevelsGrouped>();
+    if (grouped != nullptr) level(grouped->split_level, "splits");
+  }
+  if (timed == nullptr) return;
+  if (name == "vertex" || name == "clamped") return vertex(timed->vertex, "vi");
+  if (name == "diff") return line(place(ends->start), place(timed->vertex), "diff");
+  if (name != "time") return;
+  vertex(timed->vertex, "t = " + knit::short_number(timed->time));
+  const glm::dvec3 foot = ends->origin + timed->time * ends->direction;
+  line(glm::vec3(ends->origin), glm::vec3(foot), "");
+  scene_.lines.push_back({glm::vec3(foot), place(timed->vertex), colour_, 1.5F});
+}
+
+void VariableLight::distance() {
+  const Measured m = measured();
+  if (m.candidate == knit::no_vertex) return;
+  point(place(m.candidate), "");
+  line(place(m.anchor), place(m.candidate), "d = " + knit::short_number(m.distance));
+}
+
+// Around the anchor of the step at hand, though the next may be taken already.
+void VariableLight::band() {
+  const knit::VertexId anchor = measured().anchor;
+  if (anchor == knit::no_vertex) return;
+  const knit::Band band = knit::band_of(parameters());
+  scene_.band = band_around(session_, anchor, parameters(), scene_);
+  scene_.band->colour = with_alpha(colour_, 140);
+  point(place(anchor), "[" + knit::short_number(band.low) + ", " + knit::short_number(band.high) + "]");
+}
+
+void VariableLight::gap(const std::string& name, double gap) {
+  const auto* work = std::get_if<knit::RowWork>(&state_.work);
+  const auto arc = gap_arc(state_);
+  const std::string words = name + knit::short_number(gap);
+  if (arc) {
+    add_arc(*work->ring, *arc, colour_, 4.0F, scene_);
+    const glm::vec3 from(work->closed.stitches.back().position);
+    return line(from, glm::vec3(work->closed.stitches.front().position), words);
+  }
+  if (row_.finished == nullptr) return;
+  const auto& stitches = row_.finished->stitches;
+  line(glm::vec3(stitches.back().position), glm::vec3(stitches.front().position), words);
+}
+
+// Of the row in the making.
+void VariableLight::kept() {
+  const auto* work = std::get_if<knit::RowWork>(&state_.work);
+  if (row_.finished != nullptr) return stitches(row_.finished, "");
+  if (work == nullptr || !work->ring || at_.step->place.row != state_.next.row) return;
+  for (const std::int32_t order : work->walk.kept)
+    scene_.points.push_back({glm::vec3(work->ring->points[static_cast<std::size_t>(order)]), colour_, 9.0F});
+  point(glm::vec3(work->ring->points[static_cast<std::size_t>(work->walk.anchor)]), "");
+}
+
+void VariableLight::row(std::string_view name) {
+  const std::string t = row_.time ? "t = " + knit::short_number(*row_.time) : "";
+  if (name == "cycle" || name == "count")
+    return row_.ring != nullptr ? ring("v") : level(row_.level.value_or(-1), "v");
+  if (name == "time" || name == "level" || name == "by" || name == "loops")
+    return row_.ring != nullptr ? ring(t) : level(row_.level.value_or(-1), t);
+  if (name == "last_level") return level(state_.last_level, "last level");
+  if (name == "length" && row_.ring != nullptr) return ring("L = " + knit::short_number(row_.ring->length));
+  if (name == "first" && row_.ring != nullptr) return point(glm::vec3(row_.ring->points.front()), "v[0]");
+  if (name == "below") return stitches(row_.below, "row below: ");
+  if (name == "n" || name == "k" || name == "picked") return kept();
+  walk(name);
+}
+
+// Of Algorithm 2 and the cast on: what is measured along the ring.
+void VariableLight::walk(std::string_view name) {
+  if (name == "anchor" || name == "stitch") return vertex(measured().anchor, "v0");
+  if (name == "candidate" || name == "order") {
+    const Measured m = measured();
+    if (m.candidate == knit::no_vertex) return;
+    scene_.lines.push_back({place(m.anchor), place(m.candidate), colour_, 2.0F});
+    return vertex(m.candidate, "vi");
+  }
+  if (name == "d" || name == "metric") return distance();
+  if (name == "width" || name == "epsilon" || name == "verdict" || name == "skipped") return band();
+  const auto* closed = step_as<knit::RowClosed>();
+  const auto* shared = step_as<knit::GapShared>();
+  if ((name == "gap" || name == "in_band" || name == "dropped_last") && closed != nullptr)
+    return gap("g = ", closed->gap);
+  if (shared != nullptr && (name == "gap" || name == "gap_after" || name == "share" || name == "how"))
+    return gap("g after = ", shared->gap_after);
+  const auto* cast_on = step_as<knit::StitchCastOn>();
+  if (cast_on == nullptr || row_.ring == nullptr || (name != "arc" && name != "item")) return;
+  add_arc(*row_.ring, RingArc{0.0, cast_on->arc}, colour_, 5.0F, scene_);
+  point(glm::vec3(knit::point_at(*row_.ring, cast_on->arc)), "s = " + knit::short_number(cast_on->arc));
+}
+
+void VariableLight::contour(std::string_view name) {
+  const auto* work = std::get_if<knit::ContourWork>(&state_.work);
+  const auto* placed = step_as<knit::StitchPlaced>();
+  if (name == "rows" || name == "stitch_height" || name == "row_height") {
+    if (work == nullptr || !work->plan) return;
+    for (const knit::Cut& cut : work->plan->cuts) {
+      for (const auto& loop : cut.loops) add_loop(*loop, colour_, 2.0F, scene_.lines);
+    }
+    return;
+  }
+  if (name == "surface_height") return ends_line("H");
+  if (name == "edges" || name == "points" || name == "loops" || name == "time" || name == "level") {
+    if (row_.ring != nullptr) return ring(row_.time ? "t = " + knit::short_number(*row_.time) : "");
+    if (work == nullptr || !work->plan || static_cast<std::size_t>(work->cut) >= work->plan->cuts.size())
+      return;
+    for (const auto& loop : work->plan->cuts[static_cast<std::size_t>(work->cut)].loops)
+      add_loop(*loop, colour_, 4.0F, scene_.lines);
+    return;
+  }
+  if (row_.ring == nullptr) return;
+  const knit::Ring& loop = *row_.ring;
+  const double w = parameters().stitch_width;
+  if (placed != nullptr && (name == "arc" || name == "item")) {
+    add_arc(loop, RingArc{0.0, placed->arc}, colour_, 5.0F, scene_);
+    return point(glm::vec3(knit::point_at(loop, placed->arc)), "s = " + knit::short_number(placed->arc));
+  }
+  if (name == "width") {
+    add_arc(loop, RingArc{0.0, std::min(w, loop.length)}, colour_, 5.0F, scene_);
+    return point(glm::vec3(loop.points.front()), "w = " + knit::short_number(w));
+  }
+  const auto* chosen = step_as<knit::CountChosen>();
+  if (chosen != nullptr && (name == "course" || name == "n" || name == "ideal" || name == "reason")) {
+    for (std::int32_t i = 0; i < chosen->count; ++i) {
+      const double arc = loop.length * i / chosen->count;
+      scene_.points.push_back({glm::vec3(knit::point_at(loop, arc)), colour_, 7.0F});
+    }
+    return;
+  }
+  row(name);
+}
+
+// At its stitch of the larger row.
+void VariableLight::cell(std::int32_t cell, const std::string& words) {
+  const auto number = static_cast<std::size_t>(at_.step->place.row);
+  if (number < 2 || state_.rows.size() < number || cell < 0) return;
+  const knit::Row& above = *state_.rows[number - 1];
+  const knit::Row& below = *state_.rows[number - 2];
+  const knit::Row& larger = above.stitches.size() >= below.stitches.size() ? above : below;
+  const auto i = static_cast<std::size_t>(cell);
+  if (i < larger.stitches.size()) point(glm::vec3(larger.stitches[i].position), words);
+}
+
+void VariableLight::links(bool doubled_only, bool longest_only) {
+  const auto number = static_cast<std::size_t>(at_.step->place.row);
+  const knit::Transition* plan = transition_shown(state_, at_.step->place.row);
+  if (plan == nullptr || number < 2 || state_.rows.size() < number) return;
+  const bool grows = plan->change() >= 0;
+  const auto& larger = state_.rows[number - (grows ? 1 : 2)]->stitches;
+  const auto& smaller = state_.rows[number - (grows ? 2 : 1)]->stitches;
+  std::vector<std::int32_t> hanging(smaller.size(), 0);
+  for (const std::int32_t link : plan->link) ++hanging[static_cast<std::size_t>(link)];
+  std::optional<Line> longest;
+  for (std::size_t i = 0; i < plan->link.size(); ++i) {
+    const std::int32_t link = plan->link[i];
+    const Line wale{glm::vec3(larger[i].position),
+                    glm::vec3(smaller[static_cast<std::size_t>(link)].position), colour_, 3.0F};
+    const bool doubled = hanging[static_cast<std::size_t>(link)] > 1;
+    if (!longest || glm::distance(wale.from, wale.to) > glm::distance(longest->from, longest->to))
+      longest = wale;
+    if (!longest_only && (doubled || !doubled_only)) scene_.lines.push_back(wale);
+  }
+  if (longest_only && longest)
+    line(longest->from, longest->to,
+         knit::short_number(static_cast<double>(glm::distance(longest->from, longest->to))));
+}
+
+void VariableLight::index(std::string_view name) {
+  if (at_.step == nullptr) return;
+  const auto number = static_cast<std::size_t>(at_.step->place.row);
+  if (number < 2 || state_.rows.size() < number) return;
+  const knit::Row& above = *state_.rows[number - 1];
+  const knit::Row& below = *state_.rows[number - 2];
+  const auto* main = step_as<knit::MainPlaced>();
+  const auto* shaping = step_as<knit::ShapingPlaced>();
+  if (name == "below") return stitches(&below, "p = ");
+  if (name == "above") return stitches(&above, "n = ");
+  if (name == "mains" && number >= 3 && state_.transitions.size() + 2 >= number) {
+    for (const std::int32_t stitch : state_.transitions[number - 3]->mains)
+      point(glm::vec3(below.stitches[static_cast<std::size_t>(stitch)].position), "");
+    return;
+  }
+  if (name == "links" || name == "sum") return links(false, false);
+  if (name == "doubled") return links(true, false);
+  if (name == "longest") return links(false, true);
+  if (name == "cell" || name == "label" || name == "main") {
+    if (main != nullptr) return cell(main->cell, "cell " + std::to_string(main->cell));
+    if (shaping != nullptr) return cell(shaping->cell, "cell " + std::to_string(shaping->cell));
+  }
+  if (name == "partner" && shaping != nullptr) return cell(shaping->partner, "partner");
+  const knit::Transition* plan = transition_shown(state_, at_.step->place.row);
+  const bool of_mains = name == "wanted" || name == "spacing" || name == "rule" || name == "mains_set";
+  if (plan == nullptr || !of_mains) return;
+  for (const knit::PlacedLabel& placed : plan->placed) {
+    if (placed.label == knit::Label::main) cell(placed.cell, "");
+  }
+}
+
+// Faces, and the rows that a line of the pattern is about.
+void VariableLight::strip(std::string_view name) {
+  const auto* made = step_as<knit::FaceMade>();
+  const auto* written = step_as<knit::LineWritten>();
+  if (made != nullptr) {
+    const auto number = static_cast<std::size_t>(at_.step->place.row) - 2;
+    const auto* work = std::get_if<knit::FacesWork>(&state_.work);
+    const bool finished = number < state_.strips.size();
+    if (!finished && (work == nullptr || !work->plan)) return;
+    const knit::Strip& strip = finished ? *state_.strips[number] : *work->plan;
+    const StripPlaces places = places_of(state_, number);
+    const knit::Face& face = strip.faces[static_cast<std::size_t>(made->index) - 1];
+    const auto corners = static_cast<std::size_t>(face.corner_count);
+    for (std::size_t i = 0; i < corners; ++i)
+      line(places.at(face.corners.at(i)), places.at(face.corners.at((i + 1) % corners)), "");
+    return;
+  }
+  if (written == nullptr) return;
+  const auto row = static_cast<std::size_t>(at_.step->place.row);
+  const bool of_below = name == "consumed" && at_.step->place.item == 0;
+  const std::size_t wanted = of_below ? row - 1 : row;
+  if (wanted >= 1 && wanted <= state_.rows.size()) stitches(&*state_.rows[wanted - 1], "");
+}
+
+}  // namespace
+
+void describe_variable(const Session& session, Scene& scene) {
+  const std::string& name = session.pointed_variable;
+  if (name.empty() || session.side != SidePanel::step) return;
+  const auto at = explained(session);
+  if (!at) return;
+  VariableLight light(session, *at, scene);
+  switch (at->listing) {
+    case Listing::timing_linear:
+    case Listing::timing_arc_length:
+    case Listing::timing_geodesic:
+    case Listing::timing_harmonic:
+      return light.timing(name);
+    case Listing::cast_on:
+    case Listing::rows_rings:
+      return light.row(name);
+    case Listing::rows_contours:
+      return light.contour(name);
+    case Listing::index_thesis:
+    case Listing::index_even:
+    case Listing::index_nearest:
+      return light.index(name);
+    case Listing::faces:
+    case Listing::pattern:
+      return light.strip(name);
+    case Listing::count_:
+      return;
+  }
+}
+
+}  // namespace app

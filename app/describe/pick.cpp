@@ -1,0 +1,288 @@
+// A ray from the eye through a place on the screen, and what it meets. Part of pick and pick_thing.
+#include "app/describe/pick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <optional>
+
+#include "app/describe/describe_step.h"
+#include "app/describe/thing_places.h"
+#include "app/session/session.h"
+
+namespace app {
+
+struct Ray {
+  glm::dvec3 origin, direction;  // the direction has length 1
+};
+
+// `place`: [-1, 1], up positive.
+Ray ray_through(const Session& session, const glm::dvec2& place);
+
+// Distance along the ray to the triangle, from either side.
+std::optional<double> meets(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+// Where the ray first meets the mesh; the vertex is the nearest corner of the triangle there.
+struct SurfaceHit {
+  double depth = 0.0;  // along the ray
+  knit::VertexId vertex = knit::no_vertex;
+};
+std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray);
+
+namespace {
+
+// Whether the ray comes through the box before `nearest`; a hair's breadth more counts, for rounding.
+bool may_meet(const Ray& ray, const knit::Input::Box& box, double nearest) {
+  const glm::dvec3 room = 1e-9 * (box.high - box.low + glm::abs(box.low) + glm::abs(box.high));
+  double from = 0.0;
+  double to = nearest;
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - room[axis] - ray.origin[axis];
+    const double high = box.high[axis] + room[axis] - ray.origin[axis];
+    const double way = ray.direction[axis];
+    if (way == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    from = std::max(from, std::min(low / way, high / way));
+    to = std::min(to, std::max(low / way, high / way));
+  }
+  return from <= to * (1.0 + 1e-9);
+}
+
+}  // namespace
+
+Ray ray_through(const Session& session, const glm::dvec2& place) {
+  const View view = session.camera.view(session.aspect);
+  const glm::dmat4 back = glm::inverse(glm::dmat4(view.projection) * glm::dmat4(view.view));
+  const glm::dvec4 far = back * glm::dvec4(place.x, place.y, 1.0, 1.0);
+  const glm::dvec3 eye = session.camera.eye();
+  return {eye, glm::normalize(glm::dvec3(far) / far.w - eye)};
+}
+
+// Distance along the ray to the triangle, from either side (Moeller and Trumbore).
+std::optional<double> meets(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const glm::dvec3 p = glm::cross(ray.direction, ac);
+  const double determinant = glm::dot(ab, p);
+  if (determinant == 0.0) return std::nullopt;
+  const glm::dvec3 from_a = ray.origin - a;
+  const double u = glm::dot(from_a, p) / determinant;
+  const glm::dvec3 q = glm::cross(from_a, ab);
+  const double v = glm::dot(ray.direction, q) / determinant;
+  const double along = glm::dot(ac, q) / determinant;
+  if (u < 0.0 || v < 0.0 || u + v > 1.0 || along <= 0.0) return std::nullopt;
+  return along;
+}
+
+std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray) {
+  const knit::Mesh& mesh = session.timeline->input().mesh;
+  double nearest = std::numeric_limits<double>::infinity();
+  const knit::Triangle* hit = nullptr;
+  const std::vector<knit::Input::Box>& boxes = session.timeline->input().boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!may_meet(ray, boxes[i], nearest)) continue;
+    const std::size_t end = std::min((i + 1) * knit::Input::boxed, mesh.triangles.size());
+    for (std::size_t k = i * knit::Input::boxed; k < end; ++k) {
+      const knit::Triangle& t = mesh.triangles[k];
+      const auto along = meets(ray, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      if (!along || *along >= nearest) continue;
+      nearest = *along;
+      hit = &t;
+    }
+  }
+  if (hit == nullptr) return std::nullopt;
+  const glm::dvec3 point = ray.origin + ray.direction * nearest;
+  knit::VertexId best = (*hit)[0];
+  for (const knit::VertexId v : *hit) {
+    if (glm::distance(mesh.positions[v], point) < glm::distance(mesh.positions[best], point)) best = v;
+  }
+  return SurfaceHit{nearest, best};
+}
+
+std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place) {
+  if (!session.timeline) return std::nullopt;
+  const auto hit = hit_surface(session, ray_through(session, place));
+  return hit ? std::optional(hit->vertex) : std::nullopt;
+}
+
+std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& place, double reach) {
+  if (!session.timeline) return std::nullopt;
+  const View view = session.camera.view(session.aspect);
+  const glm::dmat4 onto = glm::dmat4(view.projection) * glm::dmat4(view.view);
+  std::optional<StitchAt> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& row : session.timeline->state().rows) {
+    for (std::size_t i = 0; i < row->stitches.size(); ++i) {
+      const glm::dvec4 at = onto * glm::dvec4(row->stitches[i].position, 1.0);
+      if (at.w <= 0.0 || at.w >= nearest) continue;
+      const glm::dvec2 away((at.x / at.w - place.x) * session.aspect, at.y / at.w - place.y);
+      if (glm::length(away) > reach) continue;
+      nearest = at.w;
+      best = StitchAt{row->number, static_cast<std::int32_t>(i)};
+    }
+  }
+  return best;
+}
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::infinity();
+
+// A place under the pointer: on the screen, and along the ray where the first opaque thing is.
+class Aim {
+ public:
+  Aim(const Session& session, const glm::dvec2& place)
+      : aspect_(session.aspect), ray_(ray_through(session, place)) {
+    const View view = session.camera.view(session.aspect);
+    onto_ = glm::dmat4(view.projection) * glm::dmat4(view.view);
+    at_ = {place.x * aspect_, place.y};
+  }
+
+  [[nodiscard]] const Ray& ray() const { return ray_; }
+  // What lies farther than this from the eye is hidden.
+  void hide_behind(double depth) { depth_ = std::min(depth_, depth); }
+  [[nodiscard]] bool hidden(const glm::dvec3& point) const {
+    return glm::distance(point, ray_.origin) > depth_;
+  }
+  [[nodiscard]] double depth() const { return depth_; }
+
+  // From the pointer, in heights of half the view.
+  [[nodiscard]] double to_point(const glm::dvec3& point) const {
+    const auto at = on_screen(point);
+    return at && !hidden(point) ? glm::distance(*at, at_) : nothing;
+  }
+  [[nodiscard]] double to_segment(const glm::dvec3& from, const glm::dvec3& to) const {
+    const auto a = on_screen(from);
+    const auto b = on_screen(to);
+    if (!a || !b) return nothing;
+    const glm::dvec2 along = *b - *a;
+    const double square = glm::dot(along, along);
+    const double share = square > 0.0 ? std::clamp(glm::dot(at_ - *a, along) / square, 0.0, 1.0) : 0.0;
+    return hidden(from + share * (to - from)) ? nothing : glm::distance(*a + share * along, at_);
+  }
+
+ private:
+  [[nodiscard]] std::optional<glm::dvec2> on_screen(const glm::dvec3& point) const {
+    const glm::dvec4 at = onto_ * glm::dvec4(point, 1.0);
+    if (at.w <= 0.0) return std::nullopt;
+    return glm::dvec2(at.x / at.w * aspect_, at.y / at.w);
+  }
+
+  double aspect_;
+  Ray ray_;
+  glm::dmat4 onto_{1.0};
+  glm::dvec2 at_{0.0};
+  double depth_ = nothing;
+};
+
+// The nearest so far.
+struct Found {
+  std::optional<knit::Thing> thing;
+  double away = nothing;
+  void offer(double distance, double reach, const knit::Thing& other) {
+    if (distance > reach || distance >= away) return;
+    away = distance;
+    thing = other;
+  }
+};
+
+std::int32_t rows_begun(const knit::State& state) { return static_cast<std::int32_t>(state.rows.size()) + 1; }
+
+Found nearest_point(const Session& session, const Aim& aim, double reach) {
+  const knit::State& state = session.timeline->state();
+  Found found;
+  for (std::int32_t row = 1; session.shows(Layer::stitches) && row <= rows_begun(state); ++row) {
+    const auto places = stitch_places(state, row);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      found.offer(aim.to_point(places[i]), reach, knit::StitchThing{row, static_cast<std::int32_t>(i)});
+  }
+  // A vertex at a stitch's own place is no nearer than the stitch.
+  const auto* work = std::get_if<knit::RowWork>(&state.work);
+  if (work == nullptr || !work->ring || !session.shows(Layer::cycle)) return found;
+  for (std::size_t i = 0; i < work->ring->vertices.size(); ++i)
+    found.offer(aim.to_point(work->ring->points[i]), 0.7 * reach, knit::VertexThing{work->ring->vertices[i]});
+  return found;
+}
+
+Found nearest_edge(const Session& session, const Aim& aim, double reach) {
+  const knit::State& state = session.timeline->state();
+  Found found;
+  for (std::int32_t row = 1; session.shows(Layer::row_edges) && row <= rows_begun(state); ++row) {
+    const auto places = stitch_places(state, row);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const knit::RowEdgeThing edge{row, static_cast<std::int32_t>(i)};
+      if (i + 1 == places.size() && !knit::exists(state, edge)) continue;  // not closed yet
+      found.offer(aim.to_segment(places[i], places[(i + 1) % places.size()]), reach, edge);
+    }
+  }
+  if (!session.shows(Layer::column_edges)) return found;
+  for (const MadeStrip& strip : made_strips(state)) {
+    const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
+    for (std::size_t i = 0; i < strip.column_edges.size(); ++i) {
+      const auto& [lower, upper] = strip.column_edges[i];
+      found.offer(aim.to_segment(places.at(lower), places.at(upper)), reach,
+                  knit::ColumnEdgeThing{strip.row, static_cast<std::int32_t>(i)});
+    }
+  }
+  return found;
+}
+
+struct FaceHit {
+  std::optional<knit::Thing> thing;
+  double depth = nothing;
+};
+
+FaceHit first_face(const Session& session, const Ray& ray) {
+  const knit::State& state = session.timeline->state();
+  FaceHit hit;
+  if (!session.shows(Layer::faces)) return hit;
+  for (const MadeStrip& strip : made_strips(state)) {
+    const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
+    for (std::size_t i = 0; i < strip.faces.size(); ++i) {
+      const knit::Face& face = strip.faces[i];
+      const auto corner = [&](std::size_t k) { return glm::dvec3(places.at(face.corners[k])); };
+      auto along = meets(ray, corner(0), corner(1), corner(2));
+      if (!along && face.corner_count == 4) along = meets(ray, corner(0), corner(2), corner(3));
+      if (along && *along < hit.depth)
+        hit = {knit::FaceThing{strip.row, static_cast<std::int32_t>(i)}, *along};
+    }
+  }
+  return hit;
+}
+
+bool shows_mesh(const Session& session) {
+  return session.shows(Layer::surface) || session.shows(Layer::wire) || session.shows(Layer::cycle);
+}
+
+}  // namespace
+
+std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& place,
+                                      const PickReach& reach) {
+  if (!session.timeline) return std::nullopt;
+  Aim aim(session, place);
+  const auto surface = hit_surface(session, aim.ray());
+  const FaceHit face = first_face(session, aim.ray());
+  // Edges cut a little below the surface, and faces stand off it.
+  const double room = 0.75 * session.timeline->parameters().stitch_width;
+  if (surface && session.shows(Layer::surface)) aim.hide_behind(surface->depth + room);
+  if (face.thing) aim.hide_behind(face.depth + room);
+
+  if (const Found point = nearest_point(session, aim, reach.point); point.thing) return point.thing;
+  const auto& positions = session.timeline->input().mesh.positions;
+  if (surface && session.shows(Layer::wire) && aim.to_point(positions[surface->vertex]) < 0.5 * reach.point)
+    return knit::VertexThing{surface->vertex};
+  if (const Found edge = nearest_edge(session, aim, reach.edge); edge.thing) return edge.thing;
+  if (face.thing && face.depth <= aim.depth()) return face.thing;
+  if (surface && shows_mesh(session)) return knit::VertexThing{surface->vertex};
+  return std::nullopt;
+}
+
+}  // namespace app

@@ -1,0 +1,101 @@
+#include "app/describe/thing_places.h"
+
+#include <algorithm>
+
+#include "app/describe/describe_step.h"
+
+namespace app {
+
+namespace {
+
+std::vector<glm::dvec3> positions_of(const std::vector<knit::Stitch>& stitches) {
+  std::vector<glm::dvec3> places;
+  places.reserve(stitches.size());
+  for (const knit::Stitch& stitch : stitches) places.push_back(stitch.position);
+  return places;
+}
+
+std::vector<glm::dvec3> kept_places(const knit::RowWork& work) {
+  std::vector<glm::dvec3> places;
+  for (const std::int32_t order : work.walk.kept)
+    places.push_back(work.ring->points[static_cast<std::size_t>(order)]);
+  return places;
+}
+
+// Of the strip below a row; its rows are finished.
+struct Outline {
+  const knit::Input& input;
+  const knit::State& state;
+  using Places = std::vector<glm::dvec3>;
+
+  Places operator()(const knit::StitchThing& s) const {
+    const Places row = stitch_places(state, s.row);
+    return {row[static_cast<std::size_t>(s.stitch)]};
+  }
+  Places operator()(const knit::RowEdgeThing& e) const {
+    const Places row = stitch_places(state, e.row);
+    const auto from = static_cast<std::size_t>(e.stitch);
+    return {row[from], row[(from + 1) % row.size()]};
+  }
+  Places operator()(const knit::ColumnEdgeThing& e) const {
+    const StripPlaces places = places_of(state, static_cast<std::size_t>(e.row) - 2);
+    const auto& [lower, upper] = strip(e.row).column_edges[static_cast<std::size_t>(e.edge)];
+    return {places.at(lower), places.at(upper)};
+  }
+  Places operator()(const knit::FaceThing& f) const {
+    const StripPlaces places = places_of(state, static_cast<std::size_t>(f.row) - 2);
+    const knit::Face& face = strip(f.row).faces[static_cast<std::size_t>(f.face)];
+    Places corners;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
+      corners.emplace_back(places.at(face.corners[i]));
+    return corners;
+  }
+  Places operator()(const knit::LabelThing& l) const {
+    const Places above = stitch_places(state, l.row);
+    const Places below = stitch_places(state, l.row - 1);
+    return {(above.size() >= below.size() ? above : below)[static_cast<std::size_t>(l.cell)]};
+  }
+  Places operator()(const knit::VertexThing& v) const { return {input.mesh.positions[v.vertex]}; }
+
+  [[nodiscard]] const knit::Strip& strip(std::int32_t row) const {
+    const auto i = static_cast<std::size_t>(row) - 2;
+    return i < state.strips.size() ? *state.strips[i] : *std::get<knit::FacesWork>(state.work).plan;
+  }
+};
+
+}  // namespace
+
+std::vector<glm::dvec3> stitch_places(const knit::State& state, std::int32_t row) {
+  const auto finished = static_cast<std::int32_t>(state.rows.size());
+  if (row < 1 || row > finished + 1) return {};
+  if (row <= finished) return positions_of(state.rows[static_cast<std::size_t>(row) - 1]->stitches);
+  if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work))
+    return positions_of(cast_on->stitches);
+  if (const auto* contour = std::get_if<knit::ContourWork>(&state.work))
+    return positions_of(contour->stitches);
+  const auto* walk = std::get_if<knit::RowWork>(&state.work);
+  if (walk == nullptr) return {};
+  return walk->closed.stitches.empty() ? kept_places(*walk) : positions_of(walk->closed.stitches);
+}
+
+std::vector<MadeStrip> made_strips(const knit::State& state) {
+  std::vector<MadeStrip> strips;
+  for (const auto& strip : state.strips) strips.push_back({strip->row, strip->faces, strip->column_edges});
+  const auto* work = std::get_if<knit::FacesWork>(&state.work);
+  if (work != nullptr && work->plan) {
+    const auto made = static_cast<std::size_t>(work->made);
+    strips.push_back({work->plan->row, std::span(work->plan->faces).first(made),
+                      std::span(work->plan->column_edges).first(made)});
+  }
+  return strips;
+}
+
+std::vector<glm::dvec3> outline_of(const knit::Input& input, const knit::State& state,
+                                   const knit::Thing& thing) {
+  const auto* vertex = std::get_if<knit::VertexThing>(&thing);
+  if (vertex != nullptr && vertex->vertex >= input.mesh.positions.size()) return {};
+  if (!knit::exists(state, thing)) return {};
+  return std::visit(Outline{input, state}, thing);
+}
+
+}  // namespace app

@@ -1,0 +1,36 @@
+#include "app/explain/step_table.h"
+
+#include <algorithm>
+
+#include "knit/insight/narrate.h"
+#include "knit/insight/step_fields.h"
+
+namespace app {
+
+namespace {
+
+struct FieldText {
+  std::string_view name;
+
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(std::int64_t value) const {
+    // One tube all the way: no level splits.
+    return value < 0 && name == "split_level" ? "none" : std::to_string(value);
+  }
+  std::string operator()(double value) const { return knit::short_number(value); }
+  std::string operator()(const std::string& value) const { return value; }
+};
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> numbers_of(const knit::Step& step) {
+  std::vector<std::pair<std::string, std::string>> numbers;
+  for (const knit::StepField& field : knit::fields_of(step)) {
+    std::string name(field.name);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    numbers.emplace_back(std::move(name), std::visit(FieldText{field.name}, field.value));
+  }
+  return numbers;
+}
+
+}  // namespace app

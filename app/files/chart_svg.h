@@ -1,0 +1,33 @@
+// The chart as a drawing: scalable, black on white, for paper.
+//
+// Rows go bottom to top and from right to left; row numbers stand at the right, stitch counts at the left.
+// Strokes lean as the stitches do. Every symbol is a <use> of a shape defined once: #knit-m1r, #knit-m1l,
+// #knit-k2tog, #knit-ssk, #knit-cast-on, #knit-bind-off; a rectangle of class "none" is a run
+// of grey squares in a row, one of class "main" the tint of a run of main squares in a column. The drawing's
+// unit is a millimetre, inside the grid a square.
+#pragma once
+
+#include <string>
+
+#include "knit/pattern/chart.h"
+
+namespace app {
+
+struct ChartLook {
+  std::string title;  // empty: none
+  bool key = true;
+  bool tint_mains = true;
+  double largest_square_mm = 5.0;
+  // A chart is made smaller to fit into this, but never below the smallest square.
+  double fit_width_mm = 180.0;
+  double fit_height_mm = 255.0;
+  double smallest_square_mm = 1.5;
+};
+
+// A document of its own, which HTML can also hold as it is. Without an XML declaration; text is UTF-8.
+std::string chart_svg(const knit::Chart& chart, const ChartLook& look);
+
+// Whether the chart is easier to read on a sheet put sideways.
+bool is_wide(const knit::Chart& chart);
+
+}  // namespace app

@@ -1,0 +1,225 @@
+#include "app/files/gltf.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "app/base/text.h"
+#include "app/describe/describe_step.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What the standard calls its numbers.
+constexpr int component_u16 = 5123, component_u32 = 5125, component_f32 = 5126;
+constexpr int vertex_data = 34962, index_data = 34963;
+constexpr int mode_lines = 1, mode_triangles = 4;
+
+void append_u32(std::string& bytes, std::uint32_t value) {
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes += static_cast<char>(static_cast<unsigned char>((value >> shift) & 0xffU));
+}
+void append_u16(std::string& bytes, std::uint16_t value) {
+  bytes += static_cast<char>(static_cast<unsigned char>(value & 0xffU));
+  bytes += static_cast<char>(static_cast<unsigned char>(value >> 8U));
+}
+void append_f32(std::string& bytes, float value) { append_u32(bytes, std::bit_cast<std::uint32_t>(value)); }
+void append_vec3(std::string& bytes, const glm::vec3& v) {
+  for (int i = 0; i < 3; ++i) append_f32(bytes, v[i]);
+}
+
+// Colours on a screen are sRGB; the standard wants them linear.
+double linear_of(std::uint8_t channel) {
+  const double c = channel / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+std::uint16_t linear_u16(std::uint8_t channel) {
+  return static_cast<std::uint16_t>(std::lround(65535.0 * linear_of(channel)));
+}
+
+class Document {
+ public:
+  explicit Document(const Session& session)
+      : state_(session.timeline->state()),
+        metres_(knit::centimetres_per_unit(session.timeline->parameters(), session.timeline->input()) /
+                100.0) {
+    add_faces();
+    add_lines();
+  }
+
+  [[nodiscard]] std::string binary() const {
+    std::string text = json(false).dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string file = "glTF";
+    append_u32(file, 2);
+    append_u32(file, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + buffer_.size()));
+    append_u32(file, static_cast<std::uint32_t>(text.size()));
+    file += "JSON" + text;
+    append_u32(file, static_cast<std::uint32_t>(buffer_.size()));
+    file += std::string("BIN\0", 4) + buffer_;
+    return file;
+  }
+  [[nodiscard]] std::string text() const { return json(true).dump(1) + "\n"; }
+
+ private:
+  // Gives the accessor's number. All are of multiples of four bytes, so that each begins at one.
+  int add_view(const std::string& bytes, int target) {
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}, {"target", target}});
+    buffer_ += bytes;
+    return static_cast<int>(views_.size()) - 1;
+  }
+  int add_accessor(int view, int component, std::size_t count, const char* type) {
+    accessors_.push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    return static_cast<int>(accessors_.size()) - 1;
+  }
+  int add_positions(std::span<const glm::vec3> places) {
+    std::string bytes;
+    glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+    for (const glm::vec3& place : places) {
+      append_vec3(bytes, place);
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], place[i]);
+        high[i] = std::max(high[i], place[i]);
+      }
+    }
+    const int at = add_accessor(add_view(bytes, vertex_data), component_f32, places.size(), "VEC3");
+    accessors_.back()["min"] = {low.x, low.y, low.z};
+    accessors_.back()["max"] = {high.x, high.y, high.z};
+    return at;
+  }
+  int add_indices(const std::vector<std::uint32_t>& indices) {
+    std::string bytes;
+    for (const std::uint32_t index : indices) append_u32(bytes, index);
+    return add_accessor(add_view(bytes, index_data), component_u32, indices.size(), "SCALAR");
+  }
+  int add_material(const char* name, const glm::dvec3& colour) {
+    materials_.push_back({{"name", name},
+                          {"pbrMetallicRoughness",
+                           {{"baseColorFactor", {colour.r, colour.g, colour.b, 1.0}},
+                            {"metallicFactor", 0.0},
+                            {"roughnessFactor", 0.9}}},
+                          {"doubleSided", true}});
+    return static_cast<int>(materials_.size()) - 1;
+  }
+  static glm::dvec3 linear(Colour c) { return {linear_of(c.r), linear_of(c.g), linear_of(c.b)}; }
+
+  // Flat, so that colours do not run into each other: three vertices a triangle, as they are shown.
+  void add_faces() {
+    std::vector<glm::vec3> places;
+    std::string normals, colours;
+    for (std::size_t i = 0; i < state_.strips.size(); ++i) {
+      const knit::Strip& strip = *state_.strips[i];
+      const FaceShape shape = faces_of(light_theme, strip, strip.faces.size(), places_of(state_, i));
+      for (const FaceShape::Face& face : shape.faces) {
+        const auto& [a, b, c, d] = face.corners;
+        places.insert(places.end(), {a, b, c});
+        if (face.is_quad()) places.insert(places.end(), {a, c, d});
+        for (int corner = 0; corner < (face.is_quad() ? 6 : 3); ++corner) {
+          append_vec3(normals, face.normal);
+          for (const std::uint8_t channel : {face.colour.r, face.colour.g, face.colour.b})
+            append_u16(colours, linear_u16(channel));
+          append_u16(colours, 65535);
+        }
+      }
+    }
+    if (places.empty()) return;
+    Json attributes;
+    attributes["POSITION"] = add_positions(places);
+    attributes["NORMAL"] = add_accessor(add_view(normals, vertex_data), component_f32, places.size(), "VEC3");
+    attributes["COLOR_0"] =
+        add_accessor(add_view(colours, vertex_data), component_u16, places.size(), "VEC4");
+    accessors_.back()["normalized"] = true;
+    const int material = add_material("faces by label", glm::dvec3(1.0));
+    primitives_.push_back({{"attributes", attributes}, {"material", material}, {"mode", mode_triangles}});
+  }
+
+  void add_lines() {
+    std::vector<glm::vec3> places;
+    std::vector<std::uint32_t> rows, columns;
+    for (const auto& row : state_.rows) {
+      const auto first = static_cast<std::uint32_t>(places.size());
+      const auto count = static_cast<std::uint32_t>(row->stitches.size());
+      for (std::uint32_t i = 0; i < count; ++i) {
+        places.emplace_back(row->stitches[i].position);
+        rows.push_back(first + i);
+        rows.push_back(first + (i + 1) % count);
+      }
+    }
+    for (const auto& strip : state_.strips) {
+      for (const auto& edge : strip->column_edges) columns.insert(columns.end(), edge.begin(), edge.end());
+    }
+    const int positions = add_positions(places);
+    const auto add = [&](const std::vector<std::uint32_t>& indices, const char* name, Colour colour) {
+      if (indices.empty()) return;
+      const int at = add_indices(indices);
+      const int material = add_material(name, linear(colour));
+      primitives_.push_back({{"attributes", {{"POSITION", positions}}},
+                             {"indices", at},
+                             {"material", material},
+                             {"mode", mode_lines}});
+    };
+    add(rows, "row edges", light_theme.row_edge);
+    add(columns, "column edges", light_theme.column_edge);
+  }
+
+  [[nodiscard]] Json json(bool embedded) const {
+    Json buffer{{"byteLength", buffer_.size()}};
+    if (embedded) {
+      const std::vector<std::uint8_t> bytes(buffer_.begin(), buffer_.end());
+      buffer["uri"] = "data:application/octet-stream;base64," + base64(bytes);
+    }
+    Json file;
+    file["asset"] = {{"version", "2.0"},
+                     {"generator", "knit-mesh"},
+                     {"extras", {{"metres_per_mesh_unit", metres_}, {"rows", state_.rows.size()}}}};
+    file["scene"] = 0;
+    file["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
+    file["nodes"] =
+        Json::array({{{"name", "knit mesh"}, {"mesh", 0}, {"scale", {metres_, metres_, metres_}}}});
+    file["meshes"] = Json::array({{{"name", "knit mesh"}, {"primitives", primitives_}}});
+    file["materials"] = materials_;
+    file["accessors"] = accessors_;
+    file["bufferViews"] = views_;
+    file["buffers"] = Json::array({buffer});
+    return file;
+  }
+
+  const knit::State& state_;
+  double metres_;  // a mesh unit
+  std::string buffer_;
+  Json views_ = Json::array(), accessors_ = Json::array(), materials_ = Json::array(),
+       primitives_ = Json::array();
+};
+
+}  // namespace
+
+std::optional<GltfFormat> gltf_format_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".glb") return GltfFormat::binary;
+  if (ending == ".gltf") return GltfFormat::text;
+  return std::nullopt;
+}
+
+std::optional<std::string> gltf_missing(const Session& session) {
+  if (!session.timeline->state().rows.empty()) return std::nullopt;
+  return "there is nothing knit yet to write as glTF; go on until the cast on is done.";
+}
+
+std::string gltf_file(const Session& session, GltfFormat format) {
+  const Document document(session);
+  return format == GltfFormat::binary ? document.binary() : document.text();
+}
+
+}  // namespace app

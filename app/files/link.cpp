@@ -1,0 +1,115 @@
+#include "app/files/link.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/files/session_file.h"
+#include "app/files/session_json.h"
+
+namespace app {
+
+namespace {
+
+// Builds "knit-mesh --key value ...".
+class Link {
+ public:
+  void add(const std::string& word) { text_ += " " + shell_quoted(word); }
+  void add(const std::string& option, const std::string& value) {
+    // A value that begins like an option must be tied to its own.
+    if (value.rfind('-', 0) == 0) return add(option + "=" + value);
+    add(option);
+    add(value);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_ = "knit-mesh";
+};
+
+bool is_size(std::string_view key) {
+  constexpr std::array<std::string_view, 6> sizes{"sizes", "stitch-width", "stitch-height",
+                                                  "gauge", "height-cm",    "epsilon"};
+  return std::find(sizes.begin(), sizes.end(), key) != sizes.end();
+}
+
+// What differs from the mesh's own defaults. Sizes follow each other, so all are given if any is.
+void add_parameters(Link& link, const knit::Parameters& parameters, const knit::Parameters& defaults) {
+  const auto differs = [&](const knit::ParameterInfo& info) {
+    return knit::value_text(info, parameters) != knit::value_text(info, defaults);
+  };
+  const auto table = knit::parameter_table();
+  const bool sizes = std::any_of(table.begin(), table.end(),
+                                 [&](const auto& info) { return is_size(info.key) && differs(info); });
+  for (const knit::ParameterInfo& info : table) {
+    if (differs(info) || (sizes && is_size(info.key)))
+      link.add("--" + std::string(info.key), knit::value_text(info, parameters));
+  }
+}
+
+void add_place(Link& link, const knit::Timeline& timeline) {
+  if (timeline.position() == 0 && !timeline.sought()) return link.add("--at", "0");
+  const knit::Place at = timeline.sought().value_or(timeline.place());
+  if (at.stage == knit::Stage::done) return link.add("--at", "end");
+  link.add("--at", std::string(knit::name_of(at.stage)) + ":" + std::to_string(at.row) + ":" +
+                       std::to_string(at.item));
+}
+
+void add_pattern(Link& link, const knit::PatternOptions& pattern) {
+  if (!pattern.title.empty()) link.add("--title", pattern.title);
+  if (!pattern.yarn.empty()) link.add("--yarn", pattern.yarn);
+  if (!pattern.colour.empty()) link.add("--colour", pattern.colour);
+  if (pattern.needle_mm) link.add("--needle-mm", knit::number_text(*pattern.needle_mm));
+  if (pattern.markers) link.add("--markers");
+  if (pattern.stars) link.add("--stars");
+}
+
+}  // namespace
+
+std::string shell_quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::optional<std::string> link_by_options(const Session& session) {
+  if (!session.timeline) return std::nullopt;
+  const knit::Timeline& timeline = *session.timeline;
+  const bool sayable = timeline.edits().empty() && session.travel.breaks.empty() && !session.pinned;
+  const Source& source = session.source;
+  if (!sayable || (source.example.empty() && source.file.empty())) return std::nullopt;
+  Link link;
+  if (source.file.empty()) {
+    link.add("--example", source.example);
+  } else {
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(source.file, error);
+    link.add((error ? source.file : absolute).lexically_normal().string());
+    std::string mends;
+    for (const knit::MendKind kind : source.mends)
+      mends += (mends.empty() ? "" : ",") + std::string(knit::key_of(kind));
+    if (!mends.empty()) link.add("--mend", mends);
+  }
+  add_parameters(link, timeline.base_parameters(), session.defaults);
+  add_place(link, timeline);
+  if (session.side != SidePanel::step)
+    link.add("--side", std::string(side_keys.at(static_cast<std::size_t>(session.side))));
+  if (session.centre != CentrePanel::view) link.add("--centre", "chart");
+  if (session.knit_along) link.add("--knit-along", std::to_string(*session.knit_along));
+  add_pattern(link, session.pattern);
+  return link.text();
+}
+
+std::optional<std::string> link_by_session(const Session& session) {
+  const auto path = saved_unchanged(session);
+  if (!path) return std::nullopt;
+  Link link;
+  link.add("--session", path->string());
+  return link.text();
+}
+
+}  // namespace app

@@ -1,0 +1,152 @@
+#include "app/files/load.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "app/files/session_json.h"
+#include "app/session/action.h"
+#include "knit/import/obj.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+namespace {
+
+void forget_coincident(std::vector<knit::Finding>& findings) {
+  std::erase_if(findings, [](const knit::Finding& f) { return f.kind == knit::FindingKind::coincident; });
+}
+
+std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> original,
+                                          const knit::Parameters* parameters,
+                                          knit::Progress* progress = nullptr) {
+  Loaded loaded;
+  loaded.original = std::move(original);
+  knit::CheckResult checked = knit::check(*loaded.original, progress);
+  if (!checked.fit()) return loaded.original->name + ": " + checked.findings.front().sentence;
+  loaded.findings = std::move(checked.findings);
+  if (progress != nullptr) progress->begin(knit::Progress::Task::preparing);
+  loaded.mesh_hash = hash_text(*loaded.original);
+  const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
+  if (weld) forget_coincident(loaded.findings);
+  loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
+  if (progress != nullptr) progress->at(0.9);
+  const knit::Parameters wished =
+      parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
+  loaded.parameters = knit::agreed(wished, *loaded.input);
+  return loaded;
+}
+
+// As a person wishes; what helps is only looked for where it is wanted.
+knit::MendPlan mended_as(knit::Mesh mesh, const knit::MendWish& wish) {
+  if (!wish.kinds.empty()) return knit::carry_out(mesh, wish.kinds);
+  if (wish.all) {
+    if (auto plan = knit::plan_mends(mesh)) return std::move(*plan);
+  }
+  return {std::move(mesh), {}};
+}
+
+std::string text_of(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump();
+}
+
+// The example's own parameters over those that follow the mesh's size.
+std::variant<knit::Parameters, std::string> read_parameters(const std::filesystem::path& path,
+                                                            knit::Parameters parameters) {
+  std::ifstream in(path);
+  const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+  if (!json.is_object() || !json.contains("parameters") || !json["parameters"].is_object()) {
+    return path.string() + " is not a JSON object with \"parameters\"; build the project again.";
+  }
+  for (const auto& [key, value] : json["parameters"].items()) {
+    const knit::ParameterInfo* info = knit::find_parameter(key);
+    if (info == nullptr) return path.string() + ": there is no parameter \"" + key + "\"; remove it.";
+    if (const auto error = knit::set_value(*info, parameters, text_of(value)))
+      return path.string() + ": " + *error;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
+                                            const std::vector<knit::MendKind>& mends,
+                                            knit::Progress* progress) {
+  auto read = knit::read_obj_file(path, progress);
+  if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
+  return load_mended(mended_as(std::get<knit::Mesh>(std::move(read)), {false, mends}), progress);
+}
+
+std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan, knit::Progress* progress) {
+  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr, progress);
+  if (auto* ready = std::get_if<Loaded>(&loaded)) ready->mended = plan.steps;
+  return loaded;
+}
+
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish,
+                                          knit::Progress* progress) {
+  auto read = knit::read_obj_file(path, progress);
+  if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
+  const auto mesh = std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read)));
+  const bool as_it_is = !wish.all && wish.kinds.empty();
+  auto loaded = as_it_is ? prepare(mesh, nullptr, progress) : load_mended(mended_as(*mesh, wish), progress);
+  if (auto* ready = std::get_if<Loaded>(&loaded)) return std::move(*ready);
+  NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
+  if (auto plan = knit::plan_mends(*mesh))
+    unfit.plan = std::make_shared<const knit::MendPlan>(std::move(*plan));
+  return unfit;
+}
+
+std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name) {
+  const std::vector<std::string> names = list_examples(assets);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string all;
+    for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
+    if (all.empty()) return "no examples found in " + assets.string() + "; build the project again.";
+    return "there is no example \"" + name + "\"; choose one of " + all + ".";
+  }
+  auto read = knit::read_obj_file(assets / name / "mesh.obj");
+  if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
+  knit::Mesh mesh = std::get<knit::Mesh>(std::move(read));
+  mesh.name = name;
+  const auto parameters = read_parameters(assets / name / "parameters.json",
+                                          knit::default_parameters(knit::bounds_of(mesh.positions)));
+  if (const auto* error = std::get_if<std::string>(&parameters)) return *error;
+  auto loaded =
+      prepare(std::make_shared<const knit::Mesh>(std::move(mesh)), &std::get<knit::Parameters>(parameters));
+  // An example decides about welding itself; its seam is no news.
+  if (auto* ready = std::get_if<Loaded>(&loaded)) forget_coincident(ready->findings);
+  return loaded;
+}
+
+std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
+                                             const knit::Parameters& parameters, knit::Progress* progress) {
+  return prepare(original, &parameters, progress);
+}
+
+namespace {
+// The menu's order; what else lies in the folder follows by name.
+constexpr std::array<std::string_view, 8> known_order{
+    "thesis-sphere", "sphere", "stretched-sphere", "egg", "capsule", "cone", "vase", "torus"};
+}  // namespace
+
+std::vector<std::string> list_examples(const std::filesystem::path& assets) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(assets, error)) {
+    const bool example = std::filesystem::exists(entry.path() / "mesh.obj", error) &&
+                         std::filesystem::exists(entry.path() / "parameters.json", error);
+    if (example) names.push_back(entry.path().filename().string());
+  }
+  const auto rank = [](const std::string& name) {
+    return std::find(known_order.begin(), known_order.end(), name) - known_order.begin();
+  };
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::pair{rank(a), a} < std::pair{rank(b), b};
+  });
+  return names;
+}
+
+}  // namespace app

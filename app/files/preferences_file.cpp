@@ -1,0 +1,270 @@
+#include "app/files/preferences_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "app/base/files.h"
+#include "app/base/json_fields.h"
+#include "app/files/session_file.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* version_key = "knit-mesh-preferences";
+constexpr std::int64_t preferences_version = 1;
+constexpr double widest_split = 10000.0;
+constexpr std::int64_t most_answers = 1000000;
+
+// Anything but a whole path is not valid there.
+std::optional<fs::path> folder_in(const Environment& variable, const char* name,
+                                  std::string_view below = "") {
+  const fs::path folder = variable(name);
+  if (!folder.is_absolute()) return std::nullopt;
+  return below.empty() ? folder : folder / below;
+}
+
+Platform this_platform() {
+#if defined(_WIN32)
+  return Platform::windows;
+#elif defined(__APPLE__)
+  return Platform::mac;
+#else
+  return Platform::xdg;
+#endif
+}
+
+void read_panels(JsonFields& fields, Preferences& preferences) {
+  if (fields.has("panels")) {
+    JsonFields panels = fields.object("panels");
+    for (std::size_t i = 0; i < panel_keys.size(); ++i) {
+      const std::string key(panel_keys[i]);
+      if (panels.has(key)) preferences.panels[i] = panels.flag(key);
+    }
+  }
+  if (!fields.has("splits")) return;
+  JsonFields splits = fields.object("splits");
+  for (std::size_t i = 0; i < split_keys.size(); ++i) {
+    const std::string key(split_keys[i]);
+    if (splits.has(key)) preferences.splits[i] = splits.number(key, 0.0, widest_split);
+  }
+}
+
+void read_recent(JsonFields& fields, Preferences& preferences) {
+  if (!fields.has("recent")) return;
+  for (const nlohmann::json& name : fields.array("recent")) {
+    if (!name.is_string()) return fields.set_fault("recent", "must be a list of texts in quotes.");
+    if (preferences.recent.size() < most_recent) preferences.recent.push_back(name.get<std::string>());
+  }
+}
+
+void read_learning(JsonFields& fields, Preferences& preferences) {
+  if (fields.has("longest-streak"))
+    preferences.longest_streak = static_cast<std::int32_t>(fields.whole("longest-streak", 0, most_answers));
+  if (!fields.has("lessons")) return;
+  JsonFields lessons = fields.object("lessons");
+  if (!lessons.json().is_object()) return;
+  for (const auto& [key, unused] : lessons.json().items()) {
+    JsonFields lesson = lessons.object(key);
+    const auto of = static_cast<std::int32_t>(lesson.whole("of", 0, most_answers));
+    const auto right = static_cast<std::int32_t>(lesson.whole("right", 0, of));
+    preferences.lessons[key] = {right, of};
+  }
+}
+
+// None: there is no such file.
+std::optional<std::string> content_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return std::nullopt;
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::string spoilt_words(const fs::path& file, const std::string& fault) {
+  return "The preferences in " + file.string() +
+         " are left out: " + fault.substr(0, fault.find_last_not_of('.') + 1) +
+         "; mend the file and start again, or change a setting: then it is kept as " +
+         file.filename().string() + ".old.";
+}
+
+// What was opened at this start comes before what the file remembers. An example may be there because nothing was
+// asked for: it does not count.
+std::vector<std::string> joined(const std::vector<std::string>& now, const std::vector<std::string>& kept) {
+  std::vector<std::string> all;
+  for (const std::string& name : now) {
+    if (name.rfind(example_prefix, 0) != 0) all.push_back(name);
+  }
+  for (const std::string& name : kept) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  }
+  all.resize(std::min(all.size(), most_recent));
+  return all;
+}
+
+}  // namespace
+
+std::optional<fs::path> preferences_file(Platform platform, const Environment& variable) {
+  std::optional<fs::path> folder;
+  switch (platform) {
+    case Platform::windows:
+      folder = folder_in(variable, "APPDATA");
+      break;
+    case Platform::mac:
+      folder = folder_in(variable, "HOME", "Library/Application Support");
+      break;
+    case Platform::xdg:
+      folder = folder_in(variable, "XDG_CONFIG_HOME");
+      if (!folder) folder = folder_in(variable, "HOME", ".config");
+      break;
+  }
+  if (!folder) return std::nullopt;
+  return *folder / "knit-mesh" / "preferences.json";
+}
+
+std::optional<fs::path> preferences_file() {
+  return preferences_file(this_platform(), [](const char* name) -> std::string {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+  });
+}
+
+std::string preferences_text(const Preferences& preferences) {
+  Json json;
+  json[version_key] = preferences_version;
+  json["theme"] = theme_keys[static_cast<std::size_t>(preferences.theme)];
+  json["scale"] = preferences.scale;
+  json["motion"] = preferences.motion;
+  for (std::size_t i = 0; i < panel_keys.size(); ++i)
+    json["panels"][std::string(panel_keys[i])] = preferences.panels[i];
+  for (std::size_t i = 0; i < split_keys.size(); ++i)
+    json["splits"][std::string(split_keys[i])] = preferences.splits[i];
+  json["recent"] = preferences.recent;
+  json["lessons"] = Json::object();
+  for (const auto& [key, score] : preferences.lessons)
+    json["lessons"][key] = {{"right", score.right}, {"of", score.of}};
+  json["longest-streak"] = preferences.longest_streak;
+  // Names of files need not be valid UTF-8; such a one is found no more, the rest is kept.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::variant<Preferences, std::string> read_preferences(std::string_view text) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) return "it is not valid JSON.";
+  JsonFields fields(json);
+  if (!fields.fault().empty()) return fields.fault();
+  if (!fields.has(version_key))
+    return "\"" + std::string(version_key) + "\", the version, is missing: it is another kind of file.";
+  if (fields.whole(version_key, 1, most_answers) > preferences_version)
+    return "a newer knit-mesh has written it.";
+  Preferences preferences;
+  if (fields.has("theme")) preferences.theme = static_cast<ThemeKind>(fields.choice("theme", theme_keys));
+  if (fields.has("scale")) preferences.scale = fields.number("scale", smallest_scale, largest_scale);
+  if (fields.has("motion")) preferences.motion = fields.flag("motion");
+  read_panels(fields, preferences);
+  read_recent(fields, preferences);
+  read_learning(fields, preferences);
+  if (!fields.fault().empty()) return fields.fault();
+  return preferences;
+}
+
+PreferencesKeeper::PreferencesKeeper(Session& session, std::optional<fs::path> file, ForThisStart given)
+    : file_(std::move(file)), given_(given) {
+  if (!file_) return;
+  const std::vector<std::string> opened = std::exchange(session.preferences.recent, {});
+  if (const auto text = content_of(*file_)) {
+    auto result = read_preferences(*text);
+    if (const auto* fault = std::get_if<std::string>(&result)) {
+      spoilt_ = true;
+      session.notices.push_back({Notice::Kind::warning, spoilt_words(*file_, *fault)});
+    } else {
+      read_ = std::get<Preferences>(std::move(result));
+    }
+  }
+  session.preferences = read_;
+  session.preferences.recent = joined(opened, read_.recent);
+  if (given_.theme) session.preferences.theme = *given_.theme;
+  if (given_.scale) session.preferences.scale = *given_.scale;
+  // A file that somebody may want to mend is not replaced just because the program was started.
+  known_ = spoilt_ ? lasting(session.preferences) : read_;
+}
+
+// As the file shall have them. What was given for this start counts until it is changed by hand.
+Preferences PreferencesKeeper::lasting(const Preferences& preferences) {
+  Preferences kept = preferences;
+  if (given_.theme && *given_.theme != preferences.theme) given_.theme.reset();
+  if (given_.scale && *given_.scale != preferences.scale) given_.scale.reset();
+  if (given_.theme) kept.theme = read_.theme;
+  if (given_.scale) kept.scale = read_.scale;
+  return kept;
+}
+
+void PreferencesKeeper::pass(Session& session, double seconds) {
+  if (!file_) return;
+  waited_ += seconds;
+  Preferences now = lasting(session.preferences);  // also between writings: a change by hand is noticed
+  if (waited_ < seconds_between || now == known_) return;
+  write(session);
+}
+
+void PreferencesKeeper::end(Session& session) {
+  if (file_ && lasting(session.preferences) != known_) write(session);
+}
+
+void PreferencesKeeper::write(Session& session) {
+  waited_ = 0.0;
+  known_ = lasting(session.preferences);
+  std::error_code error;
+  fs::create_directories(file_->parent_path(), error);
+  if (std::exchange(spoilt_, false)) {
+    fs::path old = *file_;
+    old += ".old";
+    fs::rename(*file_, old, error);
+  }
+  const auto trouble = write_file(*file_, preferences_text(known_));
+  if (!trouble || std::exchange(told_, true)) return;
+  session.notices.push_back({Notice::Kind::warning, "The preferences are not remembered: " + *trouble});
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_example(std::string_view name) { return name.substr(0, example_prefix.size()) == example_prefix; }
+
+}  // namespace
+
+std::string recent_name(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  return (error ? file : absolute).lexically_normal().string();
+}
+
+void note_recent(Preferences& preferences, const std::string& name) {
+  std::vector<std::string>& recent = preferences.recent;
+  std::erase(recent, name);
+  recent.insert(recent.begin(), name);
+  recent.resize(std::min(recent.size(), most_recent));
+}
+
+Action opening_of_recent(const std::string& name) {
+  if (is_example(name)) return OpenExample{name.substr(example_prefix.size())};
+  return opening_of(name);
+}
+
+RecentWords words_of_recent(const std::string& name) {
+  if (is_example(name)) return {name.substr(example_prefix.size()), "example"};
+  const fs::path path = name;
+  return {path.filename().string(), path.parent_path().string()};
+}
+
+}  // namespace app

@@ -1,0 +1,257 @@
+#include "app/files/report.h"
+
+#include "knit/insight/narrate.h"
+#include "knit/insight/step_fields.h"
+#include "knit/quality/measures.h"
+
+namespace app {
+
+namespace {
+
+struct ParameterValue {
+  const knit::Parameters& p;
+  const knit::ParameterInfo& info;
+  using Json = nlohmann::ordered_json;
+  Json operator()(const knit::Number& number) const {
+    const bool automatic = number.zero == knit::Zero::means_auto && p.*number.field == 0.0;
+    return automatic ? Json("auto") : Json(p.*number.field);
+  }
+  Json operator()(const knit::Count& count) const {
+    return count.zero_means_auto && p.*count.field == 0 ? Json("auto") : Json(p.*count.field);
+  }
+  Json operator()(const knit::PickedVertex& picked) const {
+    return p.*picked.field == knit::no_vertex ? Json("auto") : Json(p.*picked.field);
+  }
+  Json operator()(const knit::AxisChoice& /*axis*/) const { return knit::value_text(info, p); }
+  Json operator()(const knit::DirectionChoice& /*direction*/) const { return knit::value_text(info, p); }
+  Json operator()(const knit::GaugeChoice& /*gauge*/) const { return knit::value_text(info, p); }
+  Json operator()(const knit::Choice& /*choice*/) const { return knit::value_text(info, p); }
+};
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const knit::Parameters& parameters) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    json[std::string(info.key)] = std::visit(ParameterValue{parameters, info}, info.kind);
+  }
+  return json;
+}
+
+nlohmann::ordered_json to_json(const knit::Step& step, std::size_t index,
+                               const knit::Parameters& parameters) {
+  nlohmann::ordered_json json;
+  json["step"] = index;
+  json["stage"] = knit::name_of(step.place.stage);
+  json["row"] = step.place.row;
+  json["item"] = step.place.item;
+  json["kind"] = knit::kind_name(step);
+  for (const knit::StepField& field : knit::fields_of(step)) {
+    std::visit([&](const auto& value) { json[std::string(field.name)] = value; }, field.value);
+  }
+  json["what"] = knit::narrate(step, parameters);
+  return json;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value_if(bool there, double value) { return there ? Json(value) : Json(nullptr); }
+
+Json ratio(double part, double whole) { return value_if(whole > 0.0, part / whole); }
+
+Json spread_json(const knit::Spread& spread) {
+  if (spread.count == 0) return nullptr;
+  const knit::Histogram& histogram = spread.histogram;
+  return {{"mean", spread.mean},
+          {"cv", spread.cv},
+          {"min", spread.low},
+          {"max", spread.high},
+          {"p95", spread.p95},
+          {"histogram", {{"low", histogram.low}, {"high", histogram.high}, {"bins", histogram.bins}}}};
+}
+
+Json rows_json(const std::vector<knit::RowFit>& rows) {
+  Json all = Json::array();
+  for (const knit::RowFit& row : rows) {
+    all.push_back({{"row", row.row},
+                   {"stitches", row.stitches},
+                   {"length", row.length},
+                   {"ideal", row.ideal},
+                   {"course_cv", row.course_cv}});
+  }
+  return all;
+}
+
+Json mirror_json(const std::optional<knit::MirrorError>& mirror) {
+  if (!mirror) return nullptr;
+  return {{"mean", mirror->mean}, {"max", mirror->max}};
+}
+
+Json distances_json(const knit::Distances& distances, double diagonal) {
+  if (distances.samples == 0) return nullptr;
+  return {{"mean", distances.mean},
+          {"max", distances.max},
+          {"mean_share", ratio(distances.mean, diagonal)},
+          {"max_share", ratio(distances.max, diagonal)}};
+}
+
+}  // namespace
+
+Json to_json(const knit::Quality& quality) {
+  const bool any_wale = quality.wale.count > 0;
+  const bool any_face = quality.faces.quads + quality.faces.triangles > 0;
+  Json json;
+  json["stitch_width"] = quality.stitch_width;
+  json["stitch_height"] = quality.stitch_height;
+  json["course"] = spread_json(quality.course);
+  json["long_course"] = spread_json(quality.long_course);
+  json["worst_course_cv_in_row"] = value_if(quality.course.count > 0, quality.worst_course_cv_in_row);
+  json["wale"] = spread_json(quality.wale);
+  json["corner"] = spread_json(quality.corner);
+  json["rows"] = rows_json(quality.rows);
+  json["quad_share"] = value_if(any_face, quality.quad_share);
+  json["regular_share"] = value_if(any_wale && quality.rows.size() > 2, quality.regular_share);
+  json["shaping"] = {{"increases", quality.shaping.increases},
+                     {"decreases", quality.shaping.decreases},
+                     {"max_in_a_row", quality.shaping.max_in_a_row},
+                     {"steady", quality.steady_shaping}};
+  json["offset"] = value_if(any_wale, quality.offset);
+  json["long_offset"] = value_if(any_wale && quality.long_course.count > 0, quality.long_offset);
+  json["mirror"] = mirror_json(quality.mirror);
+  return json;
+}
+
+Json to_json(const knit::Closeness& closeness) {
+  return {{"distance",
+           {{"knit_to_mesh", distances_json(closeness.knit_to_mesh, closeness.diagonal)},
+            {"mesh_to_knit", distances_json(closeness.mesh_to_knit, closeness.diagonal)}}},
+          {"area_ratio", ratio(closeness.knit_area, closeness.mesh_area)}};
+}
+
+Json quality_json(const knit::Quality& quality, const knit::Closeness* closeness) {
+  Json json = to_json(quality);
+  json.update(closeness != nullptr ? to_json(*closeness)
+                                   : Json{{"distance", nullptr}, {"area_ratio", nullptr}});
+  return json;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json lengths_json(const knit::LengthFigures& figures) {
+  return {{"mean", figures.mean}, {"cv", figures.cv}, {"min", figures.low}, {"max", figures.high}};
+}
+
+Json problem_json(const knit::Step& step, std::size_t number, const knit::Parameters& parameters) {
+  return {{"step", number},
+          {"stage", knit::name_of(step.place.stage)},
+          {"row", step.place.row},
+          {"item", step.place.item},
+          {"what", knit::narrate(step, parameters)}};
+}
+
+Json problems_json(const Session& session) {
+  const knit::Timeline& timeline = *session.timeline;
+  Json problems = Json::array();
+  for (std::size_t i = 0; i < timeline.position(); ++i) {
+    const knit::Parameters& parameters = timeline.parameters_of_step(i);
+    if (!knit::is_unusual(timeline.step(i), parameters)) continue;
+    problems.push_back(problem_json(timeline.step(i), i + 1, parameters));
+  }
+  if (const knit::Step* stop = stop_shown(session)) {
+    problems.push_back(problem_json(*stop, timeline.position() + 1, timeline.parameters()));
+  }
+  return problems;
+}
+
+Json integers(const std::vector<knit::Label>& labels) {
+  Json list = Json::array();
+  for (const knit::Label label : labels) list.push_back(static_cast<int>(label));
+  return list;
+}
+
+// One array a row, as Appendix A has them; `transitions` tells the rest.
+Json labels_json(const knit::State& state) {
+  Json all = Json::array();
+  if (state.rows.empty()) return all;
+  for (const knit::LabelRow& row : label_rows(state)) {
+    if (!row.into) all.push_back(integers(row.labels));
+  }
+  return all;
+}
+
+Json transitions_json(const knit::State& state) {
+  Json all = Json::array();
+  for (const auto& t : state.transitions) {
+    all.push_back({{"row", t->row},
+                   {"from", t->below},
+                   {"to", t->above},
+                   {"rule", knit::name_of(t->rule)},
+                   {"labels", integers(t->labels)},
+                   {"links", t->link}});
+  }
+  return all;
+}
+
+Json edits_json(const knit::Timeline& timeline) {
+  Json all = Json::array();
+  for (const knit::Edit& edit : timeline.edits()) {
+    all.push_back({{"stage", knit::name_of(edit.at.stage)},
+                   {"row", edit.at.row},
+                   {"item", edit.at.item},
+                   {"parameters", to_json(edit.parameters)}});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<knit::LabelRow> label_rows(const knit::State& state) {
+  std::vector<const knit::Transition*> transitions;
+  for (const auto& transition : state.transitions) transitions.push_back(&*transition);
+  return knit::appendix_view(static_cast<std::int32_t>(state.rows.front()->stitches.size()), transitions,
+                             state.stage() > knit::Stage::stitches);
+}
+
+Json report_json(const Session& session) {
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::State& state = timeline.state();
+  const knit::Mesh& mesh = timeline.input().mesh;
+  const knit::FaceCounts faces = knit::count_faces(state);
+  const knit::ShapingFigures shaping = knit::shaping_figures(state);
+
+  Json report;
+  report["mesh"] = {
+      {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
+  for (const knit::MendStep& step : session.mended) report["mesh"]["mended"].push_back(step.did);
+  report["parameters"] = to_json(timeline.base_parameters());
+  if (!timeline.edits().empty()) report["edits"] = edits_json(timeline);
+  report["steps"] = timeline.position();
+  report["finished"] = state.finished();
+  report["rows"] = Json::array();
+  for (const auto& row : state.rows) report["rows"].push_back(row->stitches.size());
+  report["labels"] = labels_json(state);
+  report["transitions"] = transitions_json(state);
+  report["faces"] = {{"quads", faces.quads}, {"triangles", faces.triangles}};
+  report["euler"] = knit::euler_characteristic(state);
+  report["course"] = lengths_json(knit::course_figures(state));
+  report["wale"] = lengths_json(knit::wale_figures(state));
+  report["shaping"] = {{"increases", shaping.increases},
+                       {"decreases", shaping.decreases},
+                       {"max_in_a_row", shaping.max_in_a_row}};
+  const knit::Parameters& parameters = timeline.parameters();
+  const auto closeness = closeness_now(session);
+  report["quality"] = quality_json(knit::measure_quality(timeline.input(), state, parameters.stitch_width,
+                                                         knit::stitch_height_of(parameters)),
+                                   closeness.get());
+  report["problems"] = problems_json(session);
+  report["pattern"] = Json::array();
+  for (const auto& line : state.lines) report["pattern"].push_back(line->text);
+  report["milliseconds"] = {{"load", session.load_ms}, {"run", session.run_ms}};
+  return report;
+}
+
+}  // namespace app

@@ -1,0 +1,190 @@
+// What pages of lessons do as they open, and how it is seen that what they wait for was done.
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "app/lessons/lesson.h"
+#include "app/session/run_figures.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+namespace {
+
+// --- deeds -------------------------------------------------------------------------------------------------
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+struct DoDeed {
+  Session& session;
+
+  // What is open already keeps its run where its parameters are its own; everything else is as at the start.
+  void operator()(const OpenAsItComes& deed) const {
+    const bool open = session.timeline && session.source.example == deed.example &&
+                      session.timeline->base_parameters().weld == session.defaults.weld;
+    if (!open) apply(session, OpenExample{deed.example});
+    // What could not be opened has said so.
+    if (!session.timeline || session.source.example != deed.example) return;
+    const Knobs wanted{session.defaults, {}};
+    if (knobs_of(*session.timeline) != wanted) session.timeline->set_knobs(wanted.base, wanted.edits);
+    session.before_change.reset();
+    session.travel = {};
+    session.place_note.clear();
+    session.notices.clear();
+    session.layers = Session{}.layers;
+    session.playback = {};
+    session.side = SidePanel::step;
+    session.list = RunList::rows;
+    session.centre = CentrePanel::view;
+    session.picking = Picking::nothing;
+    session.knit_along.reset();
+    apply(session, Unpin{});
+    apply(session, SetPredicting{false});
+    (*this)(LookFrom{});
+  }
+  void operator()(const SetParameters& deed) const {
+    if (!session.timeline) return;
+    knit::Parameters parameters = session.timeline->parameters();
+    for (const auto& [info, text] : deed.settings) {
+      knit::set_value(*info, parameters, text);
+      knit::give_size_by(info->key, parameters);
+    }
+    apply(session, Tune{knit::agreed(parameters, session.timeline->input())});
+  }
+  void operator()(const SeekAt& deed) const {
+    if (session.timeline) go_to(session, deed.at);
+  }
+  void operator()(const LookFrom& deed) const {
+    if (!session.timeline) return;
+    const knit::Input& input = session.timeline->input();
+    Camera camera;
+    camera.yaw = radians(deed.yaw);
+    camera.pitch = radians(deed.pitch);
+    camera.frame(input.bounds, session.aspect);
+    camera.distance /= deed.near;
+    if (deed.at && *deed.at < input.mesh.positions.size()) camera.target = input.mesh.positions[*deed.at];
+    session.camera = camera;
+    session.camera_kept = true;
+  }
+  void operator()(const Action& action) const { apply(session, action); }
+};
+
+// --- waits -------------------------------------------------------------------------------------------------
+
+struct DeedName {
+  std::string_view name;
+  bool (*is)(const Action&);
+};
+template <class T>
+bool is_a(const Action& action) {
+  return action.template is<T>();
+}
+constexpr std::array deed_table{
+    DeedName{"orbit", is_a<Orbit>},
+    DeedName{"zoom", is_a<Zoom>},
+    DeedName{"frame", is_a<FrameAll>},
+    DeedName{"play",
+             [](const Action& a) {
+               const auto* play = a.get_if<SetPlaying>();
+               return play != nullptr && play->playing;
+             }},
+    DeedName{"step", [](const Action& a) { return is_a<StepBy>(a) || is_a<StepDeep>(a); }},
+    DeedName{"seek", [](const Action& a) { return is_a<SeekTo>(a) || is_a<SeekPlace>(a); }},
+    DeedName{"tune", [](const Action& a) { return is_a<Tune>(a) || is_a<EditFromHere>(a); }},
+    DeedName{"undo", is_a<Undo>},
+    DeedName{"preset", is_a<ApplyPreset>},
+    DeedName{"layer", is_a<SetLayer>},
+    DeedName{"side", is_a<ShowSide>},
+    DeedName{"list", is_a<ShowList>},
+    DeedName{"centre", is_a<ShowCentre>},
+    DeedName{"why", is_a<ShowWhy>},
+    DeedName{"select", [](const Action& a) { return is_a<Select>(a) || is_a<ShowWhy>(a); }},
+    DeedName{"break", is_a<RunToBreak>},
+    DeedName{"pin", is_a<PinRun>},
+    DeedName{"guess", is_a<Guess>},
+};
+
+std::size_t count_problems(const knit::Timeline& timeline, PageProgress& progress) {
+  const RunKey run = run_key(timeline);
+  if (progress.counted_run != run || progress.counted_known != timeline.known()) {
+    progress.counted_run = run;
+    progress.counted_known = timeline.known();
+    progress.problems = tally_of(timeline).problems;
+  }
+  return progress.problems;
+}
+
+bool row_size_holds(const Wait& wait, const knit::Timeline& timeline) {
+  const auto& rows = timeline.furthest().rows;
+  if (static_cast<std::size_t>(wait.row) > rows.size()) return false;
+  const auto size = static_cast<double>(rows[static_cast<std::size_t>(wait.row) - 1]->stitches.size());
+  return size >= wait.low && size <= wait.high;
+}
+
+bool number_holds(const Wait& wait, const knit::Parameters& parameters) {
+  const auto* number = std::get_if<knit::Number>(&wait.parameter->kind);
+  if (number == nullptr) return false;
+  const double value = parameters.*(number->field);
+  return value >= wait.low && value <= wait.high;
+}
+
+// Of a run that is open.
+bool run_holds(const Wait& wait, const knit::Timeline& timeline, PageProgress& progress) {
+  const knit::Parameters& parameters = timeline.parameters();
+  const std::size_t position = timeline.position();
+  switch (wait.kind) {
+    case WaitKind::steps:
+      return progress.from && position >= *progress.from + static_cast<std::size_t>(wait.count);
+    case WaitKind::reach:
+      return position > 0 && !timeline.sought() && timeline.place() >= wait.place;
+    case WaitKind::range:
+      return number_holds(wait, parameters);
+    case WaitKind::value:
+      return knit::value_text(*wait.parameter, parameters) == wait.word;
+    case WaitKind::changed:
+      return knit::value_text(*wait.parameter, parameters) != progress.value;
+    case WaitKind::problems:
+      return timeline.complete() &&
+             count_problems(timeline, progress) <= static_cast<std::size_t>(wait.count);
+    case WaitKind::stopped:
+      return timeline.complete() && (timeline.stop() != nullptr) == wait.flag;
+    case WaitKind::row_size:
+      return row_size_holds(wait, timeline);
+    case WaitKind::at_end:
+      return (timeline.complete() && position == timeline.known()) == wait.flag;
+    case WaitKind::did:
+    case WaitKind::guesses:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+void do_deed(Session& session, const Deed& deed) { std::visit(DoDeed{session}, deed); }
+
+bool is_deed_name(const std::string& name) {
+  return std::any_of(deed_table.begin(), deed_table.end(), [&](const DeedName& d) { return d.name == name; });
+}
+
+std::string deed_names() {
+  std::string names;
+  for (const DeedName& deed : deed_table) names += (names.empty() ? "" : ", ") + std::string(deed.name);
+  return names;
+}
+
+bool is_deed(const std::string& name, const Action& action) {
+  return std::any_of(deed_table.begin(), deed_table.end(),
+                     [&](const DeedName& d) { return d.name == name && d.is(action); });
+}
+
+bool holds(const Wait& wait, const Session& session, const Action& action, PageProgress& progress) {
+  if (wait.kind == WaitKind::did) return is_deed(wait.word, action);
+  if (wait.kind == WaitKind::guesses) {
+    if (action.is<Guess>()) ++progress.guesses;
+    return progress.guesses >= wait.count;
+  }
+  return session.timeline && run_holds(wait, *session.timeline, progress);
+}
+
+}  // namespace app

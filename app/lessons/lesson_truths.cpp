@@ -1,0 +1,386 @@
+// What is right about the next verdict, about rows and about labels.
+#include "app/lessons/lesson_truths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "app/session/run_figures.h"
+#include "knit/model/gauge.h"
+#include "knit/rows/rows.h"
+
+namespace app::truths {
+
+using knit::Stage;
+
+// --- the next verdict --------------------------------------------------------------------------------------
+
+namespace {
+
+// The step that takes the next stitch of the row in the making.
+std::optional<std::size_t> next_taken(const knit::Timeline& timeline) {
+  for (std::size_t i = timeline.position(); i < timeline.known(); ++i) {
+    const knit::Happening& what = timeline.step(i).what;
+    const auto* measured = std::get_if<knit::CandidateMeasured>(&what);
+    if (measured != nullptr && measured->verdict == knit::Verdict::accepted) return i;
+    if (std::holds_alternative<knit::BandMissed>(what)) return i;
+    if (measured == nullptr) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Truth next_vertex(const Session& session, const JudgeCall& /*call*/) {
+  const knit::Timeline& timeline = *session.timeline;
+  const auto step = next_taken(timeline);
+  if (!step) {
+    return timeline.position() == timeline.known() && !timeline.complete()
+               ? not_yet()
+               : untold("No stitch is looked for at this place; set the page up again.");
+  }
+  const auto* measured = std::get_if<knit::CandidateMeasured>(&timeline.step(*step).what);
+  const knit::VertexId vertex =
+      measured != nullptr ? measured->candidate : std::get<knit::BandMissed>(timeline.step(*step).what).taken;
+  return {{vertex_name(vertex)}, said_by(timeline, *step), 0.0};
+}
+
+std::string why_not_next(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
+  const knit::Timeline& timeline = *session.timeline;
+  const auto taken = next_taken(timeline);
+  for (std::size_t i = timeline.position(); taken && i < *taken; ++i) {
+    const auto* measured = std::get_if<knit::CandidateMeasured>(&timeline.step(i).what);
+    if (measured != nullptr && vertex_name(measured->candidate) == answer) return said_by(timeline, i);
+  }
+  return "The vertices are tried one after another from the anchor on, and the first one in the band is "
+         "taken.";
+}
+
+Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
+  const knit::Timeline& timeline = *session.timeline;
+  if (timeline.position() == timeline.known())
+    return timeline.complete() ? untold("The run is over here; set the page up again.") : not_yet();
+  const auto* next = std::get_if<knit::CandidateMeasured>(&timeline.step(timeline.position()).what);
+  if (next == nullptr) return untold("No vertex is measured next at this place; set the page up again.");
+  constexpr std::array<const char*, 3> keys{"too-near", "accepted", "too-far"};
+  return {{keys.at(static_cast<std::size_t>(next->verdict))}, said_by(timeline, timeline.position()), 0.0};
+}
+
+Truth band_edge(const Session& session, const JudgeCall& call) {
+  knit::Parameters parameters = session.timeline->parameters();
+  for (const auto& [info, text] : call.settings) knit::set_value(*info, parameters, text);
+  const knit::Band band = knit::band_of(parameters);
+  const bool low = call.word == "low";
+  const std::string w = knit::short_number(parameters.stitch_width);
+  const std::string epsilon = knit::short_number(parameters.epsilon);
+  const std::string edge = knit::short_number(low ? band.low : band.high);
+  return {{edge},
+          "The band " + std::string(low ? "begins" : "ends") + " at w " + (low ? "-" : "+") +
+              " epsilon = " + w + (low ? " - " : " + ") + epsilon + " = " + edge + ".",
+          0.005 * parameters.stitch_width};
+}
+
+// --- rows --------------------------------------------------------------------------------------------------
+
+Truth row_size(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  const auto& rows = timeline.furthest().rows;
+  if (static_cast<std::size_t>(call.row) > rows.size()) {
+    return timeline.complete() ? untold("This run has no row " + str(call.row) + "; set the page up again.")
+                               : not_yet();
+  }
+  const std::size_t size = rows[static_cast<std::size_t>(call.row) - 1]->stitches.size();
+  const auto decided = knit::count_decided_by(timeline, call.row);
+  return {{std::to_string(size)}, decided ? said_by(timeline, *decided) : "", 0.0};
+}
+
+namespace {
+
+const knit::Transition* transition_of(const knit::Timeline& timeline, std::int32_t row) {
+  const auto& all = timeline.furthest().transitions;
+  const bool there = row >= 2 && static_cast<std::size_t>(row) - 2 < all.size();
+  return there ? &*all[static_cast<std::size_t>(row) - 2] : nullptr;
+}
+
+Truth no_transition(const knit::Timeline& timeline, std::int32_t row) {
+  return timeline.complete()
+             ? untold("This run puts no labels on row " + str(row) + "; set the page up again.")
+             : not_yet();
+}
+
+std::string counted_words(const knit::Timeline& timeline, std::int32_t row) {
+  const auto counted = first_of_kind<knit::TransitionCounted>(timeline, Stage::stitches, row);
+  return counted ? said_by(timeline, *counted) : "";
+}
+
+template <class Counts>
+Truth count_labels(const Session& session, const JudgeCall& call, Counts counts) {
+  const knit::Transition* transition = transition_of(*session.timeline, call.row);
+  if (transition == nullptr) return no_transition(*session.timeline, call.row);
+  const auto count = std::count_if(transition->labels.begin(), transition->labels.end(), counts);
+  return {{str(count)}, counted_words(*session.timeline, call.row), 0.0};
+}
+
+}  // namespace
+
+Truth increases(const Session& session, const JudgeCall& call) {
+  return count_labels(session, call, [](knit::Label label) { return knit::is_increase(label); });
+}
+Truth decreases(const Session& session, const JudgeCall& call) {
+  return count_labels(session, call, [](knit::Label label) { return knit::is_decrease(label); });
+}
+Truth mains(const Session& session, const JudgeCall& call) {
+  return count_labels(session, call, [](knit::Label label) { return label == knit::Label::main; });
+}
+
+Truth shaping(const Session& session, const JudgeCall& call) {
+  const auto& rows = session.timeline->furthest().rows;
+  if (call.row < 2) return untold("The first row follows none.");
+  const auto row = static_cast<std::size_t>(call.row);
+  if (row > rows.size()) return row_size(session, call);
+  const std::size_t below = rows[row - 2]->stitches.size();
+  const std::size_t above = rows[row - 1]->stitches.size();
+  const char* key = above > below ? "increases" : above < below ? "decreases" : "plain";
+  return {{key},
+          "Row " + str(call.row) + " has " + std::to_string(above) + " stitches, and the row below has " +
+              std::to_string(below) + ".",
+          0.0};
+}
+
+namespace {
+
+bool is_meant(knit::Label label, const std::string& word) {
+  if (word == "increase") return knit::is_increase(label);
+  if (word == "decrease") return knit::is_decrease(label);
+  constexpr std::array<std::string_view, 7> keys{"knit", "m1r", "m1l", "k2tog", "ssk", "cast", "main"};
+  return keys.at(static_cast<std::size_t>(label)) == word;
+}
+
+}  // namespace
+
+// Labels stand on the larger of the two rows: an increase on the new one, a decrease on the one below.
+Truth stitch_with_label(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::Transition* transition = transition_of(timeline, call.row);
+  if (transition == nullptr) return no_transition(timeline, call.row);
+  const std::int32_t row = transition->change() >= 0 ? call.row : call.row - 1;
+  Truth truth;
+  for (std::size_t cell = 0; cell < transition->labels.size(); ++cell) {
+    if (is_meant(transition->labels[cell], call.word))
+      truth.answers.push_back(text_of(knit::Thing(knit::StitchThing{row, static_cast<std::int32_t>(cell)})));
+  }
+  if (truth.answers.empty())
+    return untold("Row " + str(call.row) + " has no such stitch; set the page up again.");
+  truth.reason = counted_words(timeline, call.row) + " One of these is " +
+                 words_of(*thing_named(truth.answers.front())) + ".";
+  return truth;
+}
+
+std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer) {
+  const knit::Transition* transition = transition_of(*session.timeline, call.row);
+  const auto thing = thing_named(answer);
+  const auto* stitch = thing ? std::get_if<knit::StitchThing>(&*thing) : nullptr;
+  if (transition == nullptr || stitch == nullptr) return "";
+  const std::int32_t row = transition->change() >= 0 ? call.row : call.row - 1;
+  const std::string name = capital(words_of(*thing));
+  if (stitch->row != row) return name + " is not in row " + str(row) + ".";
+  const auto cell = static_cast<std::size_t>(stitch->stitch);
+  if (cell >= transition->labels.size()) return "";
+  return name + " is labelled " + std::string(knit::name_of(transition->labels[cell])) + ".";
+}
+
+// What is right about odd rows, the mesh, how the run ends, and what other settings make of it.
+
+// --- what is odd about a row -------------------------------------------------------------------------------
+
+Truth closing_gap(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  const auto closed = first_of_kind<knit::RowClosed>(timeline, Stage::rows, call.row);
+  if (!closed)
+    return timeline.complete() ? untold("Row " + str(call.row) + " closes with no gap.") : not_yet();
+  const auto& what = std::get<knit::RowClosed>(timeline.step(*closed).what);
+  const knit::Band band = knit::band_of(timeline.parameters_of_step(*closed));
+  const char* key = what.gap < band.low ? "shorter" : what.gap > band.high ? "longer" : "inside";
+  return {{key}, said_by(timeline, *closed), 0.0};
+}
+
+namespace {
+
+bool is_odd(const knit::Happening& what, const std::string& word) {
+  if (word == "stall") return std::holds_alternative<knit::BandMissed>(what);
+  return std::holds_alternative<knit::RowResampled>(what);
+}
+
+struct ClosedRowGap {
+  std::size_t step = 0;
+  double off = 0.0;  // from the stitch width
+};
+
+// The rows whose gap is farthest from the stitch width once they are finished; as good as equal ones too.
+Truth widest_gaps(const knit::Timeline& timeline, std::int32_t answered) {
+  std::vector<ClosedRowGap> rows;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    const auto* shared = std::get_if<knit::GapShared>(&timeline.step(i).what);
+    if (shared == nullptr) continue;
+    rows.push_back({i, std::abs(shared->gap_after - timeline.parameters_of_step(i).stitch_width)});
+    farthest = std::max(farthest, rows.back().off);
+  }
+  Truth truth;
+  for (const ClosedRowGap& row : rows) {
+    if (row.off < 0.98 * farthest) continue;
+    const std::int32_t number = timeline.step(row.step).place.row;
+    if (truth.answers.empty() || number == answered) truth.reason = said_by(timeline, row.step);
+    truth.answers.push_back("row:" + str(number));
+  }
+  return rows.empty() ? untold("No row was closed in this run; set the page up again.") : truth;
+}
+
+}  // namespace
+
+Truth odd_row(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  if (!timeline.complete()) return not_yet();
+  if (call.word == "gap") return widest_gaps(timeline, call.row);
+  Truth truth;
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    if (!is_odd(timeline.step(i).what, call.word)) continue;
+    const std::int32_t row = timeline.step(i).place.row;
+    if (!truth.answers.empty() && truth.answers.back() == "row:" + str(row)) continue;
+    // Of the row that was answered, if it is one of them.
+    if (truth.answers.empty() || row == call.row) truth.reason = said_by(timeline, i);
+    truth.answers.push_back("row:" + str(row));
+  }
+  return truth.answers.empty() ? untold("No row of this run has that; set the page up again.") : truth;
+}
+
+std::string why_not_odd(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
+  const knit::Timeline& timeline = *session.timeline;
+  const std::int32_t row = row_of_answer(answer);
+  const auto shared = first_of_kind<knit::GapShared>(timeline, Stage::rows, row);
+  return shared ? said_by(timeline, *shared) : "Row " + str(row) + " is none that was closed.";
+}
+
+// --- the mesh and the whole run ----------------------------------------------------------------------------
+
+namespace {
+
+double near_enough(const Session& session) {
+  const knit::Bounds& bounds = session.timeline->input().bounds;
+  return 0.12 * glm::distance(bounds.low, bounds.high);
+}
+
+}  // namespace
+
+Truth end_vertex(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  const auto* ends = timeline.known() > 0 ? std::get_if<knit::EndsFound>(&timeline.step(0).what) : nullptr;
+  if (ends == nullptr) return not_yet();
+  const knit::VertexId vertex = call.word == "start" ? ends->start : ends->end;
+  return {{vertex_name(vertex)}, said_by(timeline, 0), near_enough(session)};
+}
+
+std::string why_not_end(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
+  const auto thing = thing_named(answer);
+  const auto* vertex = thing ? std::get_if<knit::VertexThing>(&*thing) : nullptr;
+  const auto step = vertex ? knit::timed_by(*session.timeline, vertex->vertex) : std::nullopt;
+  return step ? said_by(*session.timeline, *step) : "";
+}
+
+Truth ending(const Session& session, const JudgeCall& /*call*/) {
+  const knit::Timeline& timeline = *session.timeline;
+  if (!timeline.complete()) return not_yet();
+  const knit::Step* stop = timeline.stop();
+  if (stop == nullptr) return {{"finishes"}, "The run goes on to its last stage; nothing stops it.", 0.0};
+  constexpr std::array<const char*, 7> keys{"no-extent", "no-row-levels",    "not-a-ring", "splits",
+                                            "stall",     "changes-too-much", "too-fine"};
+  const auto reason = static_cast<std::size_t>(std::get<knit::Stopped>(stop->what).reason);
+  return {{keys.at(reason)}, knit::narrate(*stop, timeline.parameters_of_stop()), 0.0};
+}
+
+Truth split_vertex(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  const knit::Step* stop = timeline.stop();
+  const auto* what = stop != nullptr ? std::get_if<knit::Stopped>(&stop->what) : nullptr;
+  if (what == nullptr || what->reason != knit::StopReason::splits) {
+    return timeline.complete() ? untold("Nothing splits in this run; set the page up again.")
+                               : ending(session, call);
+  }
+  return {
+      {vertex_name(what->vertex)}, knit::narrate(*stop, timeline.parameters_of_stop()), near_enough(session)};
+}
+
+// --- another setting ---------------------------------------------------------------------------------------
+
+namespace {
+
+// The knobs with other settings.
+Knobs changed_knobs(const knit::Timeline& timeline, const Settings& settings) {
+  Knobs knobs = knobs_of(timeline);
+  for (const auto& [info, text] : settings) {
+    knit::set_value(*info, knobs.base, text);
+    knit::give_size_by(info->key, knobs.base);
+  }
+  knobs.base = knit::agreed(knobs.base, timeline.input());
+  return knobs;
+}
+
+// The run as it would be, without recording it.
+RunTally run_with(const knit::Timeline& timeline, const Knobs& knobs, Stage before) {
+  RunTally run;
+  go_on(run, timeline.input(), knobs, std::numeric_limits<std::size_t>::max(), before);
+  return run;
+}
+
+std::size_t measure_of(const RunTally& run, const JudgeCall& call) {
+  const auto& rows = run.state.rows;
+  if (call.word == "rows") return rows.size();
+  if (call.word == "problems") return run.problems;
+  if (call.word == "stitches") return knit::count_stitches(run.state);
+  const auto row = static_cast<std::size_t>(std::max(1, call.row));
+  return row <= rows.size() ? rows[row - 1]->stitches.size() : 0;
+}
+
+std::string measure_words(const JudgeCall& call) {
+  if (call.word == "row-size") return "Stitches in row " + str(call.row);
+  return capital(call.word) + " in the whole run";
+}
+
+std::string settings_words(const Settings& settings) {
+  std::string words;
+  for (const auto& [info, text] : settings)
+    words += (words.empty() ? "" : ", ") + std::string(info->label) + " " + text;
+  return words;
+}
+
+}  // namespace
+
+Truth what_if(const Session& session, const JudgeCall& call) {
+  const knit::Timeline& timeline = *session.timeline;
+  if (!timeline.complete()) return not_yet();
+  const Stage before = call.word == "problems" ? Stage::done : Stage::stitches;
+  const std::size_t now = measure_of(tally_of(timeline), call);
+  const std::size_t then =
+      measure_of(run_with(timeline, changed_knobs(timeline, call.settings), before), call);
+  const char* key = then > now ? "more" : then < now ? "fewer" : "same";
+  return {{key},
+          measure_words(call) + ": " + std::to_string(now) + " now, " + std::to_string(then) + " with " +
+              settings_words(call.settings) + ".",
+          0.0};
+}
+
+Truth what_if_stops(const Session& session, const JudgeCall& call) {
+  const Knobs knobs = changed_knobs(*session.timeline, call.settings);
+  const RunTally run = run_with(*session.timeline, knobs, Stage::done);
+  const std::string with = "With " + settings_words(call.settings);
+  if (!run.stop)
+    return {{"finishes"},
+            with + " the run finishes, with " + std::to_string(run.state.rows.size()) + " rows.",
+            0.0};
+  return {
+      {"stops"}, with + " it stops. " + knit::narrate(*run.stop, parameters_at(knobs, run.stop->place)), 0.0};
+}
+
+}  // namespace app::truths

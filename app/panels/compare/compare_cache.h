@@ -1,0 +1,38 @@
+// What differs between the pinned run and the one at hand, worked out only when either has changed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "app/compare/compare_runs.h"
+#include "app/session/session.h"
+
+namespace app {
+
+class CompareCache {
+ public:
+  // Once a frame while it is seen; `problems`: of the whole run at hand, a stop included. While the run at hand
+  // is being worked out, what was last known stays.
+  void refresh(const Session& session, std::size_t problems);
+
+  // Null while nothing is pinned or its end is not known yet.
+  [[nodiscard]] const RunDifference* difference() const { return difference_ ? &*difference_ : nullptr; }
+  [[nodiscard]] const RowFigures& pinned_rows() const { return pinned_rows_; }
+  [[nodiscard]] const RowFigures& rows() const { return rows_; }
+  [[nodiscard]] std::size_t times_compared() const { return times_compared_; }
+
+ private:
+  struct Key {
+    std::shared_ptr<const knit::Input> input, pinned_input;
+    Knobs knobs, pinned_knobs;
+    std::uint64_t end = 0, pinned_end = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  Key key_;
+  std::optional<RunDifference> difference_;
+  RowFigures pinned_rows_, rows_;
+  std::size_t times_compared_ = 0;
+};
+
+}  // namespace app

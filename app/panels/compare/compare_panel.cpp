@@ -1,0 +1,196 @@
+// A side of the right column: the pinned run beside the one at hand.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/panels/kit/plots.h"
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+namespace {
+
+Colour pinned_colour() { return opaque(theme().ghost); }
+
+void draw_nothing_pinned(PanelFrame& frame) {
+  wrapped_text(
+      "Pin the run at hand, then turn any knob: the pinned run stays as a pale ghost in the view and in the "
+      "plots, and here is what differs.",
+      theme().faint_text);
+  ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
+  if (ImGui::Button("Pin this run", ImVec2(frame.units(130.0f), 0.0f))) frame.wish(PinRun{});
+  frame.mark("compare/pin");
+  tooltip(frame, "Key: P. The same key lets it go.");
+}
+
+void draw_buttons(PanelFrame& frame) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
+  const auto button = [&](const char* words, const char* mark, const char* help, const Action& wish) {
+    if (ImGui::Button(words, ImVec2(width, 0.0f))) frame.wish(wish);
+    frame.mark(mark);
+    tooltip(frame, help);
+  };
+  button("Swap", "compare/swap", "The pinned settings become those at hand, and the other way round. Key: X.",
+         SwapPinned{});
+  ImGui::SameLine();
+  button("Pin anew", "compare/pin", "Pin the run at hand instead.", PinRun{});
+  ImGui::SameLine();
+  button("Unpin", "compare/unpin", "Let the pinned run go. Key: P.", Unpin{});
+}
+
+// Name, pinned, now, difference; the last three end where their columns end.
+class Table {
+ public:
+  explicit Table(const PanelFrame& frame)
+      : left_(ImGui::GetCursorScreenPos().x), width_(ImGui::GetContentRegionAvail().x) {
+    line_ = std::floor(ImGui::GetTextLineHeight() + frame.units(1.0f));
+  }
+  [[nodiscard]] float end_of(std::size_t i) const {
+    constexpr std::array shares{0.58f, 0.79f, 1.0f};
+    return left_ + std::floor(shares.at(i) * width_);
+  }
+  [[nodiscard]] float left() const { return left_; }
+  [[nodiscard]] float width() const { return width_; }
+  [[nodiscard]] float line() const { return line_; }
+  void end_line() const { ImGui::Dummy(ImVec2(width_, line_)); }
+
+ private:
+  float left_, width_, line_;
+};
+
+void draw_head(const PanelFrame& frame, const Table& table, std::size_t columns) {
+  constexpr std::array names{"pinned", "now", "difference"};
+  push_font(frame.fonts.small);
+  const float y = ImGui::GetCursorScreenPos().y;
+  for (std::size_t i = 0; i < columns; ++i)
+    text_at(ImVec2(table.end_of(i + 3 - columns), y), 1.0f, theme().faint_text, names.at(i));
+  ImGui::Dummy(ImVec2(table.width(), ImGui::GetTextLineHeight() + frame.units(1.0f)));
+  pop_font();
+}
+
+void draw_parameters_that_differ(PanelFrame& frame, const RunDifference& difference) {
+  if (difference.parameters.empty()) {
+    faint_text(difference.edits_differ ? "the same at the start; the changes on the way differ"
+                                       : "all the same");
+    return;
+  }
+  const Table table(frame);
+  draw_head(frame, table, 2);
+  for (const ParameterLine& line : difference.parameters) {
+    const float y = ImGui::GetCursorScreenPos().y;
+    const float room = table.end_of(2) - table.end_of(1) - frame.units(8.0f);
+    text_at(ImVec2(table.left(), y), 0.0f, theme().text,
+            cut_to_width(line.label, table.end_of(0) - table.left()));
+    text_at(ImVec2(table.end_of(1), y), 1.0f, pinned_colour(), cut_to_width(line.a, room));
+    text_at(ImVec2(table.end_of(2), y), 1.0f, theme().text, cut_to_width(line.b, room));
+    table.end_line();
+    frame.mark("compare/setting/" + line.key);
+    tooltip(frame, line.label + ": " + line.a + " pinned, " + line.b + " now.");
+  }
+  if (difference.edits_differ) faint_text("The changes on the way differ, too.");
+}
+
+void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference) {
+  const Table table(frame);
+  draw_head(frame, table, 3);
+  for (const FigureLine& line : difference.figures) {
+    // Says more of the program than of the piece.
+    if (line.key == "steps") continue;
+    const float y = ImGui::GetCursorScreenPos().y;
+    const bool same = line.difference.empty();
+    text_at(ImVec2(table.left(), y), 0.0f, theme().text, line.name);
+    push_font(frame.fonts.mono);
+    text_at(ImVec2(table.end_of(0), y), 1.0f, same ? theme().faint_text : pinned_colour(), line.a);
+    text_at(ImVec2(table.end_of(1), y), 1.0f, same ? theme().faint_text : theme().text, line.b);
+    text_at(ImVec2(table.end_of(2), y), 1.0f, same ? theme().faint_text : theme().text,
+            same ? "=" : line.difference);
+    pop_font();
+    table.end_line();
+    frame.mark("compare/figure/" + line.key);
+  }
+}
+
+void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
+  const std::string words =
+      difference.any() ? words_of(difference.first_row) : "The two runs are the same so far.";
+  wrapped_text(words);
+  frame.mark("compare/first-row");
+  if (difference.first_row) {
+    if (ImGui::IsItemClicked()) wish_row(frame, difference.first_row->row);
+    tooltip(frame, "The pinned run's number stands first. Click: go to this row.");
+  }
+  if (!difference.stop_a.empty()) wrapped_text("Pinned, it stopped: " + difference.stop_a, theme().problem);
+  if (!difference.stop_b.empty()) wrapped_text("Now it stops: " + difference.stop_b, theme().problem);
+}
+
+RowPlot plot_of(const PanelFrame& frame, const std::vector<double>& values,
+                const std::vector<double>& pinned) {
+  RowPlot plot;
+  plot.value_words = "now";
+  plot.values = values;
+  plot.ghosts = pinned;
+  plot.missing = "after the cast on";
+  const std::int32_t at_hand = row_at_hand(frame);
+  if (at_hand > 0) plot.current = static_cast<std::size_t>(at_hand - 1);
+  return plot;
+}
+
+void draw_plots(PanelFrame& frame) {
+  const RowFigures& now = frame.ui.compare.rows();
+  const RowFigures& pinned = frame.ui.compare.pinned_rows();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const float height =
+      std::floor(std::clamp(0.5f * (room.y - 2.0f * gap), frame.units(80.0f), frame.units(220.0f)));
+  RowPlot stitches = plot_of(frame, now.stitches, pinned.stitches);
+  stitches.name = "compare/stitches";
+  stitches.title = "Stitches a row";
+  stitches.help = "How many stitches each row has, now and pinned. Click: to the end of that row.";
+  RowPlot course = plot_of(frame, now.course, pinned.course);
+  course.name = "compare/course";
+  course.title = "Course length / w";
+  course.help =
+      "The mean length of a stitch along each row, in stitch widths w, now and pinned; 1 is right. Click: to "
+      "the end of that row.";
+  course.decimals = 2;
+  const std::vector<double> ones(now.course.size(), 1.0);
+  course.ideals = ones;
+  course.ideal_words = "asked";
+  for (const RowPlot& plot : {stitches, course}) {
+    if (const auto clicked = draw_row_plot(frame, plot, ImVec2(room.x, height)))
+      wish_row(frame, static_cast<std::int32_t>(*clicked) + 1);
+  }
+}
+
+}  // namespace
+
+void draw_compare(PanelFrame& frame) {
+  if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
+  if (!frame.session.pinned) return draw_nothing_pinned(frame);
+  frame.ui.compare.refresh(frame.session,
+                           frame.ui.run.problems().size() + (frame.timeline()->stop() != nullptr ? 1U : 0U));
+  draw_buttons(frame);
+  const RunDifference* difference = frame.ui.compare.difference();
+  if (difference == nullptr) return faint_text("The pinned run is being worked out...");
+  if (!difference->same_mesh)
+    wrapped_text("The pinned run is of another mesh: " + frame.session.pinned->input->mesh.name + ".",
+                 theme().warning);
+  draw_first_row(frame, *difference);
+  // As close as in the report card, so that the plots have room.
+  const float across = ImGui::GetStyle().ItemSpacing.x;
+  heading(frame, "Settings");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(across, 0.0f));
+  draw_parameters_that_differ(frame, *difference);
+  ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(0.0f, 0.0f));
+  heading(frame, "Figures");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(across, 0.0f));
+  draw_figures_that_differ(frame, *difference);
+  ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(0.0f, 0.0f));
+  draw_plots(frame);
+}
+
+}  // namespace app

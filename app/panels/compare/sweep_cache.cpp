@@ -1,0 +1,114 @@
+#include "app/panels/compare/sweep_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+// Three significant digits: a range that a person would have typed.
+double rounded(double value) {
+  if (!(value > 0.0)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return std::round(value / unit) * unit;
+}
+
+std::optional<double> figure_of(SweepFigure figure, const RunFigures& f) {
+  switch (figure) {
+    case SweepFigure::problems:
+      return static_cast<double>(f.problems);
+    case SweepFigure::stitches:
+      return static_cast<double>(f.stitches);
+    case SweepFigure::course_cv:
+      return f.course.count > 0 ? std::optional(f.course.cv) : std::nullopt;
+    case SweepFigure::wale_cv:
+      return f.wale.count > 0 ? std::optional(f.wale.cv) : std::nullopt;
+    case SweepFigure::rows:
+      return static_cast<double>(f.rows);
+    case SweepFigure::most_in_a_row:
+      return static_cast<double>(f.most_in_a_row);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> present_value(const knit::ParameterInfo& info, const knit::Parameters& parameters) {
+  if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
+    const bool automatic = number->zero == knit::Zero::means_auto && parameters.*number->field == 0.0;
+    return automatic ? knit::stitch_height_of(parameters) : parameters.*number->field;
+  }
+  const auto& count = std::get<knit::Count>(info.kind);
+  if (parameters.*count.field > 0) return parameters.*count.field;
+  // Rings cast on six when they are not told; contours as many as there is room for.
+  return parameters.rows == knit::RowSource::rings ? std::optional(6.0) : std::nullopt;
+}
+
+SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& parameters, int count) {
+  const double value = present_value(info, parameters).value_or(12.0);
+  SweepAxis axis{std::string(info.key), 0.0, 1.0, count};
+  if (const auto* whole = std::get_if<knit::Count>(&info.kind)) {
+    axis.from = whole->low;
+    axis.to = std::min<double>(whole->high, std::max(24.0, 2.0 * value));
+    return axis;
+  }
+  const auto& number = std::get<knit::Number>(info.kind);
+  if (value <= 0.0) return {axis.key, 0.0, std::min(1.0, number.high), count};
+  axis.from = std::max(number.low, rounded(0.5 * value));
+  axis.to = std::min(number.high, rounded(1.5 * value));
+  // Beyond the stitch width nothing could be told apart.
+  if (info.key == "epsilon")
+    axis.to = std::min(rounded(1.9 * value), rounded(0.98 * parameters.stitch_width));
+  if (info.key == "epsilon") axis.from = rounded(0.1 * value);
+  return axis;
+}
+
+std::string_view name_of(SweepFigure figure) {
+  constexpr std::array<std::string_view, sweep_figures> names{"Problems", "Stitches", "Course CV",
+                                                              "Wale CV",  "Rows",     "Most in a row"};
+  return names.at(static_cast<std::size_t>(figure));
+}
+
+int decimals_of(SweepFigure figure) {
+  return figure == SweepFigure::course_cv || figure == SweepFigure::wale_cv ? 3 : 0;
+}
+
+void SweepCache::refresh(const std::shared_ptr<SweepWork>& work) {
+  if (work != work_) {
+    *this = SweepCache();
+    work_ = work;
+    if (work == nullptr) return;
+    outcomes_.assign(work->total(), SweepOutcome::pending);
+    for (Values& values : values_) values.assign(work->total(), std::nullopt);
+    low_.fill(std::numeric_limits<double>::infinity());
+    high_.fill(-std::numeric_limits<double>::infinity());
+  }
+  if (work == nullptr || work->done() == done_) return;
+  done_ = work->done();
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    if (outcomes_[i] != SweepOutcome::pending) continue;
+    if (const SweepRun* run = work->run(i)) read(i, *run);
+  }
+}
+
+void SweepCache::read(std::size_t index, const SweepRun& run) {
+  if (!run.refused.empty()) {
+    outcomes_[index] = SweepOutcome::refused;
+    ++refused_;
+    return;
+  }
+  outcomes_[index] = run.figures.finished ? SweepOutcome::finished : SweepOutcome::stopped;
+  if (!run.figures.finished) ++stopped_;
+  for (std::size_t f = 0; f < sweep_figures; ++f) {
+    const auto value = figure_of(static_cast<SweepFigure>(f), run.figures);
+    values_[f][index] = value;
+    if (!value) continue;
+    low_[f] = std::min(low_[f], *value);
+    high_[f] = std::max(high_[f], *value);
+  }
+}
+
+}  // namespace app

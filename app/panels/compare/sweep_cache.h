@@ -1,0 +1,59 @@
+// What the panel of sweeps remembers: the form that a sweep is asked for with, and the points of its plots.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/compare/sweep_work.h"
+
+namespace app {
+
+struct SweepForm {
+  std::shared_ptr<const knit::Input> input;  // of the mesh that the axes' ranges were made for
+  SweepAxis axis, second;
+  bool grid = false;                     // the second one counts
+  int figure = 0;                        // of the heat map
+  std::optional<std::size_t> hovered;    // the run under the pointer in the last frame
+  std::weak_ptr<const SweepWork> shown;  // the sweep whose plan was taken over, started here or by a script
+};
+
+// Around the present value, within what the parameter takes.
+SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& parameters, int count);
+// The value of a number or a count, and what stands for "auto"; none where the run itself finds it.
+std::optional<double> present_value(const knit::ParameterInfo& info, const knit::Parameters& parameters);
+
+enum class SweepFigure : std::uint8_t { problems, stitches, course_cv, wale_cv, rows, most_in_a_row };
+inline constexpr std::size_t sweep_figures = 6;
+std::string_view name_of(SweepFigure figure);  // "Course CV"
+int decimals_of(SweepFigure figure);
+
+enum class SweepOutcome : std::uint8_t { pending, refused, stopped, finished };
+
+// Of each run by its index; no value where it is not there yet, was refused, or has no such figure.
+class SweepCache {
+ public:
+  using Values = std::vector<std::optional<double>>;
+  void refresh(const std::shared_ptr<SweepWork>& work);
+  [[nodiscard]] const Values& of(SweepFigure figure) const {
+    return values_[static_cast<std::size_t>(figure)];
+  }
+  [[nodiscard]] double lowest(SweepFigure figure) const { return low_[static_cast<std::size_t>(figure)]; }
+  [[nodiscard]] double highest(SweepFigure figure) const { return high_[static_cast<std::size_t>(figure)]; }
+  [[nodiscard]] const std::vector<SweepOutcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] std::size_t refused() const { return refused_; }
+  [[nodiscard]] std::size_t stopped() const { return stopped_; }
+
+ private:
+  void read(std::size_t index, const SweepRun& run);
+
+  std::shared_ptr<SweepWork> work_;
+  std::size_t done_ = 0;
+  std::vector<SweepOutcome> outcomes_;
+  std::array<Values, sweep_figures> values_;
+  std::array<double, sweep_figures> low_{}, high_{};
+  std::size_t refused_ = 0, stopped_ = 0;
+};
+
+}  // namespace app

@@ -1,0 +1,282 @@
+#include "app/panels/dialogs/file_dialogs.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "app/files/session_file.h"
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_openable(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".obj" || ending == ".json";
+}
+
+void enter_folder(OpenDialog& dialog, const fs::path& wanted) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(wanted, error);
+  std::vector<OpenDialog::Entry> entries;
+  fs::directory_iterator it(error ? wanted : folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && it != fs::directory_iterator(); it.increment(error)) {
+    std::error_code unknown;
+    const std::string name = it->path().filename().string();
+    const bool is_folder = it->is_directory(unknown);
+    if (name.empty() || name[0] == '.' || (!is_folder && !is_openable(it->path()))) continue;
+    entries.push_back({name, is_folder});
+  }
+  if (error) {
+    dialog.trouble = wanted.string() + " cannot be read: " + error.message() + ".";
+    return;
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const auto& a, const auto& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+  if (folder.has_parent_path() && folder != folder.root_path()) entries.insert(entries.begin(), {"..", true});
+  dialog.folder = folder;
+  dialog.entries = std::move(entries);
+  dialog.trouble.clear();
+  dialog.chosen = -1;
+  dialog.path.set("");
+  ++dialog.field;
+  dialog.refocus = true;
+}
+
+void begin_dialog(const Session& session, OpenDialog& dialog) {
+  dialog.shown = true;
+  std::error_code error;
+  fs::path folder = dialog.folder;
+  if (folder.empty() && !session.source.file.empty())
+    folder = fs::absolute(session.source.file, error).parent_path();
+  if (folder.empty()) folder = fs::current_path(error);
+  enter_folder(dialog, folder.empty() ? fs::path("/") : folder);
+}
+
+void close_open_dialog(PanelFrame& frame) {
+  frame.ui.open.shown = false;
+  frame.wish(ShowOpenDialog{false});
+  ImGui::CloseCurrentPopup();
+}
+
+void take(PanelFrame& frame, const fs::path& path) {
+  std::error_code error;
+  frame.ui.open.refocus = true;
+  if (fs::is_directory(path, error)) {
+    enter_folder(frame.ui.open, path);
+  } else if (!fs::exists(path, error)) {
+    frame.ui.open.trouble = path.string() + " does not exist.";
+  } else {
+    frame.wish(opening_of(path));
+    close_open_dialog(frame);
+  }
+}
+
+// Nothing: neither typed nor chosen. What is typed is meant from the folder shown.
+std::optional<fs::path> chosen_path(const OpenDialog& dialog) {
+  if (dialog.chosen >= 0) return dialog.folder / dialog.entries[static_cast<std::size_t>(dialog.chosen)].name;
+  const std::string typed = dialog.path.text();
+  if (typed.empty()) return std::nullopt;
+  const char* const home = std::getenv("HOME");
+  if (typed.rfind("~/", 0) == 0 && home != nullptr) return fs::path(home) / typed.substr(2);
+  return dialog.folder / typed;
+}
+
+// Gives true when an entry was double-clicked.
+bool draw_entries(PanelFrame& frame, float height) {
+  OpenDialog& dialog = frame.ui.open;
+  bool opened = false;
+  ImGui::BeginChild("entries", ImVec2(0.0f, height), true);
+  const auto count = static_cast<int>(dialog.entries.size());
+  const int move = (key_pressed(Key::Down, true) ? 1 : 0) - (key_pressed(Key::Up, true) ? 1 : 0);
+  if (move != 0 && count > 0) dialog.chosen = std::clamp(dialog.chosen + move, 0, count - 1);
+  for (int i = 0; i < count; ++i) {
+    const OpenDialog::Entry& entry = dialog.entries[static_cast<std::size_t>(i)];
+    ImGui::PushID(i);
+    const std::string label = entry.folder ? entry.name + "/" : entry.name;
+    if (ImGui::Selectable(label.c_str(), dialog.chosen == i, ImGuiSelectableFlags_AllowDoubleClick)) {
+      dialog.chosen = i;
+      opened = opened || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    }
+    frame.mark("open/" + entry.name);
+    if (move != 0 && dialog.chosen == i) ImGui::SetScrollHereY();
+    ImGui::PopID();
+  }
+  if (count == 0) faint_text("No folder, no mesh (.obj) and no session (.json) here.");
+  ImGui::EndChild();
+  return opened;
+}
+
+void draw_open_inside(PanelFrame& frame) {
+  OpenDialog& dialog = frame.ui.open;
+  faint_text(cut_to_width(dialog.folder.string(), ImGui::GetContentRegionAvail().x));
+  ImGui::PushID(dialog.field);
+  // While something is held, the focus would go back to it.
+  if (dialog.refocus && !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) {
+    ImGui::SetWindowFocus();  // back from the list, where a click went
+    ImGui::SetKeyboardFocusHere();
+    dialog.refocus = false;
+  }
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::InputText("##path", dialog.path.bytes.data(), dialog.path.bytes.size())) dialog.chosen = -1;
+  frame.mark("open/path");
+  ImGui::PopID();
+  const bool entered = key_pressed(Key::Enter) || key_pressed(Key::KeypadEnter);
+  const float below = 2.0f * ImGui::GetFrameHeightWithSpacing();
+  const bool opened = draw_entries(frame, ImGui::GetContentRegionAvail().y - below);
+  if (dialog.trouble.empty()) {
+    faint_text("Type a path, or choose with the arrow keys or the mouse. Enter opens.");
+  } else {
+    text(cut_to_width(dialog.trouble, ImGui::GetContentRegionAvail().x));
+    tooltip(frame, dialog.trouble);
+  }
+  const bool clicked = ImGui::Button("Open", ImVec2(frame.units(90.0f), 0.0f));
+  frame.mark("open/open");
+  ImGui::SameLine();
+  const bool cancelled = ImGui::Button("Cancel", ImVec2(frame.units(90.0f), 0.0f));
+  if (cancelled || key_pressed(Key::Escape)) {
+    close_open_dialog(frame);
+  } else if (entered || opened || clicked) {
+    if (const auto path = chosen_path(dialog)) take(frame, *path);
+  }
+}
+
+}  // namespace
+
+void draw_open_dialog(PanelFrame& frame) {
+  OpenDialog& dialog = frame.ui.open;
+  const bool wanted = frame.session.open_dialog_open;
+  if (!wanted && !dialog.shown) return;
+  const char* const title = "Open a mesh or a session";
+  if (wanted && !dialog.shown) {
+    begin_dialog(frame.session, dialog);
+    ImGui::OpenPopup(title);
+  }
+  const Box& window = frame.layout.window;
+  ImGui::SetNextWindowPos(ImVec2(0.5f * window.width, 0.5f * window.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(std::min(frame.units(600.0f), 0.9f * window.width),
+                                  std::min(frame.units(460.0f), 0.9f * window.height)));
+  push_raised_look(frame);
+  const bool open =
+      ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  pop_raised_look();
+  if (!open) {
+    dialog.shown = false;
+    if (wanted) frame.wish(ShowOpenDialog{false});
+    return;
+  }
+  if (!wanted) {  // closed by another hand: a script, or a file dropped on the window
+    dialog.shown = false;
+    ImGui::CloseCurrentPopup();
+  } else {
+    draw_open_inside(frame);
+  }
+  ImGui::EndPopup();
+}
+
+namespace {
+
+constexpr std::array kinds{
+    SaveKind{ExportKind::mesh, "knit mesh", "-knit.obj"},
+    SaveKind{ExportKind::gltf, "knit mesh as glTF", "-knit.glb"},
+    SaveKind{ExportKind::map, "stitch map", "-map.txt"},
+    SaveKind{ExportKind::report, "report", "-report.json"},
+    SaveKind{ExportKind::card, "report card", "-card.txt"},
+    SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
+    SaveKind{ExportKind::chart, "chart", "-chart.svg"},
+    SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
+    SaveKind{ExportKind::plots, "plots", "-plots.svg"},
+    SaveKind{ExportKind::session, "session", "-session.json"},
+    SaveKind{ExportKind::picture, "picture", ".png"},
+};
+
+const SaveKind& info_of(ExportKind kind) {
+  return *std::find_if(kinds.begin(), kinds.end(), [&](const SaveKind& k) { return k.kind == kind; });
+}
+
+std::string suggestion(const PanelFrame& frame, const SaveKind& kind) {
+  const std::string name = frame.timeline() != nullptr ? frame.timeline()->input().mesh.name : "";
+  return (name.empty() ? "mesh" : name) + std::string(kind.ending);
+}
+
+void close_save_dialog(PanelFrame& frame) {
+  frame.ui.save.wanted.reset();
+  frame.ui.save.shown = false;
+  ImGui::CloseCurrentPopup();
+}
+
+void draw_save_buttons(PanelFrame& frame, bool entered) {
+  const std::filesystem::path path = frame.ui.save.path.text();
+  std::error_code error;
+  const bool exists = std::filesystem::exists(path, error);
+  const bool folder = std::filesystem::is_directory(path, error);
+  if (folder) {
+    wrapped_text("That is a folder; add a name.", theme().warning);
+  } else if (exists) {
+    wrapped_text("A file of that name exists; saving replaces it.", theme().warning);
+  } else {
+    faint_text("A name without a folder lies in the folder where the program was started.");
+  }
+  const bool usable = !path.empty() && !folder;
+  ImGui::BeginDisabled(!usable);
+  const bool clicked = ImGui::Button(exists ? "Replace" : "Save", ImVec2(frame.units(90.0f), 0.0f));
+  frame.mark("save/save");
+  ImGui::EndDisabled();
+  if (usable && (clicked || entered)) {
+    frame.wish(Export{*frame.ui.save.wanted, path});
+    close_save_dialog(frame);
+    return;
+  }
+  ImGui::SameLine();
+  const bool cancelled = ImGui::Button("Cancel", ImVec2(frame.units(90.0f), 0.0f));
+  if (cancelled || key_pressed(Key::Escape)) close_save_dialog(frame);
+}
+
+}  // namespace
+
+// A picture has a dialog of its own: figure_dialog.h.
+std::span<const SaveKind> save_kinds() { return std::span(kinds).first(kinds.size() - 1); }
+
+void draw_save_dialog(PanelFrame& frame) {
+  SaveDialog& dialog = frame.ui.save;
+  if (!dialog.wanted) return;
+  const SaveKind& kind = info_of(*dialog.wanted);
+  const std::string title = "Save the " + std::string(kind.words) + "###save";
+  const bool begins = !dialog.shown;
+  if (begins) {
+    dialog.shown = true;
+    dialog.path.set(suggestion(frame, kind));
+    ImGui::OpenPopup(title.c_str());
+  }
+  const Box& window = frame.layout.window;
+  ImGui::SetNextWindowPos(ImVec2(0.5f * window.width, 0.4f * window.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(std::min(frame.units(520.0f), 0.9f * window.width), 0.0f));
+  push_raised_look(frame);
+  const bool open =
+      ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  pop_raised_look();
+  if (!open) {
+    dialog.wanted.reset();
+    dialog.shown = false;
+    return;
+  }
+  if (begins) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool entered = ImGui::InputText("##path", dialog.path.bytes.data(), dialog.path.bytes.size(),
+                                        ImGuiInputTextFlags_EnterReturnsTrue);
+  frame.mark("save/path");
+  draw_save_buttons(frame, entered);
+  ImGui::EndPopup();
+}
+
+}  // namespace app

@@ -1,0 +1,332 @@
+#include "app/panels/kit/commands.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/actions/navigate.h"
+#include "app/session/every_panel.h"
+
+namespace app {
+
+namespace {
+
+using Wish = std::optional<Action>;
+
+constexpr Mods none{};
+constexpr Mods shift{.shift = true};
+constexpr Mods ctrl{.ctrl = true};
+constexpr Mods alt{.alt = true};
+constexpr Mods ctrl_shift{.shift = true, .ctrl = true};
+
+constexpr std::array<Chord, 2> on(Key key, Mods mods = none) { return {{{key, mods, 0}, {}}}; }
+constexpr std::array<Chord, 2> typing(char32_t a, char32_t b) {
+  return {{{Key::None, none, a}, {Key::None, none, b}}};
+}
+
+template <Unit unit, int direction>
+Wish step(const Session& /*session*/) {
+  return StepBy{unit, direction};
+}
+
+template <int direction>
+Wish play(const Session& session) {
+  return SetPlaying{!session.playback.playing || session.playback.direction != direction, direction};
+}
+
+template <Layer layer>
+Wish toggle(const Session& session) {
+  return SetLayer{layer, !session.shows(layer)};
+}
+
+template <int numerator, int denominator>
+Wish speed(const Session& session) {
+  const double wanted = session.playback.steps_per_second * numerator / denominator;
+  return SetSpeed{std::clamp(wanted, slowest_steps_per_second, fastest_steps_per_second)};
+}
+
+template <Depth depth, int direction>
+Wish deep(const Session& /*session*/) {
+  return StepDeep{depth, direction};
+}
+
+template <knit::Verdict verdict>
+Wish guess(const Session& /*session*/) {
+  return Guess{verdict};
+}
+
+template <class Plain>
+Wish plain(const Session& /*session*/) {
+  return Plain{};
+}
+
+constexpr std::array scales{smallest_scale, 0.85, 1.0, 1.1, 1.25, projector_scale, 1.75, 2.0, largest_scale};
+
+Wish larger(const Session& session) {
+  const auto next = std::find_if(scales.begin(), scales.end(),
+                                 [&](double scale) { return scale > session.preferences.scale + 1e-6; });
+  return next != scales.end() ? Wish(SetScale{*next}) : std::nullopt;
+}
+
+Wish smaller(const Session& session) {
+  const auto next = std::find_if(scales.rbegin(), scales.rend(),
+                                 [&](double scale) { return scale < session.preferences.scale - 1e-6; });
+  return next != scales.rend() ? Wish(SetScale{*next}) : std::nullopt;
+}
+
+Wish other_theme(const Session& session) {
+  return SetTheme{session.preferences.theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark};
+}
+
+// All panels away, or all there again.
+Wish only_view(const Session& session) {
+  const auto& panels = session.preferences.panels;
+  return ShowPanel{every_panel, std::none_of(panels.begin(), panels.end(), [](bool shown) { return shown; })};
+}
+
+// Round the row at hand, or no more.
+Wish loop(const Session& session) {
+  if (session.travel.loop || !session.timeline) return SetLoop{};
+  return SetLoop{stretch_of_row(session)};
+}
+
+Wish paste(const Session& /*session*/) {
+  const char* text = ImGui::GetClipboardText();
+  return text != nullptr && *text != '\0' ? Wish(PasteParameters{text}) : std::nullopt;
+}
+
+// Whatever is open on top; dialogs close themselves.
+Wish close(const Session& session) {
+  if (session.action_palette_open) return ShowActionPalette{false};
+  if (session.glossary_open) return ShowGlossary{false, {}};
+  if (session.help_open) return ShowHelp{false};
+  if (session.picking != Picking::nothing) return SetPicking{Picking::nothing};
+  if (!session.notices.empty()) return DismissNotice{session.notices.size() - 1};
+  return std::nullopt;
+}
+
+constexpr std::string_view run = "The run";
+constexpr std::string_view finding = "Finding why";
+constexpr std::string_view changes = "Changes";
+constexpr std::string_view learning = "Learning";
+constexpr std::string_view view = "The view";
+constexpr std::string_view program = "The program";
+
+template <Layer layer>
+constexpr CommandInfo layer_info(Key key) {
+  return {Command::layer, view, "Show or hide", on(key), false, toggle<layer>, layer};
+}
+
+const std::array table{
+    CommandInfo{Command::play, run, "Play or pause", on(Key::Space), false, play<1>},
+    CommandInfo{Command::play_back, run, "Play backwards", on(Key::Space, shift), false, play<-1>},
+    CommandInfo{Command::forward_item, run, "One item forward", on(Key::Right), true, step<Unit::item, 1>},
+    CommandInfo{Command::back_item, run, "One item back", on(Key::Left), true, step<Unit::item, -1>},
+    CommandInfo{Command::forward_row, run, "One row forward", on(Key::Right, shift), true,
+                step<Unit::row, 1>},
+    CommandInfo{Command::back_row, run, "One row back", on(Key::Left, shift), true, step<Unit::row, -1>},
+    CommandInfo{Command::forward_stage, run, "One stage forward", on(Key::Right, ctrl), true,
+                step<Unit::stage, 1>},
+    CommandInfo{Command::back_stage, run, "One stage back", on(Key::Left, ctrl), true, step<Unit::stage, -1>},
+    CommandInfo{Command::first, run, "To the start", on(Key::Home), false,
+                [](const Session&) -> Wish { return ToFirst{}; }},
+    CommandInfo{Command::last, run, "To the end", on(Key::End), false,
+                [](const Session&) -> Wish { return ToLast{}; }},
+    CommandInfo{Command::faster, run, "Play faster", typing('.', '+'), true, speed<3, 2>},
+    CommandInfo{Command::slower, run, "Play slower", typing(',', '-'), true, speed<2, 3>},
+    CommandInfo{Command::slow_motion, run, "Slow down where it matters", on(Key::M), false,
+                [](const Session& session) -> Wish { return SetSlowMotion{!session.travel.slow_motion}; }},
+    CommandInfo{Command::loop, run, "Play round and round in this row", on(Key::L), false, loop},
+    CommandInfo{Command::step_over, finding, "Step over", on(Key::F10), true, deep<Depth::over, 1>},
+    CommandInfo{Command::over_back, finding, "Step over, back", on(Key::F10, ctrl), true,
+                deep<Depth::over, -1>},
+    CommandInfo{Command::step_into, finding, "Step into", on(Key::F11), true, deep<Depth::into, 1>},
+    CommandInfo{Command::into_back, finding, "Step into, back", on(Key::F11, ctrl), true,
+                deep<Depth::into, -1>},
+    CommandInfo{Command::step_out, finding, "Step out", on(Key::F11, shift), true, deep<Depth::out, 1>},
+    CommandInfo{Command::out_back, finding, "Step out, back", on(Key::F11, ctrl_shift), true,
+                deep<Depth::out, -1>},
+    CommandInfo{Command::next_break, finding, "To the next break", on(Key::N), true,
+                [](const Session&) -> Wish { return RunToBreak{1}; }},
+    CommandInfo{Command::last_break, finding, "To the break before", on(Key::N, shift), true,
+                [](const Session&) -> Wish { return RunToBreak{-1}; }},
+    CommandInfo{Command::next_touch, finding, "The next step that touches what is selected", on(Key::J), true,
+                [](const Session&) -> Wish { return ToTouch{1}; }},
+    CommandInfo{Command::last_touch, finding, "The one before that touched it", on(Key::J, shift), true,
+                [](const Session&) -> Wish { return ToTouch{-1}; }},
+    CommandInfo{Command::go_back, finding, "Back to where you were", on(Key::Left, alt), true, plain<GoBack>},
+    CommandInfo{Command::go_forward, finding, "Forward again", on(Key::Right, alt), true, plain<GoForward>},
+    CommandInfo{Command::undo, changes, "Undo a change", on(Key::Z, ctrl), true, plain<Undo>},
+    CommandInfo{
+        Command::redo, changes, "Redo it", {{{Key::Y, ctrl, 0}, {Key::Z, ctrl_shift, 0}}}, true, plain<Redo>},
+    CommandInfo{Command::copy, changes, "Copy all parameters", on(Key::C, ctrl), false,
+                plain<CopyParameters>},
+    CommandInfo{Command::paste, changes, "Paste parameters", on(Key::V, ctrl), false, paste},
+    CommandInfo{
+        Command::pin, changes, "Pin this run, or let it go", on(Key::P), false,
+        [](const Session& session) -> Wish { return session.pinned ? Wish(Unpin{}) : Wish(PinRun{}); }},
+    CommandInfo{Command::swap, changes, "Swap with the pinned run", on(Key::X), false, plain<SwapPinned>},
+    CommandInfo{Command::frame_all, view, "Frame the mesh", on(Key::F), false,
+                [](const Session&) -> Wish { return FrameAll{}; }},
+    layer_info<Layer::surface>(Key::Digit1),
+    layer_info<Layer::times>(Key::Digit2),
+    layer_info<Layer::isolines>(Key::I),
+    layer_info<Layer::criticals>(Key::C),
+    layer_info<Layer::wire>(Key::Digit3),
+    layer_info<Layer::cycle>(Key::Digit4),
+    layer_info<Layer::band>(Key::Digit5),
+    layer_info<Layer::stitches>(Key::Digit6),
+    layer_info<Layer::row_edges>(Key::Digit7),
+    layer_info<Layer::column_edges>(Key::Digit8),
+    layer_info<Layer::faces>(Key::Digit9),
+    CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
+                [](const Session& session) -> Wish {
+                  constexpr int sides = static_cast<int>(SidePanel::sweep) + 1;
+                  return ShowSide{static_cast<SidePanel>((static_cast<int>(session.side) + 1) % sides)};
+                }},
+    CommandInfo{Command::chart, view, "The view or the chart", on(Key::T), false,
+                [](const Session& session) -> Wish {
+                  const bool chart = session.centre == CentrePanel::chart;
+                  return ShowCentre{chart ? CentrePanel::view : CentrePanel::chart};
+                }},
+    CommandInfo{Command::knit_along, view, "Knit along, round by round", on(Key::K), false,
+                [](const Session& session) -> Wish {
+                  if (session.knit_along) return KnitAlong{std::nullopt};
+                  return KnitAlong{session.knit_along_round};
+                }},
+    CommandInfo{Command::larger,
+                view,
+                "Larger words and lines",
+                {{{Key::Equal, ctrl, 0}, {Key::Equal, ctrl_shift, 0}}},
+                true,
+                larger},
+    CommandInfo{Command::smaller, view, "Smaller words and lines", on(Key::Minus, ctrl), true, smaller},
+    CommandInfo{Command::plain_size, view, "Normal size of words and lines", on(Key::Digit0, ctrl), false,
+                [](const Session&) -> Wish { return SetScale{1.0}; }},
+    CommandInfo{Command::theme, view, "Switch the theme", on(Key::F8), false, other_theme},
+    CommandInfo{Command::only_view, view, "All panels away, or back", on(Key::F9), false, only_view},
+    CommandInfo{Command::predict, learning, "Guess each verdict before it falls", on(Key::G), false,
+                [](const Session& session) -> Wish { return SetPredicting{session.prediction == nullptr}; }},
+    CommandInfo{Command::guess_near, learning, "Guess: too near", on(Key::Q), false,
+                guess<knit::Verdict::too_near>},
+    CommandInfo{Command::guess_accepted, learning, "Guess: accepted", on(Key::W), false,
+                guess<knit::Verdict::accepted>},
+    CommandInfo{Command::guess_far, learning, "Guess: too far", on(Key::E), false,
+                guess<knit::Verdict::too_far>},
+    CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
+                [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
+    CommandInfo{Command::close_mesh, program, "Close the mesh", on(Key::W, ctrl), false, plain<CloseMesh>},
+    CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
+                on(Key::C, ctrl_shift), false, plain<CopyLink>},
+    CommandInfo{
+        Command::action_palette, program, "All actions, by name", on(Key::P, ctrl), false,
+        [](const Session& session) -> Wish { return ShowActionPalette{!session.action_palette_open}; }},
+    CommandInfo{Command::glossary, program, "The glossary", on(Key::F2), false,
+                [](const Session& session) -> Wish {
+                  return ShowGlossary{!session.glossary_open, {}};
+                }},
+    CommandInfo{Command::help,
+                program,
+                "Show or hide the keys",
+                {{{Key::F1, none, 0}, {Key::None, none, '?'}}},
+                false,
+                [](const Session& session) -> Wish { return ShowHelp{!session.help_open}; }},
+    CommandInfo{Command::close, program, "Close what is on top", on(Key::Escape), false, close},
+    CommandInfo{Command::quit, program, "Quit", on(Key::Q, ctrl), false,
+                [](const Session&) -> Wish { return Quit{}; }},
+};
+
+std::string name_of(Key key) {
+  if (key >= Key::A && key <= Key::Z) {
+    return {static_cast<char>('A' + static_cast<int>(key) - static_cast<int>(Key::A))};
+  }
+  if (key >= Key::Digit0 && key <= Key::Digit9) {
+    return std::to_string(static_cast<int>(key) - static_cast<int>(Key::Digit0));
+  }
+  if (key >= Key::F1 && key <= Key::F12) {
+    return "F" + std::to_string(1 + static_cast<int>(key) - static_cast<int>(Key::F1));
+  }
+  switch (key) {
+    case Key::Space:
+      return "Space";
+    case Key::Left:
+      return "Left";
+    case Key::Right:
+      return "Right";
+    case Key::Home:
+      return "Home";
+    case Key::End:
+      return "End";
+    case Key::Escape:
+      return "Esc";
+    case Key::Equal:
+      return "Plus";  // with Shift, or without, as the keyboard has it
+    case Key::Minus:
+      return "Minus";
+    default:
+      return "?";  // a test sees to it that no such key is in the table
+  }
+}
+
+bool exists(const Chord& chord) { return chord.key != Key::None || chord.character != 0; }
+
+bool is_pressed(const Chord& chord, bool repeats) {
+  const Mods mods = key_mods();
+  if (chord.character != 0) return !mods.ctrl && !mods.alt && typed(chord.character);
+  return chord.key != Key::None && mods == chord.mods && key_pressed(chord.key, repeats);
+}
+
+}  // namespace
+
+std::span<const CommandInfo> command_table() { return table; }
+
+const CommandInfo& info_of(Command command) {
+  return *std::find_if(table.begin(), table.end(),
+                       [&](const CommandInfo& i) { return i.command == command; });
+}
+
+const CommandInfo& info_of(Layer layer) {
+  return *std::find_if(table.begin(), table.end(), [&](const CommandInfo& i) { return i.layer == layer; });
+}
+
+std::string text_of(const Chord& chord) {
+  if (chord.character != 0) return {static_cast<char>(chord.character)};
+  std::string text;
+  if (chord.mods.ctrl) text += "Ctrl+";
+  if (chord.mods.shift) text += "Shift+";
+  if (chord.mods.alt) text += "Alt+";
+  return text + name_of(chord.key);
+}
+
+std::string keys_of(const CommandInfo& info) {
+  const std::string first = text_of(info.chords[0]);
+  // The same key with Shift need not be told.
+  const bool another =
+      exists(info.chords[1]) && (info.chords[1].key == Key::None || info.chords[1].key != info.chords[0].key);
+  return another ? first + " or " + text_of(info.chords[1]) : first;
+}
+
+std::string words_of(const CommandInfo& info) {
+  std::string words(info.words);
+  if (!info.layer) return words;
+  std::string layer(name_of(*info.layer));
+  layer[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(layer[0])));
+  return words + " " + layer;
+}
+
+std::string tooltip_of(const CommandInfo& info) { return words_of(info) + " (" + keys_of(info) + ")"; }
+
+Actions pressed_commands(const Session& session) {
+  if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return {};
+  Actions actions;
+  for (const CommandInfo& info : table) {
+    const bool pressed = std::any_of(info.chords.begin(), info.chords.end(),
+                                     [&](const Chord& chord) { return is_pressed(chord, info.repeats); });
+    if (!pressed) continue;
+    if (auto action = info.make(session)) actions.push_back(std::move(*action));
+  }
+  return actions;
+}
+
+}  // namespace app

@@ -1,0 +1,195 @@
+#include "app/panels/kit/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace app {
+
+void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more) {
+  ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
+  ImGui::SetNextWindowSize(ImVec2(box.width, box.height));
+  ImGui::Begin(name, nullptr, fixed_panel | more);
+}
+
+void push_raised_look(const PanelFrame& frame) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, frame.units(8.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, frame.units(1.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_PopupBorderSize, frame.units(1.0f));
+}
+
+void pop_raised_look() { ImGui::PopStyleVar(3); }
+
+void heading(const PanelFrame& frame, const char* words) {
+  push_font(frame.fonts.strong);
+  faint_text(words);
+  pop_font();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float y = 0.5f * (low.y + high.y);
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(high.x + frame.units(8.0f), y), ImVec2(end, y),
+                                      style::packed(theme().outline), frame.units(1.0f));
+}
+
+bool folding_heading(const PanelFrame& frame, const char* words, bool open) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight();
+  const bool clicked = ImGui::InvisibleButton(words, ImVec2(ImGui::GetContentRegionAvail().x, line));
+  const bool lit = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = style::packed(lit ? theme().text : theme().faint_text);
+  const ImVec2 middle(at.x + 0.3f * line, at.y + 0.52f * line);
+  const float r = 0.2f * line;
+  if (open) {
+    list.AddTriangleFilled(ImVec2(middle.x - r, middle.y - 0.6f * r), ImVec2(middle.x, middle.y + 0.9f * r),
+                           ImVec2(middle.x + r, middle.y - 0.6f * r), colour);
+  } else {
+    list.AddTriangleFilled(ImVec2(middle.x - 0.6f * r, middle.y - r),
+                           ImVec2(middle.x - 0.6f * r, middle.y + r), ImVec2(middle.x + 0.9f * r, middle.y),
+                           colour);
+  }
+  push_font(frame.fonts.strong);
+  const float left = at.x + 0.75f * line;
+  list.AddText(ImVec2(left, at.y), colour, words);
+  const float high = left + ImGui::CalcTextSize(words).x + frame.units(8.0f);
+  pop_font();
+  const float y = at.y + 0.5f * line;
+  list.AddLine(ImVec2(high, y), ImVec2(ImGui::GetItemRectMax().x, y), style::packed(theme().outline),
+               frame.units(1.0f));
+  return clicked;
+}
+
+int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width) {
+  const ImGuiStyle& look = ImGui::GetStyle();
+  const float gap = 1.0f;
+  float spare = 0.0f;
+  if (width > 0.0f) {
+    float needed = -gap;
+    for (const std::string_view name : names) {
+      needed += ImGui::CalcTextSize(name.data(), name.data() + name.size(), true).x + gap;
+    }
+    spare = std::max(0.0f, width - needed) / static_cast<float>(names.size());
+  } else {
+    spare = 2.0f * look.FramePadding.x;
+  }
+  ImGui::PushID(id);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, look.ItemSpacing.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, look.FramePadding.y));
+  int clicked = -1;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const std::string name(names[static_cast<std::size_t>(i)]);
+    const bool lit = i == chosen;
+    if (i > 0) ImGui::SameLine();
+    if (lit) {
+      ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
+      ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().on_accent));
+    }
+    ImGui::PushID(i);
+    const float wide = ImGui::CalcTextSize(name.c_str(), nullptr, true).x + spare;
+    if (ImGui::Button(name.c_str(), ImVec2(wide, 0.0f)) && !lit) clicked = i;
+    ImGui::PopID();
+    if (lit) ImGui::PopStyleColor(3);
+  }
+  ImGui::PopStyleVar(2);
+  ImGui::PopID();
+  return clicked;
+}
+
+bool wants_tooltip() {
+  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+         !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
+void tooltip(const PanelFrame& frame, std::string_view words) {
+  if (!wants_tooltip()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(frame.units(340.0f));
+  text(words);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
+
+void faint_text(std::string_view words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
+  text(words);
+  ImGui::PopStyleColor();
+}
+
+void wrapped_text(std::string_view words) { wrapped_text(words, theme().text); }
+
+void wrapped_text(std::string_view words, Colour colour) {
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
+  ImGui::PushTextWrapPos(0.0f);
+  text(words);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void text_at(ImVec2 at, float align, Colour colour, const std::string& words) {
+  // Glyphs are sharp only at whole places.
+  const float left = at.x - (align > 0.0f ? align * ImGui::CalcTextSize(words.c_str()).x : 0.0f);
+  ImGui::GetWindowDrawList()->AddText(ImVec2(std::floor(left + 0.5f), std::floor(at.y + 0.5f)),
+                                      style::packed(colour), words.c_str());
+}
+
+std::string cut_to_width(std::string_view words, float width) {
+  const auto wide = [](std::string_view part) {
+    return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+  };
+  if (wide(words) <= width) return std::string(words);
+  const std::string_view ellipsis = "...";
+  const float room = width - wide(ellipsis);
+  std::size_t low = 0;
+  std::size_t high = words.size();
+  while (low < high) {
+    const std::size_t middle = (low + high + 1) / 2;
+    if (wide(words.substr(0, middle)) <= room) {
+      low = middle;
+    } else {
+      high = middle - 1;
+    }
+  }
+  // Never through the middle of a character.
+  while (low > 0 && (static_cast<unsigned char>(words[low]) & 0xC0U) == 0x80U) --low;
+  return std::string(words.substr(0, low)) + std::string(ellipsis);
+}
+
+std::string with_commas(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string capitalised(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+std::string with_capital(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+std::string words_of(const knit::Place& place) {
+  std::string words = capitalised(knit::name_of(place.stage));
+  if (place.row > 0) words += ", row " + std::to_string(place.row);
+  return words + ", item " + std::to_string(place.item);
+}
+
+void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 edge(frame.units(5.0f), frame.units(2.0f));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
+                     ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
+                     style::packed(theme().background, 190), frame.units(4.0f));
+  list.AddText(at, style::packed(colour), words.c_str());
+}
+
+}  // namespace app

@@ -1,0 +1,79 @@
+// Small parts that several panels share.
+#pragma once
+
+#include <imgui.h>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/panels/kit/panels.h"
+#include "app/panels/kit/style.h"
+
+namespace app {
+
+inline constexpr ImGuiWindowFlags fixed_panel =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+    ImGuiWindowFlags_NoNavInputs;
+
+// ImGui::Begin at a fixed place; ImGui::End is due in any case.
+void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more = 0);
+
+// Rounded and outlined, for what stands over the panels.
+void push_raised_look(const PanelFrame& frame);
+void pop_raised_look();
+
+// A section's title with a thin line.
+void heading(const PanelFrame& frame, const char* words);
+// One that folds its section away; true when it was clicked.
+bool folding_heading(const PanelFrame& frame, const char* words, bool open);
+
+enum class Icon : std::uint8_t {
+  first,
+  back,
+  play,
+  pause,
+  forward,
+  last,
+  cross,
+  reset,
+  slow,
+  loop,
+  undo,
+  redo,
+  copy,
+  paste
+};
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
+bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
+
+// Buttons side by side of which one is chosen; gives the newly chosen one, or -1. Width 0: as wide as needed.
+int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width);
+
+// For the last item, wrapped.
+void tooltip(const PanelFrame& frame, std::string_view words);
+// Whether the last item is long enough under the pointer for a tooltip.
+bool wants_tooltip();
+
+void text(std::string_view words);
+void faint_text(std::string_view words);
+void wrapped_text(std::string_view words);
+void wrapped_text(std::string_view words, Colour colour);
+
+// One line drawn at a place, without an item; `align` is its part left of it: 0, 0.5 or 1.
+void text_at(ImVec2 at, float align, Colour colour, const std::string& words);
+
+// One line, cut to a width with an ellipsis.
+std::string cut_to_width(std::string_view words, float width);
+
+std::string with_commas(std::size_t number);
+std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
+std::string with_capital(std::string words);     // what begins a sentence
+std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"
+
+// Readable over whatever is in the picture; `at`: the text's top left, on the screen.
+void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour);
+
+}  // namespace app

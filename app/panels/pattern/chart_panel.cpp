@@ -1,0 +1,271 @@
+#include "app/panels/pattern/chart_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/describe/chart_strokes.h"
+#include "app/panels/kit/style.h"
+#include "app/panels/kit/widgets.h"
+#include "knit/pattern/chart.h"
+
+namespace app {
+
+namespace {
+
+constexpr Colour paper{238, 235, 226};
+constexpr Colour main_paper{240, 214, 228};
+constexpr Colour lit_paper{255, 247, 190};
+constexpr Colour ink{34, 37, 43};
+
+knit::Label label_of(knit::ChartSymbol symbol) {
+  switch (symbol) {
+    case knit::ChartSymbol::m1r:
+      return knit::Label::m1r;
+    case knit::ChartSymbol::m1l:
+      return knit::Label::m1l;
+    case knit::ChartSymbol::k2tog:
+      return knit::Label::k2tog;
+    case knit::ChartSymbol::ssk:
+      return knit::Label::ssk;
+    case knit::ChartSymbol::cast_on:
+    case knit::ChartSymbol::bind_off:
+      return knit::Label::cast;
+    case knit::ChartSymbol::no_stitch:
+    case knit::ChartSymbol::knit:
+      break;
+  }
+  return knit::Label::knit;
+}
+
+Colour ground_of(const knit::ChartSquare& square, bool lit) {
+  if (square.symbol == knit::ChartSymbol::no_stitch) return theme().hovered;
+  if (lit) return lit_paper;
+  return square.main ? main_paper : paper;
+}
+
+// Strokes that go on one from another are one line.
+void draw_symbol(ImDrawList& list, ImVec2 low, float side, ImU32 colour, knit::ChartSymbol symbol) {
+  const auto at = [&](const ChartPoint& point) {
+    return ImVec2(low.x + static_cast<float>(point.x) * side, low.y + static_cast<float>(point.y) * side);
+  };
+  const std::span<const ChartStroke> strokes = shape_of(symbol).strokes;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const ChartStroke& stroke = strokes[i];
+    if (i == 0 || strokes[i - 1].to != stroke.from) list.PathLineTo(at(stroke.from));
+    if (stroke.bend) {
+      list.PathBezierQuadraticCurveTo(at(*stroke.bend), at(stroke.to));
+    } else {
+      list.PathLineTo(at(stroke.to));
+    }
+    if (i + 1 == strokes.size() || strokes[i + 1].from != stroke.to)
+      list.PathStroke(colour, ImDrawFlags_None, 0.1f * side + 0.6f);
+  }
+}
+
+}  // namespace
+
+void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look) {
+  const float gap = look.side >= 5.0f ? 1.0f : 0.0f;
+  const ImVec2 high(low.x + look.side - gap, low.y + look.side - gap);
+  // The lines between squares: the ground alone would not part pale squares in the light theme.
+  if (gap > 0.0f)
+    list.AddRectFilled(low, ImVec2(low.x + look.side, low.y + look.side), style::packed(theme().outline));
+  list.AddRectFilled(low, high, style::packed(ground_of(square, look.lit)));
+  if (look.side >= 5.0f) {
+    const knit::Label label = label_of(square.symbol);
+    const Colour colour = label == knit::Label::knit ? ink : theme().of(label);
+    draw_symbol(list, low, look.side - gap, style::packed(colour), square.symbol);
+  } else if (label_of(square.symbol) != knit::Label::knit) {
+    list.AddRectFilled(low, high, style::packed(theme().of(label_of(square.symbol))));
+  }
+  if (look.hovered) list.AddRect(low, high, style::packed(theme().accent), 0.0f, 0, 2.0f);
+}
+
+// The chart in the centre: zoomed, moved, and linked with the view and the timeline.
+
+namespace {
+
+// Where squares stand on the screen. Column 0 is the right edge, the first row the lowest.
+struct Sheet {
+  const knit::Chart& chart;
+  ImVec2 low;  // of the upper left square
+  float side;
+
+  [[nodiscard]] ImVec2 at(std::size_t row, std::size_t column) const {
+    const auto columns = static_cast<std::size_t>(chart.columns);
+    return {low.x + side * static_cast<float>(columns - 1 - column),
+            low.y + side * static_cast<float>(chart.rows.size() - 1 - row)};
+  }
+  [[nodiscard]] ImVec2 size() const {
+    return {side * static_cast<float>(chart.columns), side * static_cast<float>(chart.rows.size())};
+  }
+};
+
+struct SquarePlace {
+  std::size_t row = 0, column = 0;
+};
+
+std::optional<SquarePlace> square_under(const Sheet& sheet, ImVec2 pointer) {
+  const float x = (pointer.x - sheet.low.x) / sheet.side;
+  const float y = (pointer.y - sheet.low.y) / sheet.side;
+  const auto columns = static_cast<float>(sheet.chart.columns);
+  const auto rows = static_cast<float>(sheet.chart.rows.size());
+  if (x < 0.0f || y < 0.0f || x >= columns || y >= rows) return std::nullopt;
+  return SquarePlace{static_cast<std::size_t>(rows - 1.0f - std::floor(y)),
+                     static_cast<std::size_t>(columns - 1.0f - std::floor(x))};
+}
+
+float fitting_side(const PanelFrame& frame, const knit::Chart& chart, const Box& box) {
+  const float across = (box.width - frame.units(110.0f)) / static_cast<float>(std::max(1, chart.columns));
+  const float up =
+      (box.height - frame.units(40.0f)) / static_cast<float>(std::max<std::size_t>(1, chart.rows.size()));
+  return std::clamp(std::min(across, up), 1.0f, frame.units(28.0f));
+}
+
+void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
+  ChartView& view = frame.ui.chart_view;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActive()) {
+    view.move.x += io.MouseDelta.x;
+    view.move.y += io.MouseDelta.y;
+  }
+  if (!ImGui::IsItemHovered()) return;
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) view = {};
+  if (io.MouseWheel == 0.0f) return;
+  const float factor = std::clamp(view.zoom * std::pow(1.15f, io.MouseWheel), 0.2f, 30.0f) / view.zoom;
+  const ImVec2 middle(box.x + 0.5f * box.width, box.y + 0.5f * box.height);
+  // What is under the pointer stays there.
+  view.move.x = (1.0f - factor) * (io.MousePos.x - middle.x) + factor * view.move.x;
+  view.move.y = (1.0f - factor) * (io.MousePos.y - middle.y) + factor * view.move.y;
+  view.zoom *= factor;
+}
+
+void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) {
+  const float needed = ImGui::GetTextLineHeight();
+  const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
+  const knit::ChartRow& round = sheet.chart.rows[row];
+  const std::int32_t hand = round_at_hand(frame);
+  const bool at_hand = round.number == hand;
+  // The round at hand is always numbered; its neighbours give way.
+  const bool crowded = std::abs(round.number - hand) < static_cast<std::int32_t>(every);
+  if (!at_hand && (row % every != 0 || crowded)) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = style::packed(at_hand ? theme().anchor : theme().faint_text);
+  const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
+  const std::string number = std::to_string(round.number);
+  list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, number.c_str());
+  const std::string count = std::to_string(round.stitches);
+  const float width = ImGui::CalcTextSize(count.c_str()).x;
+  list.AddText(ImVec2(sheet.low.x - width - frame.units(6.0f), y), colour, count.c_str());
+}
+
+void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
+                  const std::optional<StitchAt>& hovered) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::int32_t at_hand = round_at_hand(frame);
+  for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
+    const float y = sheet.at(row, 0).y;
+    if (y > box.bottom() || y + sheet.side < box.y) continue;
+    const knit::ChartRow& round = sheet.chart.rows[row];
+    for (std::size_t column = 0; column < round.squares.size(); ++column) {
+      const knit::ChartSquare& square = round.squares[column];
+      const bool here =
+          hovered && hovered->row == round.number && square.stitch >= 0 && hovered->stitch == square.stitch;
+      draw_square(list, sheet.at(row, column), square, {sheet.side, round.number == at_hand, here});
+    }
+    draw_numbers(frame, sheet, row);
+  }
+}
+
+// The rounds of the text's line under the pointer, framed as one.
+void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
+  const auto& rounds = frame.session.hovered_rounds;
+  if (!rounds) return;
+  const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
+  const auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
+  const auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
+  const ImVec2 low = sheet.at(last, static_cast<std::size_t>(sheet.chart.columns) - 1);
+  const ImVec2 high = sheet.at(first, 0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(high.x + sheet.side, high.y + sheet.side);
+  list.AddRectFilled(low, end, style::packed(theme().accent, 50));
+  list.AddRect(low, end, style::packed(theme().accent), frame.units(2.0f), 0, frame.units(2.0f));
+}
+
+// What a square stands for: the label that shaped it, else its stitch.
+knit::Thing thing_of(const knit::Timeline& timeline, const StitchAt& at) {
+  const auto& transitions = timeline.furthest().transitions;
+  const auto i = static_cast<std::size_t>(at.row) - 2;
+  if (at.row < 2 || i >= transitions.size()) return knit::StitchThing{at.row, at.stitch};
+  const knit::Transition& t = *transitions[i];
+  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(t.labels.size()); ++cell) {
+    const auto index = static_cast<std::size_t>(cell);
+    const std::int32_t above = t.above >= t.below ? cell : t.link[index];
+    if (above == at.stitch && t.labels[index] != knit::Label::knit) return knit::LabelThing{at.row, cell};
+  }
+  return knit::StitchThing{at.row, at.stitch};
+}
+
+void wish_why(PanelFrame& frame, const StitchAt& at) {
+  const knit::Timeline& timeline = *frame.timeline();
+  const knit::Thing thing = thing_of(timeline, at);
+  frame.wish(Select{thing});
+  const auto step = knit::made_by(timeline, thing);
+  if (!step) return wish_round(frame, at.row);
+  frame.wish(SeekPlace{timeline.step(*step).place});
+}
+
+// The square under the pointer is shown everywhere; a click goes to the step that made what it stands for.
+void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
+  std::optional<StitchAt> under;
+  if (ImGui::IsItemHovered()) {
+    if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
+      const knit::ChartRow& round = sheet.chart.rows[place->row];
+      const knit::ChartSquare& square = round.squares[place->column];
+      const bool worked = round.number <= frame.ui.chart.rounds();
+      if (worked && square.stitch >= 0) under = StitchAt{round.number, square.stitch};
+      std::string words = "Rnd " + std::to_string(round.number);
+      if (under)
+        words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);
+      words += ": " + std::string(knit::sign_of(square.symbol).meaning) + (square.main ? ", main" : "");
+      ImGui::SetTooltip("%s", words.c_str());
+      const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
+      const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                           std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
+      if (clicked && under) wish_why(frame, *under);
+      if (clicked && worked && !under) wish_round(frame, round.number);
+    }
+  }
+  if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
+}
+
+}  // namespace
+
+void draw_chart(PanelFrame& frame) {
+  const Box& box = frame.layout.view;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel("Chart", box, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const knit::Chart& chart = frame.ui.chart.chart();
+  if (frame.timeline() == nullptr || chart.rows.empty()) {
+    ImGui::SetCursorPos(ImVec2(frame.units(14.0f), frame.units(12.0f)));
+    faint_text("The chart appears once the stitches have their labels.");
+    ImGui::End();
+    return;
+  }
+  ImGui::InvisibleButton("chart", ImVec2(box.width, box.height));
+  frame.mark("chart");
+  handle_zoom_and_drag(frame, box);
+  const ChartView& view = frame.ui.chart_view;
+  Sheet sheet{chart, {}, fitting_side(frame, chart, box) * view.zoom};
+  const ImVec2 size = sheet.size();
+  sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),
+                     std::floor(box.y + 0.5f * (box.height - size.y) + view.move.y));
+  draw_squares(frame, sheet, box, frame.session.hovered_stitch);
+  draw_hovered_rounds(frame, sheet);
+  handle_pointer(frame, sheet);
+  ImGui::End();
+}
+
+}  // namespace app

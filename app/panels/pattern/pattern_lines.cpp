@@ -1,0 +1,170 @@
+#include "app/panels/pattern/pattern_lines.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace app {
+
+namespace {
+
+using Kind = PatternLine::Kind;
+
+// "(30 sts)", "Rnd 7" and "6 times" stay on one line.
+std::string unbroken(std::string text) {
+  constexpr std::string_view blank = "\xC2\xA0";
+  for (const std::string_view word : {" sts", " st)", " times"}) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+      text.replace(at, 1, blank);
+  }
+  for (std::size_t at = text.find("Rnd "); at != std::string::npos; at = text.find("Rnd ", at + 1))
+    text.replace(at + 3, 1, blank);
+  return text;
+}
+
+// "Rnd 7:" apart from what is worked.
+PatternLine line_of_round(const knit::RoundLine& round) {
+  const std::string text = unbroken(round.text());
+  const std::size_t colon = text.find(": ");
+  if (colon == std::string::npos) return {Kind::round, {}, text, RoundSpan{round.first, round.last}};
+  return {Kind::round, text.substr(0, colon + 1), text.substr(colon + 2), RoundSpan{round.first, round.last}};
+}
+
+// Space before a kind of line, in plain units; the fonts' own leading is not counted.
+float space_before(Kind kind) {
+  switch (kind) {
+    case Kind::heading:
+      return 12.0f;
+    case Kind::remark:
+      return 6.0f;
+    case Kind::title:
+    case Kind::faint:
+    case Kind::plain:
+    case Kind::item:
+    case Kind::entry:
+    case Kind::round:
+      break;
+  }
+  return 0.0f;
+}
+
+float width_of(const std::string& words, ImFont* font) {
+  push_font(font);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  pop_font();
+  return width;
+}
+
+// Labels of a kind stand in one column; a label that would leave the words too little room does not widen it.
+struct LabelColumns {
+  std::array<float, 8> widths{};
+  [[nodiscard]] float& of(Kind kind) { return widths[static_cast<std::size_t>(kind)]; }
+};
+
+LabelColumns label_columns(const std::vector<PatternLayout::Placed>& lines, const Fonts& fonts, float most) {
+  LabelColumns columns;
+  for (const auto& placed : lines) {
+    if (placed.line.label.empty()) continue;
+    float& width = columns.of(placed.line.kind);
+    width = std::max(width, std::min(most, width_of(placed.line.label, fonts.strong)));
+  }
+  return columns;
+}
+
+}  // namespace
+
+ImFont* font_of(PatternLine::Kind kind, const Fonts& fonts) {
+  switch (kind) {
+    case Kind::title:
+      return fonts.heading;
+    case Kind::heading:
+      return fonts.strong;
+    case Kind::faint:
+    case Kind::plain:
+    case Kind::item:
+    case Kind::entry:
+    case Kind::round:
+    case Kind::remark:
+      break;
+  }
+  return fonts.text;
+}
+
+std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern) {
+  std::vector<PatternLine> lines;
+  const auto add = [&](Kind kind, const std::string& words) { lines.push_back({kind, {}, words, {}}); };
+  const auto add_all = [&](const char* heading, Kind kind, const std::vector<std::string>& all) {
+    add(Kind::heading, heading);
+    for (const std::string& words : all) add(kind, words);
+  };
+  add(Kind::title, pattern.title);
+  add(Kind::faint, "Project level: " + pattern.level);
+  add_all("Finished size", Kind::plain, pattern.size);
+  add_all("Materials", Kind::item, pattern.materials);
+  add_all("Gauge", Kind::plain, {pattern.gauge});
+  add(Kind::heading, "Abbreviations");
+  for (const auto& [word, meaning] : pattern.abbreviations) lines.push_back({Kind::entry, word, meaning, {}});
+  add_all("Notes", Kind::item, pattern.notes);
+  add(Kind::heading, "Instructions");
+  lines.push_back({Kind::round, {}, unbroken(pattern.start), RoundSpan{1, 1}});
+  for (const auto& instruction : pattern.instructions) {
+    if (instruction.round) {
+      lines.push_back(line_of_round(*instruction.round));
+    } else {
+      add(Kind::remark, instruction.remark);
+    }
+  }
+  add_all("Finishing", Kind::plain, pattern.finishing);
+  return lines;
+}
+
+void PatternLayout::refresh(const knit::WrittenPattern& pattern, std::uint64_t key, float width,
+                            const Fonts& fonts, float scale) {
+  const Key wanted{key, width, scale};
+  if (wanted == key_) return;
+  key_ = wanted;
+  lines_.clear();
+  for (PatternLine& line : lines_of(pattern)) lines_.push_back({std::move(line)});
+  place(fonts);
+}
+
+void PatternLayout::place(const Fonts& fonts) {
+  const float unit = key_.scale;
+  const float edge = 8.0f * unit;  // left and right, inside a lit line too
+  LabelColumns columns = label_columns(lines_, fonts, 0.35f * key_.width);
+  float top = 2.0f * unit;
+  for (Placed& placed : lines_) {
+    const PatternLine& line = placed.line;
+    const float indent = line.kind == Kind::item || line.kind == Kind::remark ? 12.0f * unit : 0.0f;
+    const float column = line.label.empty() ? 0.0f : columns.of(line.kind) + 8.0f * unit;
+    placed.words_left = edge + indent + column;
+    const float room = std::max(20.0f * unit, key_.width - placed.words_left - edge);
+    push_font(font_of(line.kind, fonts));
+    const float words = ImGui::CalcTextSize(line.words.c_str(), nullptr, false, room).y;
+    pop_font();
+    top += space_before(line.kind) * unit;
+    placed.top = top;
+    placed.height = words + 4.0f * unit;
+    top += placed.height + (line.kind == Kind::remark ? 6.0f * unit : 0.0f);
+  }
+  height_ = top + 6.0f * unit;
+}
+
+std::size_t PatternLayout::line_below(float height) const {
+  const auto found = std::partition_point(lines_.begin(), lines_.end(), [&](const Placed& placed) {
+    return placed.top + placed.height <= height;
+  });
+  return static_cast<std::size_t>(found - lines_.begin());
+}
+
+std::optional<std::size_t> PatternLayout::line_of(std::int32_t round) const {
+  const auto found = std::find_if(lines_.begin(), lines_.end(), [&](const Placed& placed) {
+    return placed.line.rounds && placed.line.rounds->holds(round);
+  });
+  if (found == lines_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - lines_.begin());
+}
+
+}  // namespace app

@@ -1,0 +1,63 @@
+// The written pattern as lines of a panel, and where each stands: worked out once for a pattern and a width, so
+// that a frame draws only what is seen, however long the pattern is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panels/kit/imgui_glue.h"
+#include "app/session/session.h"
+#include "knit/pattern/written_pattern.h"
+
+namespace app {
+
+struct PatternLine {
+  enum class Kind : std::uint8_t { title, faint, heading, plain, item, entry, round, remark };
+  Kind kind = Kind::plain;
+  std::string label;                // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
+  std::string words;                // wrapped
+  std::optional<RoundSpan> rounds;  // that it says
+};
+
+// In the document's order.
+std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern);
+
+class PatternLayout {
+ public:
+  struct Placed {
+    PatternLine line;
+    float top = 0.0f, height = 0.0f;  // in window units, from the document's top
+    float words_left = 0.0f;          // from the left edge
+  };
+
+  // Needs a frame of ImGui's. `key`: another for every other pattern.
+  void refresh(const knit::WrittenPattern& pattern, std::uint64_t key, float width, const Fonts& fonts,
+               float scale);
+
+  [[nodiscard]] const std::vector<Placed>& lines() const { return lines_; }
+  [[nodiscard]] float height() const { return height_; }
+  // The first line that ends below a height.
+  [[nodiscard]] std::size_t line_below(float height) const;
+  // The line that says a round; none: there is no such line.
+  [[nodiscard]] std::optional<std::size_t> line_of(std::int32_t round) const;
+
+ private:
+  struct Key {
+    std::uint64_t pattern = 0;
+    float width = -1.0f, scale = 0.0f;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  void place(const Fonts& fonts);
+
+  Key key_;
+  std::vector<Placed> lines_;
+  float height_ = 0.0f;
+};
+
+// The font that a kind of line is set in.
+ImFont* font_of(PatternLine::Kind kind, const Fonts& fonts);
+
+}  // namespace app

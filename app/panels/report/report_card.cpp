@@ -1,0 +1,257 @@
+// The report card: how good the knit mesh is, in figures and plots, live.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/files/card.h"
+#include "app/panels/kit/plots.h"
+#include "app/panels/kit/term_text.h"
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+namespace {
+
+// Where the figures' columns end and lines begin.
+struct Grid {
+  float left = 0.0f, right = 0.0f;
+  float column = 0.0f;  // width of each
+  float line = 0.0f;
+  float air = 0.0f;  // of a line, below its words
+  [[nodiscard]] float end_of(std::size_t i) const {
+    return right - column * static_cast<float>(card_columns - 1 - i);
+  }
+};
+
+Grid grid_of(const PanelFrame& frame) {
+  push_font(frame.fonts.mono);
+  const float figure = ImGui::CalcTextSize("0.000").x;
+  pop_font();
+  const float left = ImGui::GetCursorScreenPos().x;
+  const float width = ImGui::GetContentRegionAvail().x;
+  // Names need their room; wide panels spread the columns.
+  const float least = figure + frame.units(10.0f);
+  // High panels spread the lines, too; plots get the greater part of what they have more.
+  const float spare = ImGui::GetContentRegionAvail().y - frame.units(530.0f);
+  const float air = std::floor(std::clamp(0.025f * spare, frame.units(2.0f), frame.units(8.0f)));
+  const float line = std::floor(ImGui::GetTextLineHeight()) + air;
+  return {left, left + width, std::floor(std::max(least, 0.17f * width)), line, air};
+}
+
+void draw_header(const PanelFrame& frame, const Grid& grid) {
+  constexpr std::array names{"mean", "CV", "95 %", "max"};
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  push_font(frame.fonts.small);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, names[i]);
+  }
+  const float height = ImGui::GetTextLineHeight() + frame.units(2.0f);
+  pop_font();
+  ImGui::Dummy(ImVec2(grid.right - grid.left, height));
+}
+
+void draw_rule(const PanelFrame& frame, const Grid& grid, float space) {
+  // In the middle between the words above and below.
+  const float y = std::floor(ImGui::GetCursorScreenPos().y + 0.5f * (space - grid.air));
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(grid.left, y),
+                                            ImVec2(grid.right, y + std::max(1.0f, frame.units(1.0f))),
+                                            style::packed(theme().outline));
+  ImGui::Dummy(ImVec2(0.0f, space));
+}
+
+// One that is outside stands in the warning's colour with a dot before it, which also eyes that see no such
+// colour can tell.
+void draw_figure(PanelFrame& frame, const CardFigure& figure, const Grid& grid, std::size_t column, float y) {
+  const float middle = y + 0.5f * ImGui::GetTextLineHeight();
+  const float end = grid.end_of(column);
+  push_font(frame.fonts.mono);
+  const ImVec2 size = ImGui::CalcTextSize(figure.text.c_str());
+  // A little lower than the middle: on the line that the names stand on.
+  text_at(ImVec2(end, middle - 0.5f * size.y + frame.units(0.4f)), 1.0f,
+          figure.outside ? theme().warning : theme().text, figure.text);
+  pop_font();
+  if (figure.outside) {
+    const float radius = frame.units(2.2f);
+    const ImVec2 at(end - size.x - radius - frame.units(2.5f), middle + frame.units(0.4f));
+    ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, style::packed(theme().warning));
+  }
+  ImGui::SetCursorScreenPos(ImVec2(end - grid.column, y));
+  ImGui::Dummy(ImVec2(grid.column, grid.line));
+  frame.mark(figure.name);
+  tooltip(frame, figure.help);
+}
+
+void draw_missing(PanelFrame& frame, const CardLine& line, const Grid& grid, float y) {
+  push_font(frame.fonts.small);
+  const std::string words = "\xE2\x80\x93 " + line.missing;
+  const float low = y + frame.units(1.5f);
+  text_at(ImVec2(grid.right, low), 1.0f, theme().faint_text, words);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  pop_font();
+  ImGui::SetCursorScreenPos(ImVec2(grid.right - width, y));
+  ImGui::Dummy(ImVec2(width, grid.line));
+  frame.mark("missing/" + line.name);
+}
+
+void draw_line(PanelFrame& frame, const CardLine& line, const Grid& grid) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  text_at(at, 0.0f, theme().text, line.words);
+  const float width = ImGui::CalcTextSize(line.words.c_str()).x;
+  text_at(ImVec2(at.x + width + frame.units(5.0f), at.y), 0.0f, theme().faint_text, line.unit);
+  ImGui::Dummy(ImVec2(width, grid.line));
+  frame.mark("line/" + line.name);
+  explained_tooltip(frame, line.help, line.words);
+  if (!line.missing.empty()) draw_missing(frame, line, grid, at.y);
+  for (std::size_t i = 0; i < card_columns; ++i) {
+    if (line.figures[i]) draw_figure(frame, *line.figures[i], grid, i, at.y);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + grid.line));
+}
+
+void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
+  const Grid grid = grid_of(frame);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
+  bool first = true;
+  for (const CardGroup& group :
+       card_groups(quality, frame.session.closeness.get(), frame.session.measuring)) {
+    if (!first) draw_rule(frame, grid, frame.units(7.0f));
+    first = false;
+    if (group.headed) draw_header(frame, grid);
+    for (const CardLine& line : group.lines) draw_line(frame, line, grid);
+  }
+  draw_rule(frame, grid, frame.units(10.0f));
+  ImGui::PopStyleVar();
+}
+
+// --- plots --------------------------------------------------------------------------------------------------
+
+HistogramPlot histogram_of(const char* name, const char* title, const knit::Spread& spread) {
+  HistogramPlot plot;
+  plot.name = name;
+  plot.title = title;
+  plot.low = spread.histogram.low;
+  plot.high = spread.histogram.high;
+  plot.bins = spread.histogram.bins;
+  if (spread.count == 0) {
+    plot.bins = {};
+    return plot;
+  }
+  plot.mean = spread.mean;
+  plot.open_below = spread.low < plot.low;
+  plot.open_above = spread.high > plot.high;
+  return plot;
+}
+
+HistogramPlot course_plot(const knit::Quality& quality) {
+  HistogramPlot plot = histogram_of("plot/course", "Course / w", quality.course);
+  plot.help =
+      "How long the edges along the rows are, in stitch widths w. Dashed: 1, what was asked. Yellow: the "
+      "mean.";
+  plot.unit = " w";
+  plot.counted = "edges";
+  plot.reference = 1.0;
+  plot.missing = "after the cast on";
+  return plot;
+}
+
+HistogramPlot wale_plot(const knit::Quality& quality) {
+  HistogramPlot plot = histogram_of("plot/wale", "Wale / h", quality.wale);
+  plot.help =
+      "How long the edges from row to row are, in stitch heights h. Dashed: 1, what was asked. Yellow: the "
+      "mean.";
+  plot.unit = " h";
+  plot.counted = "edges";
+  plot.reference = 1.0;
+  plot.missing = "after the faces";
+  return plot;
+}
+
+HistogramPlot corner_plot(const knit::Quality& quality) {
+  HistogramPlot plot = histogram_of("plot/corner", "Corner angles", quality.corner);
+  plot.help = "The inner angles of all faces, in degrees. Dashed: 90, a square's. Yellow: the mean.";
+  plot.unit = "\xC2\xB0";
+  plot.axis_unit = plot.unit;
+  plot.counted = "corners";
+  plot.decimals = 0;
+  plot.reference = 90.0;
+  plot.missing = "after the faces";
+  return plot;
+}
+
+// What a row plot points into.
+struct RowValues {
+  std::vector<double> made, ideal, pinned;
+};
+
+RowPlot row_plot(const PanelFrame& frame, const RowValues& values) {
+  RowPlot plot;
+  plot.name = "plot/rows";
+  plot.title = "Stitches a row";
+  plot.help =
+      "How many stitches each row has, and its ideal: the length of its curve on the mesh over the stitch "
+      "width w. Click: to the end of that row in this stage.";
+  plot.value_words = "made";
+  plot.ideal_words = "ideal";
+  plot.values = values.made;
+  plot.ideals = values.ideal;
+  plot.ghosts = values.pinned;
+  plot.missing = "after the cast on";
+  if (frame.timeline() == nullptr) return plot;
+  const auto& rows = frame.timeline()->furthest().rows;
+  plot.rows = rows.size();
+  for (const auto& row : rows)
+    plot.highest = std::max(plot.highest, static_cast<double>(row->stitches.size()));
+  const std::int32_t at_hand = row_at_hand(frame);
+  if (at_hand > 0) plot.current = static_cast<std::size_t>(at_hand - 1);
+  return plot;
+}
+
+// How a height is shared out to the three lines of plots.
+struct Heights {
+  float pair, corner, rows;
+};
+
+Heights heights_of(const PanelFrame& frame, float room) {
+  const auto share = [&](float part, float least, float most) {
+    return std::floor(std::clamp(part * room, frame.units(least), frame.units(most)));
+  };
+  return {share(0.32f, 88.0f, 190.0f), share(0.26f, 76.0f, 160.0f), share(0.42f, 108.0f, 300.0f)};
+}
+
+void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
+  const float gap = frame.units(6.0f);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const Heights heights = heights_of(frame, room.y - 2.0f * gap);
+  const float between = frame.units(14.0f);
+  const float half = std::floor(0.5f * (room.x - between));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(between, gap));
+  draw_histogram(frame, course_plot(quality), ImVec2(half, heights.pair));
+  ImGui::SameLine();
+  draw_histogram(frame, wale_plot(quality), ImVec2(room.x - half - between, heights.pair));
+  draw_histogram(frame, corner_plot(quality), ImVec2(room.x, heights.corner));
+  RowValues values;
+  for (const knit::RowFit& row : quality.rows) {
+    values.made.push_back(row.stitches);
+    values.ideal.push_back(row.ideal);
+  }
+  if (frame.session.pinned) {
+    for (const auto& row : frame.session.pinned->end.rows)
+      values.pinned.push_back(static_cast<double>(row->stitches.size()));
+  }
+  const auto clicked = draw_row_plot(frame, row_plot(frame, values), ImVec2(room.x, heights.rows));
+  if (clicked) wish_row(frame, quality.rows[*clicked].row);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void draw_report_card(PanelFrame& frame) {
+  if (frame.timeline() != nullptr) frame.ui.card.refresh(*frame.timeline());
+  const knit::Quality* quality = frame.timeline() != nullptr ? frame.ui.card.quality() : nullptr;
+  draw_figures(frame, quality);
+  const knit::Quality none;
+  draw_plots(frame, quality != nullptr ? *quality : none);
+}
+
+}  // namespace app

@@ -1,0 +1,330 @@
+// The right column: what the last step did, and what there is to see.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/panel_buttons.h"
+#include "app/panels/kit/term_text.h"
+#include "app/panels/kit/widgets.h"
+#include "app/panels/step/pseudo_code_panel.h"
+#include "knit/insight/narrate.h"
+
+namespace app {
+
+namespace {
+
+void draw_place(PanelFrame& frame, const knit::Step* step) {
+  const bool stopped = stop_shown(frame.session) != nullptr;
+  push_font(frame.fonts.heading);
+  if (step == nullptr) {
+    text(frame.timeline() == nullptr ? "Nothing is open" : "The start");
+  } else {
+    text(capitalised(knit::name_of(step->place.stage)));
+  }
+  pop_font();
+  if (step == nullptr) return;
+  explains(frame, knit::name_of(step->place.stage));
+  std::string where = step->place.row > 0 ? "row " + std::to_string(step->place.row) + ", " : "";
+  where += "item " + std::to_string(step->place.item);
+  if (stopped) where += ", stopped";
+  ImGui::SameLine();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + frame.units(4.0f));
+  faint_text(where);
+}
+
+// Two columns: where the i-th of `count` begins.
+struct Cells {
+  std::size_t count;
+  ImVec2 origin;
+  float second;  // from the first column to the second
+  float line;
+  [[nodiscard]] std::size_t lines() const { return (count + 1) / 2; }
+  [[nodiscard]] ImVec2 at(std::size_t i) const {
+    const bool right = i >= lines();
+    const std::size_t down = right ? i - lines() : i;
+    return {right ? origin.x + second : origin.x, origin.y + static_cast<float>(down) * line};
+  }
+  [[nodiscard]] ImVec2 end() const { return {origin.x, origin.y + static_cast<float>(lines()) * line}; }
+};
+
+void draw_label(PanelFrame& frame, knit::Label label, std::size_t count, ImVec2 at, float width) {
+  const std::string name(knit::name_of(label));
+  const std::string number = with_commas(count);
+  const float line = ImGui::GetTextLineHeight();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy(ImVec2(width, line));
+  frame.mark("label/" + name);
+  explained_tooltip(
+      frame,
+      "Colour of " + name + " on stitches and faces; the number is how many have been placed up to here.",
+      name);
+  const float side = 0.62f * line;
+  const float top = at.y + 0.5f * (line - side);
+  list.AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(theme().of(label)),
+                     frame.units(2.0f));
+  // The thesis's pale ones end somewhere, too.
+  list.AddRect(ImVec2(at.x, top), ImVec2(at.x + side, top + side), style::packed(theme().faint_text, 150),
+               frame.units(2.0f), 0, std::max(1.0f, std::floor(frame.units(1.0f))));
+  list.AddText(ImVec2(at.x + side + frame.units(7.0f), at.y), style::packed(theme().text), name.c_str());
+  push_font(frame.fonts.mono);
+  const float wide = ImGui::CalcTextSize(number.c_str()).x;
+  const Colour colour = count > 0 ? theme().text : theme().faint_text;
+  list.AddText(ImVec2(at.x + width - wide, at.y), style::packed(colour), number.c_str());
+  pop_font();
+}
+
+struct Tab {
+  SidePanel side;
+  const char* words;
+  const char* mark;
+};
+
+// A word over a line that is thick below the chosen one.
+void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont* font) {
+  const bool chosen = tab.side == frame.session.side;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = size.x;
+  const float height = size.y;
+  push_font(font);
+  if (ImGui::InvisibleButton(tab.mark, ImVec2(width, height)) && !chosen) frame.wish(ShowSide{tab.side});
+  frame.mark(tab.mark);
+  const bool lit = chosen || ImGui::IsItemHovered();
+  text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
+          lit ? theme().text : theme().faint_text, tab.words);
+  pop_font();
+  tooltip(frame, tooltip_of(info_of(Command::side)));
+  if (!chosen) return;
+  const float foot = std::floor(at.y + height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - 2.0f * thin), ImVec2(at.x + width, foot),
+                                            style::packed(theme().accent));
+}
+
+constexpr std::array side_tabs{
+    Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
+    Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
+    Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
+
+float width_of_words(ImFont* font) {
+  float words = 0.0f;
+  push_font(font);
+  for (const Tab& tab : side_tabs) words += ImGui::CalcTextSize(tab.words).x;
+  pop_font();
+  return words;
+}
+
+void draw_tab_line(PanelFrame& frame, std::span<const Tab> tabs, ImFont* font, float air) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight() + frame.units(9.0f);
+  const float thin = std::max(1.0f, std::floor(frame.units(1.0f)));
+  const float foot = std::floor(at.y + height);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - thin),
+                                            ImVec2(at.x + ImGui::GetContentRegionAvail().x, foot),
+                                            style::packed(theme().outline));
+  for (const Tab& tab : tabs) {
+    push_font(font);
+    const float width = ImGui::CalcTextSize(tab.words).x + air;
+    pop_font();
+    draw_tab(frame, tab, ImVec2(width, height), thin, font);
+    ImGui::SameLine(0.0f, 0.0f);
+  }
+  ImGui::NewLine();
+}
+
+// They share what room there is between their words; where there is too little these get smaller, and then take
+// two lines.
+void draw_tabs(PanelFrame& frame) {
+  draw_cross(frame, Panel::side);
+  const float room = ImGui::GetContentRegionAvail().x - room_for_cross(frame);
+  const std::span<const Tab> tabs(side_tabs);
+  for (ImFont* const font : {frame.fonts.strong, frame.fonts.small}) {
+    const float air =
+        std::min((room - width_of_words(font)) / static_cast<float>(tabs.size()), frame.units(20.0f));
+    if (air >= frame.units(5.0f)) return draw_tab_line(frame, tabs, font, air);
+  }
+  draw_tab_line(frame, tabs.first(3), frame.fonts.strong, frame.units(12.0f));
+  draw_tab_line(frame, tabs.subspan(3), frame.fonts.strong, frame.units(12.0f));
+}
+
+std::string counted(const char* name, std::size_t count) {
+  return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
+}
+
+// Of a line of buttons with these names.
+float width_of_buttons(std::span<const std::string_view> names) {
+  float width = 0.0f;
+  for (const std::string_view name : names) {
+    width += ImGui::CalcTextSize(name.data(), name.data() + name.size(), true).x +
+             2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemInnerSpacing.x;
+  }
+  return width;
+}
+
+void draw_lists(PanelFrame& frame) {
+  const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
+  const std::string rows_name = counted("Rows", rows);
+  const std::string problems_name = counted("Problems", count_problems(frame));
+  const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
+  std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
+  // The number of rows gives way where there is too little room: the list ends with it.
+  const std::string rows_alone = counted("Rows", 0);
+  if (width_of_buttons(names) > ImGui::GetContentRegionAvail().x) names.front() = rows_alone;
+  ImGui::BeginGroup();
+  const int clicked = segmented("list", names, static_cast<int>(frame.session.list), 0.0f);
+  ImGui::EndGroup();
+  frame.mark("list");
+  if (clicked >= 0 && clicked != static_cast<int>(frame.session.list))
+    frame.wish(ShowList{static_cast<RunList>(clicked)});
+  switch (frame.session.list) {
+    case RunList::rows:
+      return draw_rows(frame);
+    case RunList::candidates:
+      return draw_candidates(frame);
+    case RunList::problems:
+      return draw_problems(frame);
+    case RunList::breaks:
+      return draw_breaks(frame);
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Takes the same room for most sentences, so that what stands below keeps still while the run plays.
+void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
+  const float top = ImGui::GetCursorPosY();
+  const float width = ImGui::GetContentRegionAvail().x;
+  glossary_wrapped_text(frame, words, colour);
+  frame.mark("sentence");
+  const float least = (width < frame.units(400.0f) ? 3.0f : 2.0f) * ImGui::GetTextLineHeight();
+  const float spare = top + least - (ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+  if (spare > 0.0f) {
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    ImGui::Dummy(ImVec2(width, spare));
+  }
+}
+
+}  // namespace
+
+void draw_last_step(PanelFrame& frame) {
+  const knit::Step* stop = stop_shown(frame.session);
+  const knit::Step* step = stop != nullptr ? stop : last_step(frame.session);
+  draw_place(frame, step);
+  draw_sentence(frame, sentence(frame.session), stop != nullptr ? theme().problem : theme().text);
+  draw_pseudo_code(frame);
+}
+
+namespace {
+
+// The code and the lists need room: in a low window what there is to see folds away for them, unless a person
+// has said how it should be.
+bool shows_legend(const PanelFrame& frame) {
+  const bool low = frame.layout.explanation.height < frame.units(820.0f);
+  return frame.ui.legend_open.value_or(!low);
+}
+
+bool draw_fold(PanelFrame& frame) {
+  const bool open = shows_legend(frame);
+  if (folding_heading(frame, open ? "Show" : "Show, labels", open)) frame.ui.legend_open = !open;
+  frame.mark("legend");
+  tooltip(frame, open ? "Fold layers and labels away."
+                      : "Layers to show or hide, and how often each label was placed.");
+  return open;
+}
+
+}  // namespace
+
+void draw_layers(PanelFrame& frame) {
+  if (!draw_fold(frame)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(3.0f), frame.units(1.0f)));
+  const float line = ImGui::GetFrameHeight() + frame.units(2.0f);
+  // The first column has the longer names.
+  const Cells cells{layer_count, ImGui::GetCursorScreenPos(), 0.54f * ImGui::GetContentRegionAvail().x, line};
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    bool on = frame.session.shows(layer);
+    const ImVec2 at = cells.at(i);
+    ImGui::SetCursorScreenPos(at);
+    // A wide fallback font must not reach into the other column.
+    ImGui::PushClipRect(at, ImVec2(at.x + cells.second - frame.units(2.0f), at.y + line), true);
+    if (ImGui::Checkbox(std::string(name_of(layer)).c_str(), &on)) frame.wish(SetLayer{layer, on});
+    ImGui::PopClipRect();
+    frame.mark("layer/" + std::string(key_of(layer)));
+    tooltip(frame, tooltip_of(info_of(layer)));
+  }
+  ImGui::SetCursorScreenPos(cells.end());
+  ImGui::PopStyleVar();
+}
+
+void draw_legend(PanelFrame& frame) {
+  using knit::Label;
+  constexpr std::array labels{Label::knit, Label::main,  Label::cast, Label::m1r,
+                              Label::m1l,  Label::k2tog, Label::ssk};
+  heading(frame, "Labels");
+  const LabelTally::Counts counts =
+      frame.timeline() != nullptr ? frame.ui.labels.count(frame.timeline()->state()) : LabelTally::Counts{};
+  const float gap = frame.units(22.0f);
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const Cells cells{labels.size(), ImGui::GetCursorScreenPos(), width + gap,
+                    ImGui::GetTextLineHeight() + frame.units(2.0f)};
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    draw_label(frame, labels[i], counts[static_cast<std::size_t>(labels[i])], cells.at(i), width);
+  }
+  ImGui::SetCursorScreenPos(cells.end());
+}
+
+namespace {
+
+// As high as what it holds, as far as the lists keep their room.
+float step_height(const PanelFrame& frame, float wanted) {
+  const float below = frame.units((shows_legend(frame) ? 270.0f : 30.0f) + 122.0f);
+  const float room = ImGui::GetContentRegionAvail().y - below;
+  return std::max(frame.units(150.0f), std::min(wanted > 0.0f ? wanted : room, room));
+}
+
+void draw_step_side(PanelFrame& frame) {
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID wanted = ImGui::GetID("step height");
+  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, kept.GetFloat(wanted))), false);
+  draw_last_step(frame);
+  kept.SetFloat(wanted, ImGui::GetCursorPosY());
+  ImGui::EndChild();
+  frame.mark("step");
+  draw_layers(frame);
+  if (shows_legend(frame)) draw_legend(frame);
+  draw_selected(frame);
+  draw_lists(frame);
+}
+
+}  // namespace
+
+void draw_explanation(PanelFrame& frame) {
+  begin_panel("Explanation", frame.layout.explanation);
+  draw_tabs(frame);
+  if (frame.session.side != SidePanel::step) leave_variables(frame);
+  switch (frame.session.side) {
+    case SidePanel::step:
+      draw_step_side(frame);
+      break;
+    case SidePanel::report:
+      draw_report_card(frame);
+      break;
+    case SidePanel::pattern:
+      draw_pattern_text(frame);
+      break;
+    case SidePanel::compare:
+      draw_compare(frame);
+      break;
+    case SidePanel::sweep:
+      draw_sweep(frame);
+      break;
+  }
+  ImGui::End();
+}
+
+}  // namespace app

@@ -1,0 +1,11 @@
+// What the pseudo-code's panel has for its neighbours.
+#pragma once
+
+#include "app/panels/kit/panels.h"
+
+namespace app {
+
+// No variable is pointed at any more, as the code is not to be seen.
+void leave_variables(PanelFrame& frame);
+
+}  // namespace app

@@ -1,0 +1,294 @@
+// The rows of the run so far, and what was unusual in all of it.
+#include <algorithm>
+#include <string>
+
+#include "app/explain/why_words.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/widgets.h"
+#include "knit/insight/narrate.h"
+#include "knit/insight/why.h"
+
+namespace app {
+
+namespace {
+
+constexpr float shortest_list = 60.0f;  // plain units; below that the panel scrolls as a whole
+
+ImVec2 list_size(const PanelFrame& frame) {
+  return {0.0f, std::max(frame.units(shortest_list), ImGui::GetContentRegionAvail().y)};
+}
+
+void right_aligned(const std::string& words, Colour colour) {
+  const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
+  text(words);
+  ImGui::PopStyleColor();
+}
+
+void draw_change(std::ptrdiff_t change) {
+  if (change == 0) return right_aligned("0", theme().faint_text);
+  // Warm and blue as the labels are, which themselves are too pale for words in the light theme.
+  const std::string sign = change > 0 ? "+" : "\xE2\x88\x92";
+  right_aligned(sign + std::to_string(std::abs(change)), change > 0 ? theme().warning : theme().accent);
+}
+
+void draw_header() {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  ImGui::TableNextColumn();
+  faint_text("Row");
+  for (const char* name : {"Stitches", "Change"}) {
+    ImGui::TableNextColumn();
+    right_aligned(name, theme().faint_text);
+  }
+}
+
+// Of the cell under the pointer: to where the row begins, gets its number of stitches, or its change is counted.
+void wish_why(PanelFrame& frame, std::int32_t row) {
+  const float left = ImGui::GetItemRectMin().x;
+  const float share = (ImGui::GetIO().MousePos.x - left) / (ImGui::GetItemRectMax().x - left);
+  const knit::Timeline& timeline = *frame.timeline();
+  if (share < 1.0f / 3.0f) return frame.wish(SeekPlace{{knit::stage_of_row(row), row, 0}});
+  const auto decided = knit::count_decided_by(timeline, row);
+  if (share < 2.0f / 3.0f && decided) return frame.wish(SeekPlace{timeline.step(*decided).place});
+  if (row > 1) frame.wish(SeekPlace{{knit::Stage::stitches, row, 0}});
+}
+
+void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
+  const auto number = static_cast<std::int32_t>(i) + 1;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string label = std::to_string(number);
+  constexpr ImGuiSelectableFlags flags =
+      ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
+  if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), flags)) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      wish_why(frame, number);
+    } else {
+      wish_row(frame, number);
+    }
+  }
+  frame.mark("row/" + label);
+  tooltip(frame,
+          "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
+          "gives it its stitches, or counts its change.");
+  if (i >= state.rows.size()) {  // in the making
+    ImGui::TableNextColumn();
+    const auto* walk = std::get_if<knit::RowWork>(&state.work);
+    const auto* contour = std::get_if<knit::ContourWork>(&state.work);
+    const std::size_t made = walk != nullptr      ? walk->walk.kept.size()
+                             : contour != nullptr ? contour->stitches.size()
+                                                  : 0;
+    right_aligned((made > 0 ? std::to_string(made) : "") + "...", theme().faint_text);
+    return;
+  }
+  const auto stitches = static_cast<std::ptrdiff_t>(state.rows[i]->stitches.size());
+  ImGui::TableNextColumn();
+  right_aligned(std::to_string(stitches), theme().text);
+  ImGui::TableNextColumn();
+  if (i > 0) draw_change(stitches - static_cast<std::ptrdiff_t>(state.rows[i - 1]->stitches.size()));
+}
+
+// Keeps the row at hand in sight, when it has changed.
+void follow_row(PanelFrame& frame, std::size_t lines) {
+  const std::int32_t row = row_at_hand(frame);
+  if (row == frame.ui.row_scrolled_to) return;
+  frame.ui.row_scrolled_to = row;
+  const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+  const float all = line * static_cast<float>(lines + 1);
+  const float top = line * static_cast<float>(row) - 0.5f * ImGui::GetWindowHeight();
+  ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
+}
+
+// The list's lines, worst first: why the run stopped, what was mended, findings about the mesh, unusual steps.
+struct Problem {
+  std::string words;
+  std::optional<std::size_t> position;  // to see it
+  std::string line;                     // in the list; empty: the words, cut
+};
+
+// What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
+std::string short_line(const knit::Step& step) {
+  const auto* missed = std::get_if<knit::BandMissed>(&step.what);
+  if (missed == nullptr) return "";
+  return "Row " + std::to_string(step.place.row) + ", stitch " + std::to_string(missed->stitch) +
+         ": nothing in the band, " + knit::short_number(missed->distance) + " taken";
+}
+
+Problem problem_at(const PanelFrame& frame, std::size_t i) {
+  const knit::Timeline& timeline = *frame.timeline();
+  if (const knit::Step* stop = timeline.stop()) {
+    if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
+    --i;
+  }
+  const auto& mended = frame.session.mended;
+  if (i < mended.size()) return {"Mesh: " + mended[i].did, std::nullopt, ""};
+  i -= mended.size();
+  const auto& findings = frame.session.findings;
+  if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
+  const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
+  return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
+          short_line(timeline.step(step))};
+}
+
+void draw_problem(PanelFrame& frame, std::size_t i) {
+  const Problem problem = problem_at(frame, i);
+  ImGui::PushID(static_cast<int>(i));
+  const std::string line =
+      cut_to_width(problem.line.empty() ? problem.words : problem.line, ImGui::GetContentRegionAvail().x);
+  const bool here = problem.position && frame.timeline()->position() == *problem.position;
+  if (ImGui::Selectable("##problem", here) && problem.position) frame.wish(SeekTo{*problem.position});
+  frame.mark("problem/" + std::to_string(i));
+  tooltip(frame, problem.position ? problem.words + "\n\nClick: go there." : problem.words);
+  ImGui::SameLine(0.0f, 0.0f);
+  ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
+  text(line);
+  ImGui::PopID();
+}
+
+// What would mend a finding that is no more than a warning; none: nothing that is sure to.
+std::optional<knit::MendKind> mend_of(knit::FindingKind finding) {
+  switch (finding) {
+    case knit::FindingKind::flipped_faces:
+    case knit::FindingKind::inside_out:
+      return knit::MendKind::reorient;
+    case knit::FindingKind::unreferenced:
+      return knit::MendKind::unreferenced;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Over the list: mends of what stands in it, and the way back.
+void draw_mends(PanelFrame& frame) {
+  const Source& source = frame.session.source;
+  for (const knit::Finding& finding : frame.session.findings) {
+    const auto kind = mend_of(finding.kind);
+    if (!kind || source.file.empty()) continue;
+    const bool faces = kind == knit::MendKind::reorient;
+    if (ImGui::SmallButton(faces ? "Mend: turn faces round" : "Mend: drop stray vertices")) {
+      knit::MendWish wish{false, source.mends};
+      wish.kinds.push_back(*kind);
+      frame.wish(OpenFile{source.file, std::move(wish)});
+    }
+    frame.mark("mend/" + std::string(knit::key_of(*kind)));
+    tooltip(frame,
+            finding.sentence + "\n\nOpens the mesh again, mended, with its own parameters; can be undone.");
+  }
+  if (!frame.session.before_mend) return;
+  if (ImGui::SmallButton("Undo the mends")) frame.wish(UndoMend{});
+  frame.mark("mend/undo-here");
+  tooltip(frame, "Back to what was open before.");
+}
+
+}  // namespace
+
+std::int32_t row_at_hand(const PanelFrame& frame) {
+  const knit::Step* step = last_step(frame.session);
+  return step != nullptr ? step->place.row : 0;
+}
+
+void wish_row(PanelFrame& frame, std::int32_t number) {
+  const knit::Stage at = frame.timeline()->state().stage();
+  const knit::Stage stage = at == knit::Stage::done ? knit::Stage::pattern : at;
+  const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
+  frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
+}
+
+std::size_t count_problems(const PanelFrame& frame) {
+  if (frame.timeline() == nullptr) return 0;
+  return frame.session.mended.size() + frame.session.findings.size() + frame.ui.run.problems().size() +
+         (frame.timeline()->stop() != nullptr ? 1 : 0);
+}
+
+void draw_rows(PanelFrame& frame) {
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
+  if (!ImGui::BeginTable("row table", 3, flags, list_size(frame))) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  draw_header();
+  if (frame.timeline() != nullptr) {
+    const knit::State& state = frame.timeline()->state();
+    const auto at_hand = static_cast<std::size_t>(row_at_hand(frame));
+    const std::size_t lines = std::max(state.rows.size(), state.stage() == knit::Stage::rows ? at_hand : 0);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lines));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        draw_row(frame, state, static_cast<std::size_t>(i));
+      }
+    }
+    follow_row(frame, lines);
+  }
+  ImGui::EndTable();
+}
+
+void draw_problems(PanelFrame& frame) {
+  ImGui::BeginChild("problem list", list_size(frame), true);
+  const std::size_t count = count_problems(frame);
+  if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
+  draw_mends(frame);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_problem(frame, static_cast<std::size_t>(i));
+  }
+  ImGui::EndChild();
+}
+
+// What is selected, in words, with ways on from there: few lines, because the lists below need the room.
+
+namespace {
+
+// The buttons stand at the right end of the line.
+void draw_buttons(PanelFrame& frame, const knit::Thing& thing, float left) {
+  const float side = ImGui::GetFrameHeight();
+  const ImVec2 size(side, side);
+  const float gap = frame.units(3.0f);
+  ImGui::SameLine(left);
+  if (ImGui::Button("Why##selected", ImVec2(0.0f, side))) frame.wish(ShowWhy{thing});
+  frame.mark("selected/why");
+  tooltip(frame, "To the step that made it, or decided on it");
+  ImGui::SameLine(0.0f, gap);
+  if (icon_button("selected back", Icon::back, size)) frame.wish(ToTouch{-1});
+  frame.mark("selected/back");
+  tooltip(frame, tooltip_of(info_of(Command::last_touch)));
+  ImGui::SameLine(0.0f, gap);
+  if (icon_button("selected forward", Icon::forward, size)) frame.wish(ToTouch{1});
+  frame.mark("selected/forward");
+  tooltip(frame, tooltip_of(info_of(Command::next_touch)));
+  ImGui::SameLine(0.0f, gap);
+  if (icon_button("selected close", Icon::cross, size)) frame.wish(Select{});
+  frame.mark("selected/close");
+  tooltip(frame, "Select nothing");
+}
+
+float width_of_buttons(const PanelFrame& frame) {
+  const float word = ImGui::CalcTextSize("Why").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  return word + 3.0f * (ImGui::GetFrameHeight() + frame.units(3.0f));
+}
+
+}  // namespace
+
+void draw_selected(PanelFrame& frame) {
+  const auto& selected = frame.session.travel.selected;
+  if (!selected || frame.timeline() == nullptr) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(5.0f), frame.units(2.0f)));
+  const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width_of_buttons(frame);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().selected));
+  text(cut_to_width(capitalised(words_of(*selected)), left - ImGui::GetCursorPosX() - frame.units(6.0f)));
+  ImGui::PopStyleColor();
+  frame.mark("selected");
+  draw_buttons(frame, *selected, left);
+  ImGui::PopStyleVar();
+  push_font(frame.fonts.small);
+  const std::string words = why_words(*frame.timeline(), *selected);
+  wrapped_text(words, theme().faint_text);
+  pop_font();
+  frame.mark("selected/words");
+  tooltip(frame, words);
+}
+
+}  // namespace app

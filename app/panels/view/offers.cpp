@@ -1,0 +1,84 @@
+// The offer of mends: what is wrong with a mesh that was not opened, what each mend would do, and the choice.
+#include <algorithm>
+
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+namespace {
+
+void draw_choice(PanelFrame& frame) {
+  if (ImGui::Button("Mend and open")) frame.wish(MendAndOpen{});
+  frame.mark("mend/open");
+  tooltip(frame, "The file stays as it is. One click brings back what is open now.");
+  ImGui::SameLine();
+  if (ImGui::Button("Not now")) frame.wish(DropMendOffer{});
+  frame.mark("mend/not-now");
+  tooltip(frame, "The mesh is not opened; what is open stays.");
+}
+
+}  // namespace
+
+void draw_mend_offer(PanelFrame& frame) {
+  const auto& offer = frame.session.mend_offer;
+  if (!offer || frame.session.opening) return;  // what is chosen is on its way
+  const Box& view = frame.layout.view;
+  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
+  const float width = std::min(frame.units(520.0f), view.width - 2.0f * margin);
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.5f * view.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+  push_raised_look(frame);
+  ImGui::Begin("Mends", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings);
+  pop_raised_look();
+  push_font(frame.fonts.strong);
+  wrapped_text(offer->source.file.filename().string() + " cannot be knitted as it is");
+  pop_font();
+  wrapped_text(offer->finding);
+  ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
+  wrapped_text("This would make it fit:", theme().faint_text);
+  for (const knit::MendStep& step : offer->plan->steps) {
+    ImGui::Bullet();
+    ImGui::SameLine();
+    wrapped_text(step.would);
+  }
+  ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
+  draw_choice(frame);
+  ImGui::End();
+}
+
+// The offer of a session that was saved aside before a crash: a calm banner at the foot of the view.
+
+void draw_rescue(PanelFrame& frame) {
+  if (!frame.session.rescued) return;
+  const Box& view = frame.layout.view;
+  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
+  const float width = std::min(frame.units(460.0f), view.width - 2.0f * margin);
+  // Notices have the view's head.
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.bottom() - frame.units(40.0f)),
+                          ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+  push_raised_look(frame);
+  ImGui::Begin("Rescue", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  pop_raised_look();
+  wrapped_text("The last session ended without being closed:");
+  push_font(frame.fonts.strong);
+  wrapped_text(frame.session.rescued->words);
+  pop_font();
+  ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
+  const ImVec2 size(frame.units(90.0f), 0.0f);
+  if (ImGui::Button("Open it", size)) frame.wish(TakeRescued{});
+  frame.mark("rescue/open");
+  tooltip(frame, "Takes the place of what is open.");
+  ImGui::SameLine();
+  if (ImGui::Button("Forget it", size)) frame.wish(DropRescued{});
+  frame.mark("rescue/forget");
+  tooltip(frame, "Removes what was saved aside.");
+  ImGui::End();
+}
+
+}  // namespace app

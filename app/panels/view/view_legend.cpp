@@ -1,0 +1,102 @@
+#include "app/panels/view/view_legend.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/panels/kit/widgets.h"
+#include "knit/insight/narrate.h"
+
+namespace app {
+
+namespace {
+
+// What the mesh's colours say.
+void draw_time_ramp(const PanelFrame& frame) {
+  const Session& session = frame.session;
+  if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
+  if (frame.scene.timed_vertices == 0 || session.knit_along || session.prediction) return;
+  const Box& view = frame.layout.view;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = frame.units(90.0f);
+  const float height = frame.units(7.0f);
+  const ImVec2 low(view.right() - width - frame.units(14.0f), view.bottom() - height - frame.units(12.0f));
+  const ImVec2 high(low.x + width, low.y + height);
+  const float middle = low.x + 0.5f * width;
+  const ImU32 a = style::packed(frame.scene.time_low);
+  const ImU32 b = style::packed(frame.scene.time_middle);
+  const ImU32 c = style::packed(frame.scene.time_high);
+  const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
+  const float edge = frame.units(5.0f);
+  list.AddRectFilled(ImVec2(low.x - edge, y - edge), ImVec2(high.x + edge, high.y + edge),
+                     style::packed(theme().background, 190), frame.units(4.0f));
+  list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
+  list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
+  const ImU32 colour = style::packed(theme().faint_text);
+  list.AddText(ImVec2(low.x, y), colour, "t = 0");
+  list.AddText(ImVec2(high.x - ImGui::CalcTextSize("1").x, y), colour, "1");
+}
+
+struct LabelShown {
+  knit::Label label;
+  std::size_t count;
+};
+
+// Those that stand somewhere, in the order of the list of labels.
+std::vector<LabelShown> labels_shown(PanelFrame& frame) {
+  using knit::Label;
+  constexpr std::array order{Label::knit, Label::main,  Label::cast, Label::m1r,
+                             Label::m1l,  Label::k2tog, Label::ssk};
+  const LabelTally::Counts counts = frame.ui.labels.count(frame.timeline()->state());
+  std::vector<LabelShown> shown;
+  for (const Label label : order) {
+    const std::size_t count = counts[static_cast<std::size_t>(label)];
+    if (count > 0) shown.push_back({label, count});
+  }
+  return shown;
+}
+
+void draw_labels(PanelFrame& frame) {
+  const std::vector<LabelShown> shown = labels_shown(frame);
+  const Box& view = frame.layout.view;
+  const float line = ImGui::GetTextLineHeight() + frame.units(1.0f);
+  const float swatch = frame.units(10.0f);
+  const float width = frame.units(104.0f);
+  const float left = view.right() - width - frame.units(10.0f);
+  const float top = view.bottom() - line * static_cast<float>(shown.size()) - frame.units(10.0f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float edge = frame.units(5.0f);
+  list.AddRectFilled(ImVec2(left - edge, top - edge), ImVec2(view.right() - edge, view.bottom() - edge),
+                     style::packed(theme().background, 215), frame.units(4.0f));
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const float y = top + line * static_cast<float>(i);
+    const float at = y + 0.5f * (line - swatch);
+    list.AddRectFilled(ImVec2(left, at), ImVec2(left + swatch, at + swatch),
+                       style::packed(theme().of(shown[i].label)), frame.units(2.0f));
+    text_at(ImVec2(left + swatch + frame.units(6.0f), y), 0.0f, theme().text,
+            std::string(knit::name_of(shown[i].label)));
+  }
+}
+
+// Nothing is left out in silence.
+void draw_coarse_note(const PanelFrame& frame) {
+  if (frame.scene.coarse <= 1) return;
+  const std::string every = std::to_string(frame.scene.coarse);
+  const Box& view = frame.layout.view;
+  text_at(ImVec2(view.x + frame.units(12.0f), view.y + frame.units(8.0f)), 0.0f, theme().faint_text,
+          "Drawn coarsely: every " + every + "th row and stitch. Come nearer to see each.");
+}
+
+}  // namespace
+
+void draw_view_legend(PanelFrame& frame) {
+  draw_coarse_note(frame);
+  const knit::Timeline* timeline = frame.timeline();
+  if (timeline == nullptr || frame.session.knit_along) return;
+  const bool labelled = !timeline->state().transitions.empty();
+  const bool seen = frame.session.shows(Layer::faces) || frame.session.shows(Layer::stitches);
+  if (labelled && seen) return draw_labels(frame);
+  draw_time_ramp(frame);
+}
+
+}  // namespace app

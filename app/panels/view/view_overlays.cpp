@@ -1,0 +1,166 @@
+// What floats over the view: notices, the banner while a vertex is picked, a word while long work goes on.
+#include <algorithm>
+#include <string>
+
+#include "app/actions/opening.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/widgets.h"
+#include "app/panels/view/welcome.h"
+#include "knit/insight/narrate.h"
+
+namespace app {
+
+namespace {
+
+constexpr ImGuiWindowFlags floating = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+
+Colour colour_of(Notice::Kind kind) {
+  switch (kind) {
+    case Notice::Kind::info:
+      return theme().accent;
+    case Notice::Kind::warning:
+      return theme().warning;
+    case Notice::Kind::error:
+      return theme().problem;
+  }
+  return theme().accent;
+}
+
+const char* name_of(Notice::Kind kind) {
+  switch (kind) {
+    case Notice::Kind::info:
+      return "";
+    case Notice::Kind::warning:
+      return "Warning: ";
+    case Notice::Kind::error:
+      return "Error: ";
+  }
+  return "";
+}
+
+void draw_notice(PanelFrame& frame, std::size_t i) {
+  const Notice& notice = frame.session.notices[i];
+  const float side = ImGui::GetFrameHeight();
+  ImGui::PushID(static_cast<int>(i));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float bar = frame.units(4.0f);
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + bar + frame.units(8.0f));
+  ImGui::BeginGroup();
+  ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
+  ImGui::PushTextWrapPos(end - frame.units(8.0f));
+  text(name_of(notice.kind) + notice.text);
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
+  ImGui::EndGroup();
+  const float low = ImGui::GetItemRectMax().y;
+  ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + bar, low),
+                                            style::packed(colour_of(notice.kind)), frame.units(2.0f));
+  ImGui::SameLine(end);
+  if (icon_button("dismiss", Icon::cross, ImVec2(side, side))) frame.wish(DismissNotice{i});
+  frame.mark("notice/" + std::to_string(i));
+  tooltip(frame, tooltip_of(info_of(Command::close)));
+  ImGui::PopID();
+}
+
+// The newest on top; when there are many, they scroll.
+void draw_notices(PanelFrame& frame) {
+  if (frame.session.notices.empty()) return;
+  const Box& view = frame.layout.view;
+  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
+  const float width = view.width - 2.0f * margin;
+  ImGui::SetNextWindowPos(ImVec2(view.x + margin, view.y + margin));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, 0.5f * view.height));
+  push_raised_look(frame);
+  ImGui::Begin("Notices", nullptr, floating);
+  pop_raised_look();
+  for (std::size_t i = frame.session.notices.size(); i-- > 0;) {
+    draw_notice(frame, i);
+    if (i > 0) ImGui::Separator();
+  }
+  if (frame.session.before_mend) {
+    ImGui::Separator();
+    if (ImGui::Button("Undo the mends")) frame.wish(UndoMend{});
+    frame.mark("mend/undo");
+    tooltip(frame, "Back to what was open before.");
+  }
+  ImGui::End();
+}
+
+void draw_picking(PanelFrame& frame) {
+  if (frame.session.picking == Picking::nothing) return;
+  const Box& view = frame.layout.view;
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.bottom() - frame.units(40.0f)),
+                          ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+  push_raised_look(frame);
+  ImGui::Begin("Picking", nullptr, floating);
+  pop_raised_look();
+  const bool start = frame.session.picking == Picking::start;
+  ImGui::AlignTextToFramePadding();
+  text(start ? "Click the start vertex in the view (t = 0)." : "Click the end vertex in the view (t = 1).");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) frame.wish(SetPicking{Picking::nothing});
+  frame.mark("picking/cancel");
+  tooltip(frame, tooltip_of(info_of(Command::close)));
+  ImGui::End();
+}
+
+constexpr double worth_a_word_s = 0.25;  // only what a person would notice waiting for
+
+void begin_waiting(const PanelFrame& frame) {
+  const Box& view = frame.layout.view;
+  const float down = frame.session.timeline ? 0.5f : 0.9f;  // below the card of what can be opened
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + down * view.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  push_raised_look(frame);
+  ImGui::Begin("Waiting", nullptr, floating);
+  pop_raised_look();
+}
+
+void draw_opening(PanelFrame& frame) {
+  const Opening& opening = *frame.session.opening;
+  if (opening.seconds < worth_a_word_s) return;
+  begin_waiting(frame);
+  const double share = opening.progress->share();
+  const float width = frame.units(300.0f);
+  text(cut_to_width(words_of(opening), width - frame.units(60.0f)) + " ... " +
+       std::to_string(static_cast<int>(100.0 * share)) + " %");
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, style::vector(theme().accent));
+  ImGui::ProgressBar(static_cast<float>(share), ImVec2(width, frame.units(6.0f)), "");
+  ImGui::PopStyleColor();
+  faint_text(std::to_string(static_cast<int>(opening.seconds)) + " s so far");
+  if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
+  frame.mark("waiting/cancel");
+  tooltip(frame, "It is not opened; what is open stays.");
+  ImGui::End();
+}
+
+void draw_waiting(PanelFrame& frame) {
+  if (frame.session.opening) return draw_opening(frame);
+  const auto& step = frame.session.long_step;
+  if (!step || step->seconds < worth_a_word_s) return;
+  begin_waiting(frame);
+  const knit::Timeline& timeline = *frame.timeline();
+  text(capitalised(knit::work_ahead(timeline.furthest())) + "...");
+  const std::string triangles = with_commas(timeline.input().mesh.triangles.size());
+  faint_text(triangles + " triangles, " + std::to_string(static_cast<int>(step->seconds)) + " s so far");
+  if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
+  frame.mark("waiting/cancel");
+  tooltip(frame, "Back to how it was before this change.");
+  ImGui::End();
+}
+
+}  // namespace
+
+void draw_view_overlays(PanelFrame& frame) {
+  draw_welcome(frame);
+  draw_picking(frame);
+  draw_waiting(frame);
+  draw_rescue(frame);
+  draw_mend_offer(frame);
+  draw_notices(frame);
+}
+
+}  // namespace app

@@ -1,0 +1,172 @@
+// The centre: empty but for what lies over the scene. Drags, wheel and clicks become wishes about the camera.
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <string>
+
+#include "app/describe/pick.h"
+#include "app/explain/why_words.h"
+#include "app/lessons/lesson.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/view_help.h"
+#include "app/panels/kit/widgets.h"
+#include "app/panels/view/view_legend.h"
+
+namespace app {
+
+namespace {
+
+constexpr double radians_per_unit = 0.008;
+constexpr float hover_reach = 12.0f;  // plain units from the pointer to a stitch that it means
+constexpr float click_reach = 4.0f;   // plain units that a click may move
+constexpr float point_reach = 8.0f;   // plain units from a click to a stitch that it means
+constexpr float edge_reach = 5.0f;    // and to an edge
+
+// In [-1, 1] from the view's centre, up positive.
+glm::dvec2 pointer_in(const Box& view) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  return {2.0 * static_cast<double>((at.x - view.x) / view.width) - 1.0,
+          1.0 - 2.0 * static_cast<double>((at.y - view.y) / view.height)};
+}
+
+void move_camera(PanelFrame& frame, const ImVec2& by) {
+  const Box& view = frame.layout.view;
+  if (frame.ui.drag.kind == ViewDrag::Kind::pan) {
+    const glm::dvec2 move(2.0 * static_cast<double>(by.x / view.width),
+                          -2.0 * static_cast<double>(by.y / view.height));
+    frame.wish(Pan{move});
+    return;
+  }
+  const double turn = radians_per_unit / static_cast<double>(frame.layout.scale);
+  frame.wish(Orbit{-static_cast<double>(by.x) * turn, static_cast<double>(by.y) * turn});
+}
+
+void handle_drag(PanelFrame& frame) {
+  ViewDrag& drag = frame.ui.drag;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) {
+    const bool turns = io.MouseDown[ImGuiMouseButton_Left] && !key_mods().shift;
+    drag = {turns ? ViewDrag::Kind::orbit : ViewDrag::Kind::pan, false};
+  }
+  if (!ImGui::IsItemActive()) return;
+  ImVec2 by = io.MouseDelta;
+  if (!drag.moved) {
+    for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle}) {
+      if (!io.MouseDown[button]) continue;
+      by = ImVec2(io.MousePos.x - io.MouseClickedPos[button].x, io.MousePos.y - io.MouseClickedPos[button].y);
+      drag.moved = std::hypot(by.x, by.y) > frame.units(click_reach);
+    }
+    if (!drag.moved) return;
+  }
+  if (by.x != 0.0f || by.y != 0.0f) move_camera(frame, by);
+}
+
+// A lesson's question is answered in the view.
+std::optional<AnswerKind> wanted_click(const Session& session) {
+  const Question* question = open_question(session);
+  return question != nullptr && is_clicked(question->kind) ? std::optional(question->kind) : std::nullopt;
+}
+
+std::optional<knit::Thing> thing_clicked(const PanelFrame& frame) {
+  const Box& view = frame.layout.view;
+  const glm::dvec2 place = pointer_in(view);
+  const auto wanted = wanted_click(frame.session);
+  if (wanted == AnswerKind::stitch) {
+    const double reach = 2.0 * static_cast<double>(frame.units(hover_reach) / view.height);
+    const auto stitch = pick_stitch(frame.session, place, reach);
+    return stitch ? std::optional<knit::Thing>(knit::StitchThing{stitch->row, stitch->stitch}) : std::nullopt;
+  }
+  if (key_mods().ctrl || wanted == AnswerKind::vertex) {
+    const auto vertex = pick_vertex(frame.session, place);
+    return vertex ? std::optional<knit::Thing>(knit::VertexThing{*vertex}) : std::nullopt;
+  }
+  const auto reach = [&](float units) { return 2.0 * static_cast<double>(frame.units(units) / view.height); };
+  return pick_thing(frame.session, place, {reach(point_reach), reach(edge_reach)});
+}
+
+// A click leads to why a thing is there; it waits until it can be no double click any more, which frames.
+void handle_plain_click(PanelFrame& frame) {
+  std::optional<PendingClick>& click = frame.ui.click;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (click && ImGui::GetTime() >= click->due) {
+    if (wanted_click(frame.session)) {
+      frame.wish(AnswerLesson{click->thing ? text_of(*click->thing) : ""});
+    } else if (click->thing) {
+      frame.wish(ShowWhy{*click->thing});
+    } else if (frame.session.travel.selected) {
+      frame.wish(Select{});
+    }
+    click.reset();
+  }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    click.reset();
+    frame.ui.drag.moved = true;  // its release is no click
+  }
+  const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  if (!released || frame.ui.drag.moved || frame.session.picking != Picking::nothing) return;
+  click = PendingClick{thing_clicked(frame), ImGui::GetTime() + static_cast<double>(io.MouseDoubleClickTime)};
+}
+
+void handle_clicks(PanelFrame& frame) {
+  handle_plain_click(frame);
+  const bool picking = frame.session.picking != Picking::nothing;
+  if (picking && ImGui::IsItemDeactivated() && !frame.ui.drag.moved &&
+      ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    if (const auto vertex = pick_vertex(frame.session, pointer_in(frame.layout.view))) {
+      frame.wish(PickVertex{*vertex});
+    }
+  }
+  if (!ImGui::IsItemHovered()) return;
+  if (!picking && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) frame.wish(FrameAll{});
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel != 0.0f) {
+    frame.wish(Zoom{std::pow(0.88, static_cast<double>(wheel)), pointer_in(frame.layout.view)});
+  }
+}
+
+void draw_hint(const PanelFrame& frame) {
+  std::string hint;
+  for (const MouseHelp& help : mouse_help) {
+    if (!help.hint.empty()) hint += std::string(help.hint) + ", ";
+  }
+  hint += text_of(info_of(Command::frame_all).chords[0]) + " frames, ";
+  hint += text_of(info_of(Command::help).chords[1]) + " lists the keys";
+  const Box& view = frame.layout.view;
+  const float height = ImGui::GetTextLineHeight();
+  const float room = view.width - frame.units(170.0f);
+  const ImVec2 at(view.x + frame.units(12.0f), view.bottom() - height - frame.units(10.0f));
+  boxed_text(frame, at, cut_to_width(hint, room), theme().faint_text);
+}
+
+}  // namespace
+
+void draw_view(PanelFrame& frame) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel(
+      "View", frame.layout.view,
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const Box& view = frame.layout.view;
+  ImGui::InvisibleButton("view", ImVec2(view.width, view.height),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  frame.mark("view");
+  const bool hovered = ImGui::IsItemHovered();
+  if (frame.timeline() != nullptr) {
+    handle_drag(frame);
+    handle_clicks(frame);
+    std::optional<StitchAt> under;
+    if (hovered && !ImGui::IsItemActive()) {
+      const double reach = static_cast<double>(frame.units(hover_reach) / view.height);
+      under = pick_stitch(frame.session, pointer_in(view), 2.0 * reach);
+    }
+    if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
+    const bool aims = frame.session.picking != Picking::nothing || wanted_click(frame.session);
+    if (hovered && aims) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    draw_captions(frame);
+    if (hovered) draw_hint(frame);
+  }
+  draw_view_legend(frame);
+  ImGui::End();
+}
+
+}  // namespace app

@@ -1,0 +1,112 @@
+#include "app/panels/view/welcome.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/files/preferences_file.h"
+#include "app/panels/kit/commands.h"
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+namespace {
+
+constexpr float card_width = 440.0f;
+constexpr std::size_t most_shown = 5;  // recent files; the others are in the menu
+constexpr const char* first_lesson = "what-it-does";
+
+void accent_button_look() {
+  ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, style::vector(theme().accent));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().on_accent));
+}
+
+void draw_first_ways(PanelFrame& frame) {
+  const CommandInfo& open = info_of(Command::open);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(0.5f * (ImGui::GetContentRegionAvail().x - gap), frame.units(30.0f));
+  accent_button_look();
+  if (ImGui::Button("Open a mesh...", size)) frame.wish(ShowOpenDialog{true});
+  ImGui::PopStyleColor(4);
+  frame.mark("welcome/open");
+  tooltip(frame, tooltip_of(open));
+  ImGui::SameLine();
+  if (ImGui::Button("What does it do?", size)) frame.wish(StartLesson{first_lesson});
+  frame.mark("welcome/lesson");
+  tooltip(frame, "The first lesson: a few pages, with a mesh to try things on.");
+  wrapped_text("Or drop a mesh (.obj) or a saved session (.json) anywhere in this window.",
+               theme().faint_text);
+}
+
+// Side by side, as many in a line as there is room for.
+void draw_examples(PanelFrame& frame) {
+  const auto examples = list_examples(frame.session.assets);
+  if (examples.empty()) return;
+  heading(frame, "Examples");
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  bool first = true;
+  for (const std::string& name : examples) {
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (!first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine();
+    first = false;
+    if (ImGui::Button(name.c_str())) frame.wish(OpenExample{name});
+    frame.mark("welcome/" + name);
+    tooltip(frame, "Open this example.");
+  }
+}
+
+void draw_recent(PanelFrame& frame) {
+  const std::vector<std::string>& recent = frame.session.preferences.recent;
+  if (recent.empty()) return;
+  heading(frame, "Opened lately");
+  for (std::size_t i = 0; i < std::min(recent.size(), most_shown); ++i) {
+    const RecentWords words = words_of_recent(recent[i]);
+    ImGui::PushID(static_cast<int>(i));
+    const float left = ImGui::GetCursorPosX();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string what = cut_to_width(words.what, 0.6f * width);
+    if (ImGui::Selectable("##recent", false, 0, ImVec2(width, 0.0f)))
+      frame.wish(opening_of_recent(recent[i]));
+    frame.mark("welcome/recent/" + std::to_string(i));
+    tooltip(frame, recent[i]);
+    ImGui::SameLine(left);
+    text(what);
+    ImGui::SameLine(0.0f, frame.units(10.0f));
+    faint_text(cut_to_width(words.where, left + width - ImGui::GetCursorPosX()));
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void draw_welcome(PanelFrame& frame) {
+  if (frame.timeline() != nullptr || frame.session.lesson || frame.session.mend_offer) return;
+  const Box& view = frame.layout.view;
+  const float width = std::min(frame.units(card_width), 0.94f * view.width);
+  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.48f * view.height), ImGuiCond_Always,
+                          ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, 0.96f * view.height));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.units(20.0f), frame.units(16.0f)));
+  push_raised_look(frame);
+  ImGui::Begin("Welcome", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  pop_raised_look();
+  ImGui::PopStyleVar();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(frame.units(8.0f), frame.units(8.0f)));
+  push_font(frame.fonts.heading);
+  text("No mesh is open");
+  pop_font();
+  wrapped_text("Open one, and see step by step how it becomes a pattern to knit by hand.");
+  draw_first_ways(frame);
+  draw_examples(frame);
+  draw_recent(frame);
+  ImGui::PopStyleVar();
+  ImGui::End();
+}
+
+}  // namespace app

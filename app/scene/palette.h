@@ -1,0 +1,126 @@
+// The program's colours in one place, in a dark and a light theme. Labels use the Okabe-Ito set, which
+// colour-blind people tell apart: warm for increases, blue for decreases, as in the thesis's figures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "app/scene/colour.h"
+#include "knit/model/products.h"
+#include "knit/model/stage.h"
+
+namespace app {
+
+enum class ThemeKind : std::uint8_t { dark, light };
+inline constexpr std::array<std::string_view, 2> theme_keys{"dark", "light"};
+
+struct Theme {
+  // The view.
+  Colour background{24, 27, 33};
+  Colour ground{96, 102, 112};
+  Colour time_low{102, 86, 160};
+  Colour time_middle{52, 138, 141};
+  Colour time_high{221, 206, 92};
+  Colour isoline{20, 24, 32, 120};
+
+  Colour ring{150, 156, 166};  // the cycle's vertices not yet measured
+  Colour too_near{120, 126, 138};
+  Colour too_far{160, 110, 90};
+  Colour accepted{255, 255, 255};
+  Colour anchor{255, 214, 64};
+  Colour band{255, 214, 64, 190};
+  Colour selected{140, 255, 150};
+  Colour stitch{244, 240, 228};
+  Colour row_edge{236, 232, 220};
+  Colour column_edge{40, 44, 52};
+  Colour symbol{24, 26, 30};         // of the chart, on faces
+  Colour ghost{150, 176, 214, 150};  // the pinned run behind the one at hand
+  Colour problem{240, 104, 84};
+  Colour break_hit{186, 156, 255};
+
+  // The panels.
+  Colour text{226, 228, 232};
+  Colour faint_text{150, 156, 166};
+  Colour panel{31, 35, 42};
+  Colour raised{43, 48, 57};
+  Colour hovered{57, 64, 76};
+  Colour pressed{64, 73, 87};
+  Colour outline{52, 58, 68};
+  Colour accent{96, 160, 224};
+  Colour on_accent{16, 20, 26};  // words on it
+  Colour warning{230, 170, 60};
+  // How much of a stage's colour its stretch of the timeline has, before the scrubber has passed and after: the
+  // stage's name must be readable on both.
+  std::uint8_t stage_ahead = 45, stage_done = 115;
+
+  // By number, and by stage: the timeline's stretches.
+  std::array<Colour, 7> labels{{{206, 202, 190},
+                                {213, 94, 0},
+                                {230, 159, 0},
+                                {0, 114, 178},
+                                {86, 180, 233},
+                                {0, 158, 115},
+                                {204, 121, 167}}};
+  std::array<Colour, 8> stages{{{96, 102, 112},
+                                {104, 92, 160},
+                                {0, 158, 115},
+                                {70, 130, 180},
+                                {204, 121, 167},
+                                {200, 180, 110},
+                                {140, 150, 160},
+                                {96, 102, 112}}};
+
+  [[nodiscard]] constexpr Colour of(knit::Label label) const {
+    return labels[static_cast<std::size_t>(label)];
+  }
+  [[nodiscard]] constexpr Colour of(knit::Stage stage) const {
+    return stages[static_cast<std::size_t>(stage)];
+  }
+};
+
+inline constexpr Theme dark_theme{};
+
+constexpr Theme make_light_theme() {
+  Theme theme;
+  theme.background = {243, 242, 239};
+  theme.ground = {186, 190, 198};
+  // Paler, so that dark points and lines stand out on it.
+  theme.time_low = {152, 140, 208};
+  theme.time_middle = {114, 184, 182};
+  theme.time_high = {238, 224, 132};
+  theme.isoline = {20, 24, 32, 90};
+  theme.ring = {96, 102, 114};
+  theme.too_near = {118, 124, 136};
+  theme.too_far = {150, 84, 58};
+  theme.accepted = {14, 16, 20};
+  theme.anchor = {176, 84, 0};
+  theme.band = {214, 120, 0, 190};
+  theme.selected = {0, 128, 48};
+  theme.stitch = {52, 50, 46};
+  theme.row_edge = {84, 80, 72};
+  theme.column_edge = {60, 62, 68};
+  theme.ghost = {62, 92, 140, 150};
+  theme.problem = {190, 44, 28};
+  theme.break_hit = {110, 70, 190};
+  theme.text = {28, 31, 36};
+  theme.faint_text = {98, 104, 114};
+  theme.panel = {252, 251, 249};
+  theme.raised = {234, 234, 232};
+  theme.hovered = {220, 222, 224};
+  theme.pressed = {202, 206, 212};
+  theme.outline = {212, 212, 210};
+  theme.accent = {28, 104, 178};
+  theme.on_accent = {255, 255, 255};
+  theme.warning = {150, 92, 0};
+  theme.stage_ahead = 70;
+  theme.stage_done = 190;
+  return theme;
+}
+inline constexpr Theme light_theme = make_light_theme();
+
+constexpr const Theme& theme_of(ThemeKind kind) {
+  return kind == ThemeKind::light ? light_theme : dark_theme;
+}
+
+}  // namespace app

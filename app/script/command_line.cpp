@@ -1,0 +1,414 @@
+#include "app/script/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "app/base/text.h"
+#include "app/files/gltf.h"
+#include "app/files/pattern_export.h"
+#include "app/files/plots.h"
+#include "app/files/session_file.h"
+#include "app/lessons/lesson.h"
+#include "app/script/figure_words.h"
+#include "app/script/queries.h"
+#include "app/script/subcommands.h"
+#include "app/session/presets.h"
+#include "knit/model/stage.h"
+
+namespace app {
+
+namespace {
+
+struct Words {
+  std::string session, diff, why, point;
+  std::vector<std::string> breaks, sweep;
+  std::string save_session;
+  std::string mesh, example, preset, at, side, list, centre, knit_along;
+  std::vector<std::string> settings;  // beside the parameter table; empty: not given
+  std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
+      size;
+  std::string save_gltf, save_plots;
+  FigureWords figures;
+  std::string index_sizes, index_placement = "thesis", check_file;
+  std::string theme, scale, mend;
+  std::string lesson, lesson_page;
+  std::string title, yarn, colour, needle;
+  bool markers = false, stars = false;
+  bool explain = false;
+  bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
+};
+
+std::string list_parameters_text() {
+  std::string text;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    std::string fallback = knit::value_text(info, knit::Parameters{});
+    if (info.key == "gauge") fallback = "follows the stitch size";
+    if (info.key == "stitch-width") fallback = "3 % of the bounding box's diagonal";
+    if (info.key == "epsilon") fallback = "half the stitch width";
+    text += "--" + std::string(info.key) + "\t" + knit::range_text(info);
+    if (!info.unit.empty()) text += " (" + std::string(info.unit) + ")";
+    text += "; default " + fallback + "\t" + std::string(info.help) + "\n";
+  }
+  return text;
+}
+
+std::string lessons_text(const std::filesystem::path& assets) {
+  std::string text;
+  for (const LessonEntry& entry : list_lessons(assets)) {
+    const std::string key = entry.key.empty() ? "(" + entry.title + " cannot be read)" : entry.key;
+    text += key + "\t" + (entry.key.empty() ? "" : entry.title + "\t") + entry.about + "\n";
+  }
+  return text;
+}
+
+std::string mend_list() {
+  std::string text;
+  for (const std::string_view key : knit::mend_keys) text += (text.empty() ? "" : ", ") + std::string(key);
+  return text;
+}
+
+// An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
+void refuse_empty_values(CLI::App& app) {
+  const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
+  for (CLI::Option* option : app.get_options()) option->check(given);
+}
+
+void declare(CLI::App& app, Words& words) {
+  app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
+  app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
+  app.add_option("--example", words.example, "open an example instead (see --list-examples)");
+  app.add_option("--session", words.session, "open a saved session instead");
+  app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
+  app.add_option("--mend", words.mend, "mend the mesh before it is opened: all, or some of " + mend_list());
+  app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
+  const auto table = knit::parameter_table();
+  words.settings.resize(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    app.add_option("--" + std::string(table[i].key), words.settings[i], std::string(table[i].help))
+        ->group("Parameters")
+        ->allow_extra_args(false);
+  }
+  app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
+  app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
+  app.add_option("--side", words.side,
+                 "what the right column shows: step, report, pattern, compare or sweep");
+  app.add_option("--list", words.list,
+                 "which list stands below the step: rows, candidates, problems or breaks");
+  app.add_option("--centre", words.centre, "what the centre shows: view or chart");
+  app.add_option("--theme", words.theme, "dark or light");
+  app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
+  app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
+  app.add_option("--lesson-page", words.lesson_page, "the lesson's page to begin with, from 1");
+  app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
+  app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
+      ->allow_extra_args(false);
+  app.add_option("--why", words.why, "say which step made stitch:ROW:ITEM or refused vertex:ID, and why");
+  app.add_flag("--explain", words.explain,
+               "print the pseudo-code with the line that just ran, and the values");
+  app.add_option("--point", words.point, "light this variable of the pseudo-code in the view");
+  app.add_option("--sweep", words.sweep, "run for PARAM=FROM:TO:N and write a table as CSV; twice: a grid")
+      ->allow_extra_args(false);
+  app.add_option("--diff", words.diff, "say what differs from the run of another session file");
+  app.add_option("--save-session", words.save_session, "write the session, to open it again");
+  app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
+  app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
+  app.add_option("--save-report", words.save_report, "write the report as JSON");
+  app.add_option("--save-card", words.save_card, "write the report card as text");
+  app.add_option("--save-pattern", words.save_pattern,
+                 std::string("write the knitting pattern; a name that ends in ") + pattern_endings);
+  app.add_option("--save-chart", words.save_chart, "write the chart as SVG");
+  app.add_option("--title", words.title, "the pattern's title")->group("Pattern");
+  app.add_option("--yarn", words.yarn, "the yarn's name, for the pattern")->group("Pattern");
+  app.add_option("--colour", words.colour, "the yarn's colour, for the pattern")->group("Pattern");
+  app.add_option("--needle-mm", words.needle, "the needle, for the pattern; else the usual one")
+      ->group("Pattern");
+  app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
+  app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
+  app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
+  app.add_option("--save-gltf", words.save_gltf,
+                 std::string("write the knit mesh as glTF; a name that ends in ") + gltf_endings);
+  app.add_option("--save-plots", words.save_plots,
+                 std::string("write the report's plots; a name that ends in ") + plots_endings);
+  declare_figures(app, words.figures);
+  app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
+  app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
+  app.add_flag("--list-examples", words.list_examples, "list the examples");
+  app.add_flag("--list-lessons", words.list_lessons, "list the lessons");
+  app.add_flag("--list-parameters", words.list_parameters,
+               "list the parameters with range, unit and default");
+  CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
+  index->add_option("SIZES", words.index_sizes, "row sizes, the cast on first: 6,12,17,22")->required();
+  index->add_option("--placement", words.index_placement, "thesis or even");
+  refuse_empty_values(app);
+  refuse_empty_values(*index);
+  CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");
+  check->add_option("FILE", words.check_file, "text, Markdown or HTML (\"-\": standard input)")->required();
+  refuse_empty_values(*check);
+}
+
+bool parse_size(const std::string& text, int& width, int& height) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return false;
+  const auto number = [](std::string_view part, int& value) {
+    const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
+    return result.ec == std::errc() && result.ptr == part.data() + part.size() && value >= 64 &&
+           value <= 16384;
+  };
+  return number(std::string_view(text).substr(0, cross), width) &&
+         number(std::string_view(text).substr(cross + 1), height);
+}
+
+void add_saves(const Words& words, CommandLine& line) {
+  const auto add = [&](const std::string& path, ExportKind kind) {
+    if (!path.empty()) line.saves.push_back({kind, path});
+  };
+  add(words.save_mesh, ExportKind::mesh);
+  add(words.save_map, ExportKind::map);
+  add(words.save_report, ExportKind::report);
+  add(words.save_card, ExportKind::card);
+  add(words.save_pattern, ExportKind::pattern);
+  add(words.save_chart, ExportKind::chart);
+  add(words.save_steps, ExportKind::steps);
+  add(words.save_gltf, ExportKind::gltf);
+  add(words.save_plots, ExportKind::plots);
+  add(words.save_session, ExportKind::session);
+  add(words.screenshot, ExportKind::picture);
+}
+
+// Stitch sizes may be given in one view only, unless --sizes says which one counts.
+std::optional<std::string> clash_of_sizes(const CommandLine& line) {
+  std::string mesh_key;
+  bool gauge = false;
+  for (const auto& [info, text] : line.settings) {
+    if (info->key == "sizes") return std::nullopt;
+    if (info->key == "stitch-width" || info->key == "stitch-height") mesh_key = info->key;
+    gauge = gauge || info->key == "gauge";
+  }
+  if (!gauge || mesh_key.empty()) return std::nullopt;
+  return "--gauge and --" + mesh_key +
+         " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
+}
+
+// The index of a word among those that an option takes; a sentence where it is none of them.
+template <std::size_t count>
+std::optional<std::string> choose(const std::string& option, const std::string& word,
+                                  const std::array<std::string_view, count>& names, std::size_t& index) {
+  const auto name = std::find(names.begin(), names.end(), word);
+  index = static_cast<std::size_t>(name - names.begin());
+  if (name != names.end()) return std::nullopt;
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i)
+    all += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(names[i]);
+  return option + " cannot be \"" + word + "\"; give " + all + ".";
+}
+
+std::optional<std::string> read_side(const Words& words, CommandLine& line) {
+  std::size_t index = 0;
+  if (!words.list.empty()) {
+    if (auto trouble = choose("--list", words.list, list_keys, index)) return trouble;
+    line.list = static_cast<RunList>(index);
+  }
+  if (words.side.empty()) return std::nullopt;
+  if (auto trouble = choose("--side", words.side, side_keys, index)) return trouble;
+  line.side = static_cast<SidePanel>(index);
+  line.side_given = true;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_look(const Words& words, CommandLine& line) {
+  if (!words.theme.empty()) {
+    std::size_t index = 0;
+    if (auto trouble = choose("--theme", words.theme, theme_keys, index)) return trouble;
+    line.theme = static_cast<ThemeKind>(index);
+  }
+  if (words.scale.empty()) return std::nullopt;
+  double scale = 0.0;
+  const char* end = words.scale.data() + words.scale.size();
+  const auto result = std::from_chars(words.scale.data(), end, scale);
+  if (result.ec != std::errc() || result.ptr != end || !(scale >= smallest_scale && scale <= largest_scale))
+    return "--scale cannot be \"" + words.scale + "\"; give a number from 0.75 to 2.5.";
+  line.scale = scale;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
+  if (!words.session.empty() && (!words.mesh.empty() || !words.example.empty()))
+    return "give either a session or a mesh, not both.";
+  line.session = words.session;
+  if (!words.mesh.empty() && is_session_file(words.mesh)) line.session = words.mesh;
+  line.breaks = words.breaks;
+  line.sweep = words.sweep;
+  line.diff = words.diff;
+  line.why = words.why;
+  line.explain = words.explain;
+  line.point = words.point;
+  for (const std::string& text : line.breaks) {
+    if (auto fault = fault_of_break(text)) return fault;
+  }
+  if (auto fault = fault_of_sweep(line.sweep)) return fault;
+  if (auto fault = fault_of_point(line.point)) return fault;
+  return line.why.empty() ? std::nullopt : fault_of_why(line.why);
+}
+
+std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
+  if (!words.centre.empty() && words.centre != "view" && words.centre != "chart")
+    return "--centre cannot be \"" + words.centre + "\"; give view or chart.";
+  line.centre = words.centre == "chart" ? CentrePanel::chart : CentrePanel::view;
+  line.centre_given = !words.centre.empty();
+  if (words.knit_along.empty()) return std::nullopt;
+  std::int32_t round = 0;
+  const char* end = words.knit_along.data() + words.knit_along.size();
+  const auto result = std::from_chars(words.knit_along.data(), end, round);
+  if (result.ec != std::errc() || result.ptr != end || round < 1)
+    return "--knit-along cannot be \"" + words.knit_along + "\"; give a round from 1.";
+  line.knit_along = round;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_lesson_words(const Words& words, CommandLine& line) {
+  line.lesson = words.lesson;
+  if (words.lesson_page.empty()) return std::nullopt;
+  line.lesson_page = whole_number<std::int32_t>(words.lesson_page);
+  if (!line.lesson_page || *line.lesson_page < 1)
+    return "--lesson-page cannot be \"" + words.lesson_page + "\"; give a page from 1.";
+  if (words.lesson.empty()) return "--lesson-page needs a lesson; give --lesson too.";
+  return std::nullopt;
+}
+
+// The pattern's own words; a sentence where one cannot be.
+std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
+  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
+  if (!words.save_pattern.empty() && !pattern_format_of(words.save_pattern)) {
+    return "--save-pattern cannot be \"" + words.save_pattern + "\"; give a name that ends in " +
+           pattern_endings + ".";
+  }
+  if (words.needle.empty()) return std::nullopt;
+  line.pattern.needle_mm = needle_mm_of(words.needle);
+  if (!line.pattern.needle_mm)
+    return "--needle-mm cannot be \"" + words.needle + "\"; give " + needle_range + ".";
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_endings(const Words& words) {
+  const auto fault = [](const char* option, const std::string& path, const char* endings) {
+    return std::string(option) + " cannot be \"" + path + "\"; give a name that ends in " + endings + ".";
+  };
+  if (!words.save_gltf.empty() && !gltf_format_of(words.save_gltf))
+    return fault("--save-gltf", words.save_gltf, gltf_endings);
+  if (!words.save_plots.empty() && !plots_format_of(words.save_plots))
+    return fault("--save-plots", words.save_plots, plots_endings);
+  return std::nullopt;
+}
+
+// With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
+std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
+  const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
+                    line.explain || line.at || line.knit_along;
+  const bool sets = !line.settings.empty() || !line.preset.empty();
+  const bool saves = line.picture || line.animation ||
+                     std::any_of(line.saves.begin(), line.saves.end(),
+                                 [](const Export& wish) { return wish.kind != ExportKind::picture; });
+  const bool needs = opens || !line.session.empty() || !line.lesson.empty() || asks || sets || saves;
+  if (!line.empty || !needs) return std::nullopt;
+  return "--empty opens nothing, so there is no mesh for the other options; leave it out.";
+}
+
+// Commas between; the order does not matter, for there is but one that is safe.
+std::optional<std::string> read_mends(const Words& words, CommandLine& line) {
+  if (words.mend.empty()) return std::nullopt;
+  if (words.mesh.empty() || !line.session.empty())
+    return "--mend needs a mesh's file; examples are whole, and a session has its own mends.";
+  knit::MendWish wish{words.mend == "all", {}};
+  for (const std::string_view key : wish.all ? std::vector<std::string_view>() : split(words.mend, ',')) {
+    const auto kind = knit::mend_named(key);
+    if (!kind)
+      return "--mend cannot be \"" + words.mend + "\"; give all, or some of " + mend_list() +
+             ", with commas between.";
+    if (std::find(wish.kinds.begin(), wish.kinds.end(), *kind) == wish.kinds.end())
+      wish.kinds.push_back(*kind);
+  }
+  line.open = OpenFile{words.mesh, std::move(wish)};
+  return std::nullopt;
+}
+
+std::variant<CommandLine, Answer> understand(const Words& words) {
+  CommandLine line;
+  if (!words.mesh.empty() && !words.example.empty()) {
+    return bad_usage("give either a mesh or --example, not both.");
+  }
+  if (!words.mesh.empty()) line.open = OpenFile{words.mesh};
+  if (!words.example.empty()) line.open = OpenExample{words.example};
+  knit::Parameters scratch;
+  for (std::size_t i = 0; i < words.settings.size(); ++i) {
+    if (words.settings[i].empty()) continue;
+    const knit::ParameterInfo& info = knit::parameter_table()[i];
+    if (const auto error = knit::set_value(info, scratch, words.settings[i])) return bad_usage(*error);
+    line.settings.emplace_back(&info, words.settings[i]);
+  }
+  if (const auto clash = clash_of_sizes(line)) return bad_usage(*clash);
+  if (const auto trouble = read_pattern_words(words, line)) return bad_usage(*trouble);
+  line.preset = words.preset;
+  if (!words.preset.empty() && find_preset(words.preset) == nullptr) {
+    return bad_usage("--preset cannot be \"" + words.preset + "\"; give " + preset_keys() + ".");
+  }
+  if (!words.at.empty()) {
+    line.at = parse_at(words.at);
+    if (!line.at) {
+      return bad_usage(
+          "--at cannot be \"" + words.at +
+          "\"; give end, a number of steps, or STAGE[:ROW[:ITEM]] with a stage of timing, cast-on, rows, "
+          "stitches, faces, pattern.");
+    }
+  }
+  if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_mends(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
+  if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
+    return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
+  }
+  if (const auto trouble = fault_of_endings(words)) return bad_usage(*trouble);
+  if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
+  line.headless = words.headless;
+  add_saves(words, line);
+  line.empty = words.empty;
+  if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
+    return bad_usage(*trouble);
+  return line;
+}
+
+}  // namespace
+
+std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,
+                                                     const std::filesystem::path& assets) {
+  Words words;
+  CLI::App app("knit-mesh: how a 3D mesh becomes something to knit by hand, step by step.", "knit-mesh");
+  declare(app, words);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForVersion& version) {
+    return Answer{exit_done, std::string(version.what()) + "\n", ""};
+  } catch (const CLI::CallForHelp&) {
+    return Answer{exit_done, app.help(), ""};
+  } catch (const CLI::ParseError& error) {
+    return bad_usage(std::string(error.what()) + "; see knit-mesh --help.");
+  }
+  if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
+  if (!words.check_file.empty()) return check_file(words.check_file);
+  if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
+  if (words.list_lessons) return Answer{exit_done, lessons_text(assets), ""};
+  if (words.list_examples) {
+    std::string names;
+    for (const std::string& name : list_examples(assets)) names += name + "\n";
+    return Answer{exit_done, names, ""};
+  }
+  return understand(words);
+}
+
+std::string_view program_version() { return KNIT_MESH_VERSION; }
+
+}  // namespace app

@@ -1,0 +1,73 @@
+// The command line: a contract that others script against. It turns words into the same actions that buttons
+// make.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/session/action.h"
+#include "app/session/at.h"
+
+namespace app {
+
+struct CommandLine {
+  Action open = OpenExample{"thesis-sphere"};
+  std::string preset;  // its key; empty: none. Comes before the settings
+  std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
+  std::optional<At> at;  // none: the end when headless, the start in the window
+  bool headless = false;
+  bool empty = false;  // nothing is to be opened
+  knit::PatternOptions pattern;
+  SidePanel side = SidePanel::step;        // what the right column shows
+  std::optional<RunList> list;             // below the step
+  CentrePanel centre = CentrePanel::view;  // what the centre shows
+  std::optional<ThemeKind> theme;          // none: as the preferences have it
+  std::optional<double> scale;             // likewise
+  std::optional<std::int32_t> knit_along;  // the round to begin with
+  std::filesystem::path session;           // instead of a mesh; empty: none
+  std::vector<std::string> breaks, sweep;  // as given: queries.h
+  std::string diff, why;
+  bool explain = false;
+  std::string point;                        // a variable of the pseudo-code
+  std::string lesson;                       // its key or file; empty: none
+  std::optional<std::int32_t> lesson_page;  // from 1
+  std::vector<Export> saves;
+  std::optional<SavePicture> picture;
+  std::optional<SaveAnimation> animation;  // its stretch: from and to
+  At from = std::size_t{0}, to = AtEnd{};
+  int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
+
+  bool side_given = false, centre_given = false;  // beside a session only what is given counts
+};
+
+// The program's answer without a window: help, a list, an error.
+struct Answer {
+  int exit_code = 0;
+  std::string out;    // for standard output
+  std::string error;  // one line for standard error
+};
+
+inline constexpr int exit_done = 0;
+inline constexpr int exit_stopped = 1;   // the algorithm stopped on this mesh
+inline constexpr int exit_usage = 2;     // bad usage, or an unreadable or unfit file
+inline constexpr int exit_no_break = 4;  // no condition of --break holds
+
+inline Answer bad_usage(const std::string& sentence) { return {exit_usage, "", sentence}; }
+
+std::string_view program_version();  // "0.1.0"
+
+// `arguments` without the program's name.
+std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::string>& arguments,
+                                                     const std::filesystem::path& assets);
+
+// Opens the mesh and sets the parameters; the error is one sentence. For a window a large mesh may be left to a
+// worker (session.opening); once it is open, set_as_asked does the rest.
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line);
+// Requires something open.
+std::optional<std::string> set_as_asked(Session& session, const CommandLine& line);
+
+}  // namespace app

@@ -1,0 +1,160 @@
+// From a command line to an open session at the place that was asked for.
+#include "app/script/open_as_asked.h"
+
+#include <utility>
+
+#include "app/actions/opening.h"
+#include "app/lessons/lesson.h"
+#include "app/script/command_line.h"
+#include "app/script/queries.h"
+#include "app/session/presets.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+namespace {
+
+// Over the pattern options of a session go those that are given.
+knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::PatternOptions& given) {
+  if (!given.title.empty()) pattern.title = given.title;
+  if (!given.yarn.empty()) pattern.yarn = given.yarn;
+  if (!given.colour.empty()) pattern.colour = given.colour;
+  if (given.needle_mm) pattern.needle_mm = given.needle_mm;
+  pattern.markers = pattern.markers || given.markers;
+  pattern.stars = pattern.stars || given.stars;
+  return pattern;
+}
+
+std::optional<std::string> set_parameters(Session& session, const CommandLine& line) {
+  if (line.settings.empty() && line.preset.empty()) return std::nullopt;
+  knit::Parameters parameters = session.timeline->parameters();
+  if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
+  const double width = parameters.stitch_width;
+  const double band_share = parameters.epsilon / width;
+  bool epsilon_given = false;
+  for (const auto& [info, text] : line.settings) {
+    knit::set_value(*info, parameters, text);
+    knit::give_size_by(info->key, parameters);
+    epsilon_given = epsilon_given || info->key == "epsilon";
+  }
+  // A width alone takes epsilon along in proportion.
+  for (const auto& [info, text] : line.settings) {
+    if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
+  }
+  parameters = knit::agreed(parameters, session.timeline->input());
+  if (!epsilon_given && parameters.stitch_width != width)
+    parameters.epsilon = band_share * parameters.stitch_width;
+  const std::size_t notices = session.notices.size();
+  apply(session, Tune{parameters});
+  if (session.notices.size() > notices && session.notices.back().kind == Notice::Kind::error) {
+    return session.notices.back().text;
+  }
+  return std::nullopt;
+}
+
+// Leaving it goes back to what else was asked for.
+std::optional<std::string> begin_lesson(Session& session, const CommandLine& line) {
+  if (line.lesson.empty()) return std::nullopt;
+  const std::size_t notices = session.notices.size();
+  apply(session, StartLesson{line.lesson});
+  if (!session.lesson) return session.notices.size() > notices ? session.notices.back().text : "no lesson.";
+  return line.lesson_page ? go_to_lesson_page(session, *line.lesson_page) : std::nullopt;
+}
+
+// What is wrong, and which option would help.
+std::string words_of(const MendOffer& offer) {
+  std::string keys;
+  std::string effects;
+  for (const knit::MendStep& step : offer.plan->steps) {
+    keys += (keys.empty() ? "" : ",") + std::string(knit::key_of(step.kind));
+    effects += " " + step.would;
+  }
+  return offer.finding + " Or give --mend " + keys + "." + effects;
+}
+
+// Only where nothing is asked about the run itself may a window come before a large mesh.
+bool opens_beside(const CommandLine& line) {
+  const bool may = !line.headless && !line.at && line.lesson.empty() && line.why.empty() &&
+                   line.diff.empty() && line.sweep.empty() && !line.animation;
+  if (!may) return false;
+  if (!line.session.empty()) return is_long_to_open(line.session, true);
+  const auto* file = line.open.get_if<OpenFile>();
+  return file != nullptr && is_long_to_open(file->path, false);
+}
+
+void look_as_asked(Session& session, const CommandLine& line) {
+  const bool saved = !line.session.empty();
+  if (!saved || line.side_given) apply(session, ShowSide{line.side});
+  if (line.theme) apply(session, SetTheme{*line.theme});
+  if (line.scale) apply(session, SetScale{*line.scale});
+  if (line.list) apply(session, ShowList{*line.list});
+  if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
+  apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
+  if (!line.point.empty()) apply(session, PointAt{line.point});
+  if (line.knit_along) apply(session, KnitAlong{line.knit_along});
+}
+
+}  // namespace
+
+std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
+  session.beside = opens_beside(line);
+  if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
+  session.beside = false;
+  look_as_asked(session, line);
+  if (session.opening || line.empty) return std::nullopt;
+  if (!session.timeline && session.mend_offer)
+    return line.headless ? std::optional(words_of(*session.mend_offer)) : std::nullopt;  // a window offers it
+  if (!session.timeline)
+    return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
+  return set_as_asked(session, line);
+}
+
+std::optional<std::string> set_as_asked(Session& session, const CommandLine& line) {
+  look_as_asked(session, line);  // what was opened brings its own look
+  if (!line.breaks.empty()) {
+    std::vector<knit::BreakCondition> breaks = session.travel.breaks;  // a session file may have some
+    for (const knit::BreakCondition& condition : breaks_of(line.breaks)) breaks.push_back(condition);
+    apply(session, SetBreaks{std::move(breaks)});
+  }
+  auto error = set_parameters(session, line);
+  session.changes = {};  // what was asked for at the start is where undoing ends
+  return error ? error : begin_lesson(session, line);
+}
+
+namespace {
+
+std::filesystem::path offered_in(const Session& session) {
+  return session.mend_offer ? session.mend_offer->source.file : std::filesystem::path();
+}
+
+}  // namespace
+
+AskedAtStart::AskedAtStart(const Session& session)
+    : opening_(session.opening), offered_(session.timeline ? std::filesystem::path() : offered_in(session)) {}
+
+AskedAtStart::Mesh AskedAtStart::mesh_in(const Session& session) const {
+  if (opening_) {
+    if (session.opening == opening_) return Mesh::pending;
+    return session.timeline && !opening_->progress->stopped() ? Mesh::open : Mesh::other;
+  }
+  if (offered_in(session) == offered_ || session.opening) return Mesh::pending;
+  return session.timeline && session.source.file == offered_ ? Mesh::open : Mesh::other;
+}
+
+bool AskedAtStart::tend(Session& session, const CommandLine& line) {
+  if (!opening_ && offered_.empty()) return false;
+  const Mesh mesh = mesh_in(session);
+  if (mesh == Mesh::pending) return false;
+  const auto opening = std::exchange(opening_, nullptr);
+  offered_.clear();
+  if (mesh == Mesh::other) {
+    // Read, and unfit: the offer is the next thing to wait for.
+    if (opening && offered_in(session) == opening->path) offered_ = opening->path;
+    return false;
+  }
+  if (auto error = set_as_asked(session, line))
+    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+  return true;
+}
+
+}  // namespace app

@@ -1,0 +1,261 @@
+#include "app/script/queries.h"
+
+#include "app/compare/compare_runs.h"
+#include "app/compare/sweep_work.h"
+#include "app/explain/code_variables.h"
+#include "app/explain/pseudo_code.h"
+#include "app/explain/step_table.h"
+#include "app/explain/why_words.h"
+#include "app/files/load.h"
+#include "app/files/session_file.h"
+#include "app/session/action.h"
+#include "knit/insight/narrate.h"
+#include "knit/model/gauge.h"
+
+namespace app {
+
+std::optional<std::string> fault_of_break(const std::string& condition) {
+  const auto parsed = knit::parse_break(condition);
+  const auto* error = std::get_if<std::string>(&parsed);
+  return error != nullptr ? std::optional(*error) : std::nullopt;
+}
+
+std::vector<knit::BreakCondition> breaks_of(const std::vector<std::string>& texts) {
+  std::vector<knit::BreakCondition> conditions;
+  for (const std::string& text : texts) {
+    const auto parsed = knit::parse_break(text);
+    if (const auto* condition = std::get_if<knit::BreakCondition>(&parsed)) conditions.push_back(*condition);
+  }
+  return conditions;
+}
+
+Answer break_answer(Session& session) {
+  const knit::Timeline& timeline = *session.timeline;
+  const Travel& travel = session.travel;
+  const std::size_t here = timeline.position();
+  apply(session, PassTime{0.0});  // hits are known as far as the run is
+  if (travel.hits.condition_at(here) == nullptr) apply(session, RunToBreak{1});
+  const knit::BreakCondition* condition = travel.hits.condition_at(timeline.position());
+  if (condition != nullptr)
+    return {exit_done, "", "break " + knit::text_of(*condition) + ": " + sentence(session)};
+  apply(session, ToLast{});
+  return {exit_no_break, "", "no break condition holds from there to the end of the run; showing the end."};
+}
+
+namespace {
+
+std::variant<Loaded, std::string> load_source(const Session& session, const SavedRun& run) {
+  const Source& source = run.source;
+  auto read = source.file.empty() ? load_example(session.assets, source.example)
+                                  : load_file(source.file, source.mends);
+  if (std::holds_alternative<std::string>(read)) return read;
+  return load_again(std::get<Loaded>(read).original, run.base);
+}
+
+}  // namespace
+
+Answer diff_answer(Session& session, const std::filesystem::path& other) {
+  const auto read = read_saved_run(other);
+  if (const auto* error = std::get_if<std::string>(&read)) return {exit_usage, "", *error};
+  const auto& saved = std::get<SavedRun>(read);
+  const auto loaded = load_source(session, saved);
+  if (const auto* error = std::get_if<std::string>(&loaded)) return {exit_usage, "", *error};
+  const auto& input = *std::get<Loaded>(loaded).input;
+  const Knobs knobs{knit::agreed(saved.base, input), saved.edits};
+  if (const auto fault = knit::fault_of(knobs.base, input.mesh))
+    return {exit_usage, "", other.string() + ": " + *fault};
+  const RunTally run = whole_run(input, knobs);
+  const RunFigures figures = figures_of(run, knobs);
+
+  session.timeline->extend_to_end();
+  const RunTally here = tally_of(*session.timeline);
+  const Knobs here_knobs = knobs_of(*session.timeline);
+  const RunFigures here_figures = figures_of(here, here_knobs);
+  const RunDifference difference = difference_of(
+      {input, knobs, run.state, figures}, {session.timeline->input(), here_knobs, here.state, here_figures});
+  Pin pin;
+  pin.input = std::get<Loaded>(loaded).input;
+  pin.knobs = knobs;
+  pin.end = run.state;
+  pin.figures = figures;
+  pin.known = true;
+  session.pinned = std::move(pin);
+  return {exit_done, text_of(difference, other.filename().string(), "this run"), ""};
+}
+
+namespace {
+
+// '>': the line that just ran; '|': others of the step.
+char mark_of(const Explained& at, std::size_t line) {
+  if (!at.lines || !at.lines->holds(line)) return ' ';
+  return at.lines->last == line ? '>' : '|';
+}
+
+std::string place_line(const Explained& at) {
+  if (at.step == nullptr) return "start";
+  const knit::Place& place = at.step->place;
+  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
+         std::to_string(place.item) + (at.stopped ? "\tstopped" : "");
+}
+
+std::string padded(std::size_t number) { return (number < 10 ? " " : "") + std::to_string(number); }
+
+}  // namespace
+
+Answer explain_answer(const Session& session) {
+  const auto at = explained(session);
+  if (!at) return {exit_usage, "", "nothing is open that could be explained."};
+  const PseudoCode& code = code_of(at->listing);
+  std::string text = place_line(*at) + "\t" + std::string(code.title) + "\n" + sentence(session) + "\n";
+  for (std::size_t i = 0; i < code.lines.size(); ++i)
+    text += std::string(1, mark_of(*at, i)) + " " + padded(i + 1) + "  " + shown_text(code.lines[i]) + "\n";
+  for (const Variable& variable : variables_of(session)) {
+    if (variable.value.empty()) continue;
+    text += variable.name;
+    text += "\t" + std::string(variable.symbol) + "\t" + variable.value + "\t";
+    text += variable.meaning;
+    text += "\n";
+  }
+  return {exit_done, text, ""};
+}
+
+std::optional<std::string> fault_of_point(const std::string& variable) {
+  if (variable.empty() || !variable_named(variable).name.empty()) return std::nullopt;
+  return "--point cannot be \"" + variable +
+         "\"; give the name of a variable, the first word of its line as --explain prints it.";
+}
+
+namespace {
+
+std::variant<SweepPlan, std::string> plan_of(const std::vector<std::string>& axes) {
+  if (axes.size() > 2) return "--sweep can be given once or twice; more than two parameters make no table.";
+  SweepPlan plan;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    auto axis = parse_sweep_axis(axes[i]);
+    if (auto* fault = std::get_if<std::string>(&axis)) return *fault;
+    if (i == 0) plan.axis = std::get<SweepAxis>(axis);
+    if (i == 1) plan.second = std::get<SweepAxis>(axis);
+  }
+  if (auto fault = fault_of(plan)) return *fault;
+  return plan;
+}
+
+// In quotes where a comma or a quote would end the cell.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string cv_cell(const knit::LengthFigures& figures) {
+  return figures.count > 0 ? knit::number_text(figures.cv) : "";
+}
+
+std::string line_of(const SweepRun& run) {
+  std::string line;
+  for (const double value : run.values) line += knit::number_text(value) + ",";
+  if (!run.refused.empty()) return line + "refused,,,,,,,,,," + cell(run.refused) + "\n";
+  const RunFigures& f = run.figures;
+  line += f.finished ? "finished" : "stopped";
+  for (const std::size_t count : {f.steps, f.rows, f.stitches}) line += "," + std::to_string(count);
+  for (const std::int32_t count : {f.increases, f.decreases, f.most_in_a_row})
+    line += "," + std::to_string(count);
+  return line + "," + std::to_string(f.problems) + "," + cv_cell(f.course) + "," + cv_cell(f.wale) + "," +
+         cell(f.stop) + "\n";
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_sweep(const std::vector<std::string>& axes) {
+  if (axes.empty()) return std::nullopt;
+  const auto plan = plan_of(axes);
+  const auto* fault = std::get_if<std::string>(&plan);
+  return fault != nullptr ? std::optional(*fault) : std::nullopt;
+}
+
+Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
+  const auto plan = plan_of(axes);
+  if (const auto* fault = std::get_if<std::string>(&plan)) return {exit_usage, "", *fault};
+  app::apply(session, StartSweep{std::get<SweepPlan>(plan)});
+  if (session.beside) return {};
+  const SweepWork& work = *session.sweep->work;
+  std::string text = work.plan().axis.key + ",";
+  if (work.plan().second) text += work.plan().second->key + ",";
+  text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why\n";
+  for (std::size_t i = 0; i < work.total(); ++i) text += line_of(*work.run(i));
+  return {exit_done, text, ""};
+}
+
+namespace {
+
+std::string place_text(const knit::Place& place) {
+  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
+         std::to_string(place.item);
+}
+
+// A step: its number and place, its sentence, its numbers one a line.
+std::string step_text(const knit::Timeline& timeline, const std::string& what, std::size_t index) {
+  const knit::Step& step = timeline.step(index);
+  std::string text = what + "\tstep " + std::to_string(index + 1) + "\t" + place_text(step.place) + "\t" +
+                     std::string(knit::kind_name(step)) + "\n";
+  text += knit::narrate(step, timeline.parameters_of_step(index)) + "\n";
+  for (const auto& [name, value] : numbers_of(step)) {
+    text += "  ";
+    text += name;
+    text += "\t";
+    text += value;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string vertex_text(const knit::Timeline& timeline, const knit::VertexThing& thing) {
+  const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
+  std::string text;
+  for (const std::size_t step : story.measured) text += step_text(timeline, "measured", step);
+  const bool among = !story.measured.empty() && story.decided == story.measured.back();
+  if (story.decided && !among) text += step_text(timeline, "decided", *story.decided);
+  return text;
+}
+
+std::string stitch_text(const knit::Timeline& timeline, const knit::StitchThing& stitch, std::size_t made) {
+  std::string text;
+  if (const auto chosen = knit::chosen_by(timeline, stitch)) text += step_text(timeline, "chosen", *chosen);
+  text += step_text(timeline, "made", made);
+  if (const auto moved = knit::moved_by(timeline, stitch)) text += step_text(timeline, "moved", *moved);
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_why(const std::string& thing) {
+  if (thing_named(thing)) return std::nullopt;
+  return "--why cannot be \"" + thing +
+         "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or "
+         "vertex:ID, rows from 1 and items from 0.";
+}
+
+Answer why_answer(Session& session, const std::string& thing) {
+  const auto asked = thing_named(thing);
+  if (!asked || !session.timeline) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
+  session.timeline->extend_to_end();
+  const knit::Timeline& timeline = *session.timeline;
+  const auto* vertex = std::get_if<knit::VertexThing>(&*asked);
+  const std::size_t vertices = timeline.input().mesh.positions.size();
+  if (vertex != nullptr && vertex->vertex >= vertices) {
+    return {exit_usage, "",
+            "the mesh has no " + words_of(*asked) + "; its last is " + std::to_string(vertices - 1) + "."};
+  }
+  const auto made = knit::made_by(timeline, *asked);
+  if (!made && vertex == nullptr)
+    return {exit_usage, "", "the run has no " + words_of(*asked) + " (" + thing + ")."};
+  apply(session, ShowWhy{*asked});
+  std::string text = words_of(*asked) + ": " + why_words(timeline, *asked) + "\n";
+  if (vertex != nullptr) return {exit_done, text + vertex_text(timeline, *vertex), ""};
+  if (const auto* stitch = std::get_if<knit::StitchThing>(&*asked))
+    return {exit_done, text + stitch_text(timeline, *stitch, *made), ""};
+  return {exit_done, text + step_text(timeline, "made", *made), ""};
+}
+
+}  // namespace app

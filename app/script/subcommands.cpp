@@ -1,0 +1,104 @@
+#include "app/script/subcommands.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+
+#include "app/base/text.h"
+#include "knit/reader/pattern_reader.h"
+#include "knit/stitches/pattern.h"
+#include "knit/stitches/stitch_index.h"
+
+namespace app {
+
+namespace {
+
+std::string counted(std::size_t number, const std::string& one, const std::string& many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+std::string summary_of(const knit::ReadPattern& read) {
+  const auto cast_on = static_cast<std::size_t>(read.rounds.cast_on);
+  return counted(read.rounds_read, "round", "rounds") + " read, " + counted(cast_on, "stitch", "stitches") +
+         " cast on, " + counted(static_cast<std::size_t>(read.stitches), "stitch", "stitches") + " in all: " +
+         (read.mistakes.empty() ? "every count holds."
+                                : counted(read.mistakes.size(), "mistake.", "mistakes."));
+}
+
+Answer cannot_read(const std::string& name, const std::string& why) {
+  return {exit_usage, "", "check: cannot read " + name + ": " + why + "."};
+}
+
+}  // namespace
+
+Answer check_text(std::string_view text, const std::string& name) {
+  const knit::ReadPattern read = knit::read_pattern(text);
+  if (read.rounds_read == 0 && read.mistakes.empty()) {
+    return {exit_usage, "",
+            "check: " + name +
+                " holds no pattern; rounds begin like \"Rnd 7:\", after a cast on like \"CO 6 sts\"."};
+  }
+  std::string out;
+  for (const knit::PatternMistake& mistake : read.mistakes) out += mistake.sentence + "\n";
+  return {read.mistakes.empty() ? exit_done : 1, out + summary_of(read) + "\n", ""};
+}
+
+Answer check_file(const std::filesystem::path& path) {
+  if (path == "-") {
+    const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    return std::cin.bad() ? cannot_read("standard input", "it broke off")
+                          : check_text(text, "standard input");
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return cannot_read(path.string(), "it does not exist");
+  if (std::filesystem::is_directory(path, ignored)) return cannot_read(path.string(), "it is a folder");
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.is_open() || in.bad())
+    return cannot_read(path.string(), errno != 0 ? std::strerror(errno) : "it could not be read whole");
+  return check_text(text, path.string());
+}
+
+namespace {}  // namespace
+
+Answer index_answer(const std::string& sizes_text, const std::string& placement) {
+  std::vector<std::int32_t> sizes;
+  for (const std::string_view part : split(sizes_text, ',')) {
+    const auto size = whole_number<std::int32_t>(part);
+    if (!size || *size < 1 || *size > 100000) {
+      return bad_usage("index: \"" + std::string(part) +
+                       "\" is not a row size; give whole numbers from 1 to 100000, like 6,12,17.");
+    }
+    sizes.push_back(*size);
+  }
+  if (placement == "nearest") {
+    return bad_usage(
+        "index: --placement nearest needs to know where stitches stand, and a list of sizes does not say; "
+        "give "
+        "thesis or even.");
+  }
+  if (placement != "thesis" && placement != "even") {
+    return bad_usage("index: --placement cannot be \"" + placement + "\"; give thesis or even.");
+  }
+  for (std::size_t i = 1; i < sizes.size(); ++i) {
+    if (sizes[i] <= 2 * sizes[i - 1] && 2 * sizes[i] >= sizes[i - 1]) continue;
+    return bad_usage("index: row " + std::to_string(i + 1) + " cannot have " + std::to_string(sizes[i]) +
+                     " stitches after " + std::to_string(sizes[i - 1]) +
+                     "; a row may at most double or halve.");
+  }
+  const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
+  const std::vector<knit::Transition> transitions = knit::plan_transitions(sizes, policy);
+  std::vector<const knit::Transition*> view;
+  view.reserve(transitions.size());
+  for (const knit::Transition& transition : transitions) view.push_back(&transition);
+  std::string text;
+  for (const knit::LabelRow& row : knit::appendix_view(sizes.front(), view))
+    text += knit::text_of(row) + "\n";
+  return {exit_done, text, ""};
+}
+
+}  // namespace app

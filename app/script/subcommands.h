@@ -1,0 +1,23 @@
+// `knit-mesh check FILE`: a written pattern read as a knitter reads it, and every place where it does not add up.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "app/script/command_line.h"
+
+namespace app {
+
+// 0 where every count holds, 1 where there are mistakes (each a line of `out`, then a summary), 2 where `text` holds
+// no pattern. `name` is what the text is called in a message.
+Answer check_text(std::string_view text, const std::string& name);
+
+// "-" reads standard input; 2 also where it cannot be read.
+Answer check_file(const std::filesystem::path& path);
+
+// `knit-mesh index 6,12,17`: the label arrays for a list of row sizes.
+
+Answer index_answer(const std::string& sizes, const std::string& placement);
+
+}  // namespace app

@@ -1,0 +1,316 @@
+// Everything a person can do, as values: buttons, keys, the command line and tests all speak these. `apply`
+// is the one place where a session changes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "app/base/kind_list.h"
+#include "app/session/session.h"
+
+namespace app {
+
+struct OpenExample {
+  std::string name;
+};
+struct OpenFile {
+  std::filesystem::path path;
+  knit::MendWish mends{};
+};                    // with default parameters for its size
+struct CloseMesh {};  // nothing is open then; a lesson is left, what was pinned is let go
+// Mends: knit/mend.h. What a mesh that could not be opened was offered.
+struct MendAndOpen {};
+struct DropMendOffer {};
+struct UndoMend {};  // back to what was open before
+
+// The timeline.
+struct StepBy {
+  Unit unit = Unit::item;
+  int direction = 1;
+};
+struct SeekTo {
+  std::size_t position = 0;
+};
+struct SeekPlace {
+  knit::Place place;
+};
+struct ToFirst {};
+struct ToLast {};
+struct SetPlaying {
+  bool playing = true;
+  int direction = 1;
+};
+struct SetSpeed {
+  double steps_per_second = 60.0;
+};
+struct PassTime {
+  double seconds = 0.0;
+};  // the clock's tick: plays, and works the run out further
+
+// Parameters.
+// `held`: by a hand that has not let go; Settle says when it has. What it changes meanwhile is undone as one.
+struct Tune {
+  knit::Parameters parameters;
+  bool held = false;
+};  // as if from the start
+struct EditFromHere {
+  knit::Parameters parameters;
+  bool held = false;
+};  // the past stays
+struct RemoveEdit {
+  std::size_t index = 0;
+};
+struct ApplyPreset {
+  std::string key;
+};                     // as Tune
+struct CancelWork {};  // long work: back to the parameters before the change that asked for it
+struct SetPicking {
+  Picking picking = Picking::nothing;
+};
+struct PickVertex {
+  knit::VertexId vertex = knit::no_vertex;
+};  // for whatever session.picking asks
+
+struct Settle {};  // the hand has let go: the next change of parameters is undone apart from those before
+struct Undo {};    // of changes of parameters and edits
+struct Redo {};
+struct CopyParameters {};  // as text, to the clipboard
+struct PasteParameters {
+  std::string text;
+};  // as Tune; from parameters_text.h
+
+// Why, and finding one's way: travel.h.
+struct Select {
+  std::optional<knit::Thing> thing;
+};  // shown in view, chart and lists
+struct ShowWhy {
+  knit::Thing thing;
+};  // selects it and goes to the step that made or refused it
+struct ToTouch {
+  int direction = 1;
+};                 // the next, or the last, step that had to do with what is selected
+struct GoBack {};  // to where one was before a jump
+struct GoForward {};
+enum class Depth : std::uint8_t { over, into, out };
+struct StepDeep {
+  Depth depth = Depth::over;
+  int direction = 1;
+};
+struct SetBreaks {
+  std::vector<knit::BreakCondition> conditions;
+};
+struct RunToBreak {
+  int direction = 1;
+};
+struct SetLoop {
+  std::optional<Stretch> stretch;
+};  // playing goes round in it; none: no loop
+struct SetSlowMotion {
+  bool on = true;
+};  // playing slows down where something interesting happens
+
+// Two settings side by side: pins.h, sweep.h.
+struct PinRun {};  // keeps the run at hand as the one compared with
+struct SwapPinned {};
+struct Unpin {};
+struct StartSweep {
+  SweepPlan plan;
+};
+struct CancelSweep {};
+struct TakeSweepValue {
+  std::size_t run = 0;
+};  // the parameters of one of its runs, as Tune
+
+// Sessions: session_file.h.
+struct OpenSession {
+  std::filesystem::path path;
+};
+struct CopyLink {};     // the command line that opens exactly this, to the clipboard
+struct TakeRescued {};  // the session saved aside before a crash
+struct DropRescued {};
+
+// The view.
+struct SetLayer {
+  Layer layer = Layer::surface;
+  bool on = true;
+};
+struct Orbit {
+  double yaw = 0.0, pitch = 0.0;
+};
+struct Pan {
+  glm::dvec2 move{0.0};
+};
+struct Zoom {
+  double factor = 1.0;
+  glm::dvec2 cursor{0.0};
+};
+struct FrameAll {};
+struct SetAspect {
+  double aspect = 1.6;
+};
+struct ShowSide {
+  SidePanel side = SidePanel::step;
+};
+struct ShowList {
+  RunList list = RunList::rows;
+};
+
+// Files. A failure is a notice in the session.
+enum class ExportKind : std::uint8_t {
+  // clang-format off
+  mesh, map, report, card, steps, pattern, chart, picture, session, gltf, plots
+  // clang-format on
+};
+struct Export {
+  ExportKind kind = ExportKind::mesh;
+  std::filesystem::path path;
+};
+
+// The program itself, for every mesh: preferences.h.
+struct SetTheme {
+  ThemeKind theme = ThemeKind::dark;
+};
+struct SetScale {
+  double scale = 1.0;
+};
+struct SetMotion {
+  bool on = true;
+};
+struct ShowPanel {
+  Panel panel = Panel::side;
+  bool open = true;
+};
+struct SetSplit {
+  Split split = Split::left;
+  double size = 0.0;  // plain units; 0: as there is room
+};
+struct ResetLayout {};
+struct ForgetRecent {};
+
+// Learning: lesson.h, predict.h.
+struct StartLesson {
+  std::string key;
+};
+struct LeaveLesson {};
+struct TurnLesson {
+  int direction = 1;  // to the next page, or the one before
+};
+struct AnswerLesson {
+  std::string answer;  // what was chosen, typed or clicked, as the lesson's page asks
+};
+struct SetPredicting {
+  bool on = true;
+};
+struct Guess {
+  knit::Verdict verdict = knit::Verdict::accepted;
+};
+// A variable of the pseudo-code is pointed at: shown in the view.
+struct PointAt {
+  std::string variable;  // its name; empty: none
+};
+
+// Figures: figures.h. Any size, alone or with the panels, with or without a ground.
+struct SavePicture {
+  std::filesystem::path path;
+  int width = 1600, height = 1200;  // pixels
+  bool panels = false;
+  bool transparent = false;  // alone only
+};
+struct SaveAnimation {
+  std::filesystem::path path;  // .gif, .png (animated), or a folder for numbered PNG
+  Stretch stretch;
+  int frames = 120;  // most
+  double frames_per_second = 20.0;
+  int width = 960, height = 720;
+  bool panels = false;
+};
+struct CancelAnimation {};
+
+// The program.
+struct ShowActionPalette {
+  bool open = true;
+};
+struct ShowGlossary {
+  bool open = true;
+  std::string term;  // to begin with; empty: the first
+};
+struct ShowHelp {
+  bool open = true;
+};
+struct SetPatternOptions {
+  knit::PatternOptions options;
+};
+struct ShowCentre {
+  CentrePanel centre = CentrePanel::view;
+};
+struct HoverStitch {
+  std::optional<StitchAt> stitch;
+};
+struct HoverRounds {
+  std::optional<RoundSpan> rounds;
+};
+struct KnitAlong {
+  std::optional<std::int32_t> round;  // none: put it away
+};
+struct ShowOpenDialog {
+  bool open = true;
+};
+struct DismissNotice {
+  std::size_t index = 0;
+};
+struct Quit {};
+
+// All of them, in the order of their numbers.
+using ActionKinds =
+    KindList<OpenExample, OpenFile, StepBy, SeekTo, SeekPlace, ToFirst, ToLast, SetPlaying, SetSpeed,
+             PassTime, Tune, EditFromHere, RemoveEdit, ApplyPreset, CancelWork, SetPicking, PickVertex,
+             Settle, Undo, Redo, CopyParameters, PasteParameters, Select, ShowWhy, ToTouch, GoBack, GoForward,
+             StepDeep, SetBreaks, RunToBreak, SetLoop, SetSlowMotion, PinRun, SwapPinned, Unpin, StartSweep,
+             CancelSweep, TakeSweepValue, OpenSession, CopyLink, TakeRescued, DropRescued, SetLayer, Orbit,
+             Pan, Zoom, FrameAll, SetAspect, ShowSide, ShowList, SetPatternOptions, ShowCentre, HoverStitch,
+             HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
+             ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
+             SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
+             ShowOpenDialog, DismissNotice, Quit, CloseMesh, MendAndOpen, DropMendOffer, UndoMend>;
+
+// One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
+// each file that makes one some seconds of compiling.
+class Action {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): an action is what it says
+  template <class What, std::enable_if_t<ActionKinds::has<What>, int> = 0>
+  Action(What what)
+      : what_(std::make_shared<const What>(std::move(what))), index_(ActionKinds::index_of<What>) {}
+
+  [[nodiscard]] std::size_t index() const { return index_; }
+  template <class What>
+  [[nodiscard]] bool is() const {
+    return index_ == ActionKinds::index_of<What>;
+  }
+  // Null: it is another.
+  template <class What>
+  [[nodiscard]] const What* get_if() const {
+    return is<What>() ? static_cast<const What*>(what_.get()) : nullptr;
+  }
+  // Requires is<What>().
+  template <class What>
+  [[nodiscard]] const What& get() const {
+    return *static_cast<const What*>(what_.get());
+  }
+
+ private:
+  std::shared_ptr<const void> what_;
+  std::size_t index_;
+};
+using Actions = std::vector<Action>;
+
+void apply(Session& session, const Action& action);
+
+// Example names in the order of the menu, from the assets folder; empty when it is missing.
+std::vector<std::string> list_examples(const std::filesystem::path& assets);
+
+}  // namespace app

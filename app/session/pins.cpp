@@ -1,0 +1,71 @@
+#include "app/session/pins.h"
+
+#include "app/session/session.h"
+
+namespace app {
+
+namespace {
+
+PinnedEnd end_of(const RunTally& run, const Knobs& knobs) { return {run.state, figures_of(run, knobs)}; }
+
+void take_end(Pin& pin, PinnedEnd end) {
+  pin.end = std::move(end.state);
+  pin.figures = std::move(end.figures);
+  pin.known = true;
+  pin.work.reset();
+}
+
+bool is_at_hand(const Session& session, const Pin& pin) {
+  return session.timeline && session.timeline->input_pointer() == pin.input &&
+         knobs_of(*session.timeline) == pin.knobs;
+}
+
+}  // namespace
+
+Pin pin_of(const Session& session) {
+  const knit::Timeline& timeline = *session.timeline;
+  Pin pin;
+  pin.input = timeline.input_pointer();
+  pin.knobs = knobs_of(timeline);
+  if (timeline.complete()) take_end(pin, end_of(tally_of(timeline), pin.knobs));
+  return pin;
+}
+
+void tend_pin(Session& session) {
+  if (!session.pinned || session.pinned->known) return;
+  Pin& pin = *session.pinned;
+  if (is_at_hand(session, pin)) {
+    // It is being worked out anyway.
+    if (session.timeline->complete()) take_end(pin, end_of(tally_of(*session.timeline), pin.knobs));
+    return;
+  }
+  if (!pin.work) {
+    pin.work.emplace(
+        [input = pin.input, knobs = pin.knobs] { return end_of(whole_run(*input, knobs), knobs); });
+  } else if (pin.work->ready()) {
+    take_end(pin, pin.work->take());
+  }
+}
+
+void finish_pin(Session& session) {
+  if (!session.pinned || session.pinned->known) return;
+  Pin& pin = *session.pinned;
+  take_end(pin, end_of(whole_run(*pin.input, pin.knobs), pin.knobs));
+}
+
+bool pin_is_pending(const Session& session) { return session.pinned && !session.pinned->known; }
+
+bool is_of_this_mesh(const Session& session, const Pin& pin) {
+  if (!session.timeline) return false;
+  const knit::Input& here = session.timeline->input();
+  if (&here == pin.input.get()) return true;
+  // Welding drops vertices; the triangles that stay are the same places in the same order.
+  const auto same = [](const knit::Mesh& a, const knit::Mesh& b) {
+    return a.positions == b.positions && a.triangles == b.triangles;
+  };
+  if (same(here.mesh, pin.input->mesh)) return true;
+  const bool welded_differs = session.timeline->base_parameters().weld != pin.knobs.base.weld;
+  return welded_differs && same(knit::weld(here.mesh), knit::weld(pin.input->mesh));
+}
+
+}  // namespace app

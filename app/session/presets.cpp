@@ -1,0 +1,70 @@
+#include "app/session/presets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+constexpr std::array thesis_settings{
+    PresetSetting{"timing", "linear"},    PresetSetting{"sizes", "mesh"},
+    PresetSetting{"rows", "rings"},       PresetSetting{"start-direction", "auto"},
+    PresetSetting{"cast-on", "6"},        PresetSetting{"metric", "euclidean"},
+    PresetSetting{"last-anchor", "keep"}, PresetSetting{"close", "thesis"},
+    PresetSetting{"placement", "thesis"},
+};
+constexpr std::array best_settings{
+    PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "mesh"},
+    PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
+    PresetSetting{"cast-on", "auto"},       PresetSetting{"placement", "nearest"},
+    PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
+};
+constexpr std::array gauge_settings{
+    PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
+    PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
+    PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
+    PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
+    PresetSetting{"follow-mains", "off"},
+};
+
+constexpr std::array table{
+    Preset{
+        "thesis", "As in the thesis",
+        "Rows from the mesh's rings by straight distances, the closing gap shifted, shaping by rules R0-R4.",
+        thesis_settings},
+    Preset{"best-rows", "Best rows",
+           "Contours equally high on the surface, stitches at equal arcs, each hung on the nearest below.",
+           best_settings},
+    Preset{"knitters-gauge", "Knitter's gauge",
+           "As best rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a height of 12 cm.",
+           gauge_settings},
+};
+
+}  // namespace
+
+std::span<const Preset> presets() { return table; }
+
+const Preset* find_preset(std::string_view key) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Preset& p) { return p.key == key; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string preset_keys() {
+  std::string keys;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (i > 0) keys += i + 1 == table.size() ? " or " : ", ";
+    keys += table[i].key;
+  }
+  return keys;
+}
+
+knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters) {
+  for (const PresetSetting& setting : preset.settings) {
+    if (const knit::ParameterInfo* info = knit::find_parameter(setting.key))
+      knit::set_value(*info, parameters, setting.value);
+  }
+  return parameters;
+}
+
+}  // namespace app

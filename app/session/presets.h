@@ -1,0 +1,30 @@
+// Settings for a purpose, by name: for the menu, the command line (--preset) and scripts.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "knit/model/parameters.h"
+
+namespace app {
+
+struct PresetSetting {
+  std::string_view key, value;  // as the command line takes them
+};
+
+struct Preset {
+  std::string_view key;    // "best-rows"
+  std::string_view title;  // "Best rows"
+  std::string_view about;  // one sentence
+  std::span<const PresetSetting> settings;
+};
+
+std::span<const Preset> presets();
+const Preset* find_preset(std::string_view key);
+std::string preset_keys();  // "thesis, best-rows or knitters-gauge"
+
+// The parameters with the preset's settings; what it does not name stays.
+knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters);
+
+}  // namespace app

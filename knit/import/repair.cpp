@@ -1,0 +1,356 @@
+#include "knit/import/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "knit/import/check.h"
+#include "knit/import/check_topology.h"
+#include "knit/import/quoting.h"
+#include "knit/import/repair_parts.h"
+#include "knit/mesh/edge_table.h"
+#include "knit/mesh/union_find.h"
+
+namespace knit {
+
+namespace {
+
+struct Labels {
+  const char* would;
+  const char* did;
+};
+constexpr std::array<Labels, mend_count> labels{Labels{"Drop stray vertices", "Dropped stray vertices"},
+                                                Labels{"Weld", "Welded"},
+                                                Labels{"Drop doubled faces", "Dropped doubled faces"},
+                                                Labels{"Drop fins", "Dropped fins"},
+                                                Labels{"Keep the largest piece", "Kept the largest piece"},
+                                                Labels{"Turn faces round", "Turned faces round"},
+                                                Labels{"Fill small holes", "Filled small holes"}};
+
+Effect drop_unreferenced(const Mesh& mesh) {
+  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const VertexId v : triangle) used[v] = 1;
+  std::vector<VertexId> moved(used.size(), no_vertex);
+  Effect effect{{mesh.name, {}, mesh.triangles, {}}, 0, "drops", "dropped", ""};
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    moved[v] = static_cast<VertexId>(effect.mesh.positions.size());
+    effect.mesh.positions.push_back(mesh.positions[v]);
+  }
+  for (Triangle& triangle : effect.mesh.triangles)
+    for (VertexId& v : triangle) v = moved[v];
+  for (const auto& [a, b] : mesh.edges)
+    if (used[a] != 0 && used[b] != 0) effect.mesh.edges.push_back({moved[a], moved[b]});
+  effect.count = mesh.positions.size() - effect.mesh.positions.size();
+  effect.what = counted(effect.count, "vertex that belongs", "vertices that belong") + " to no face";
+  return effect;
+}
+
+// Of faces at the same three places the first stays.
+Effect drop_doubles(const Mesh& mesh) {
+  const std::vector<VertexId> twin = find_twins(mesh.positions);
+  std::vector<std::pair<Triangle, std::size_t>> places;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Triangle place = twins_of(mesh.triangles[t], twin);
+    std::sort(place.begin(), place.end());
+    places.emplace_back(place, t);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<std::uint8_t> drop(mesh.triangles.size(), 0);
+  std::size_t twice = 0;
+  std::size_t flat = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [place, t] = places[i];
+    const bool collapses = collapsed(place);
+    if (!collapses && (i == 0 || places[i - 1].first != place)) continue;
+    drop[t] = 1;
+    ++(collapses ? flat : twice);
+  }
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < drop.size(); ++t)
+    if (drop[t] == 0) kept.push_back(mesh.triangles[t]);
+  std::string what;
+  if (twice > 0) what = counted(twice, "face that stands", "faces that stand") + " there twice";
+  if (flat > 0) {
+    what += (what.empty() ? "" : " and ") + counted(flat, "face", "faces") + " with two corners at one place";
+  }
+  return {with_triangles(mesh, std::move(kept)), twice + flat, "drops", "dropped", what};
+}
+
+// Triangles in sheets: joined across edges of at most `widest` triangles.
+struct Sheets {
+  std::vector<std::uint32_t> of;      // per triangle: its sheet, by its lowest triangle
+  std::vector<std::uint32_t> size;    // per sheet
+  std::vector<std::uint8_t> open;     // per sheet: it has an edge of its own alone
+  std::vector<std::uint8_t> crowded;  // per sheet: it has an edge of three or more triangles
+};
+
+Sheets find_sheets(const Mesh& mesh, std::size_t widest) {
+  const std::size_t count = mesh.triangles.size();
+  const EdgeTable table = make_edge_table(mesh.triangles, find_twins(mesh.positions));
+  UnionFind joined(count);
+  const auto for_each_edge = [&](auto&& visit) {
+    for (std::size_t v = 0; v + 1 < table.first.size(); ++v) {
+      for (std::uint32_t i = table.first[v], end = i; i < table.first[v + 1]; i = end) {
+        while (end < table.first[v + 1] && table.uses[end].high == table.uses[i].high) ++end;
+        visit(std::span(table.uses).subspan(i, end - i));
+      }
+    }
+  };
+  for_each_edge([&](std::span<const EdgeUse> uses) {
+    if (uses.size() > widest) return;
+    for (const EdgeUse& use : uses) joined.join(uses[0].half_edge / 3, use.half_edge / 3);
+  });
+  Sheets sheets{std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count, 0),
+                std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
+  for (std::size_t t = 0; t < count; ++t) {
+    sheets.of[t] = static_cast<std::uint32_t>(joined.find(static_cast<std::uint32_t>(t)));
+    ++sheets.size[sheets.of[t]];
+  }
+  for_each_edge([&](std::span<const EdgeUse> uses) {
+    for (const EdgeUse& use : uses) {
+      const std::uint32_t sheet = sheets.of[use.half_edge / 3];
+      if (uses.size() == 1) sheets.open[sheet] = 1;
+      if (uses.size() > 2) sheets.crowded[sheet] = 1;
+    }
+  });
+  return sheets;
+}
+
+std::vector<Triangle> of_sheets(const Mesh& mesh, const Sheets& sheets,
+                                const std::vector<std::uint8_t>& keep) {
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (keep[sheets.of[t]] != 0) kept.push_back(mesh.triangles[t]);
+  return kept;
+}
+
+std::size_t largest_of(const Sheets& sheets) {
+  return static_cast<std::size_t>(std::max_element(sheets.size.begin(), sheets.size.end()) -
+                                  sheets.size.begin());
+}
+
+// A sheet with a free rim that hangs on a crowded edge. What carries it is never dropped: the largest.
+Effect drop_fins(const Mesh& mesh) {
+  const Sheets sheets = find_sheets(mesh, 2);
+  const std::size_t largest = largest_of(sheets);
+  std::vector<std::uint8_t> keep(sheets.size.size(), 1);
+  std::size_t fins = 0;
+  for (std::size_t s = 0; s < keep.size(); ++s) {
+    if (sheets.size[s] == 0 || s == largest || sheets.open[s] == 0 || sheets.crowded[s] == 0) continue;
+    keep[s] = 0;
+    ++fins;
+  }
+  std::vector<Triangle> kept = of_sheets(mesh, sheets, keep);
+  const std::size_t dropped = mesh.triangles.size() - kept.size();
+  return {with_triangles(mesh, std::move(kept)), fins, "drops", "dropped",
+          counted(fins, "sheet", "sheets") + " of " + counted(dropped, "triangle", "triangles") +
+              (fins == 1 ? " that hangs" : " that hang") + " on an edge of three or more"};
+}
+
+// Of equal ones the first. Triangles that collapse belong to no piece and go too.
+Effect keep_largest_piece(const Mesh& mesh) {
+  const std::vector<VertexId> twin = find_twins(mesh.positions);
+  const Sheets sheets = find_sheets(mesh, mesh.triangles.size());
+  std::size_t pieces = 0;
+  for (std::size_t t = 0; t < sheets.size.size(); ++t)
+    if (sheets.size[t] > 0 && !collapsed(twins_of(mesh.triangles[t], twin))) ++pieces;
+  if (pieces < 2) return {mesh, 0, "", "", ""};
+  std::vector<std::uint8_t> keep(sheets.size.size(), 0);
+  keep[largest_of(sheets)] = 1;
+  std::vector<Triangle> kept = of_sheets(mesh, sheets, keep);
+  const std::size_t dropped = mesh.triangles.size() - kept.size();
+  return {with_triangles(mesh, std::move(kept)), pieces - 1, "drops", "dropped",
+          counted(pieces - 1, "piece", "pieces") + " of " + counted(dropped, "triangle", "triangles")};
+}
+
+Effect turn_faces(const Mesh& mesh) {
+  const Topology topology = study_topology(mesh.triangles, find_twins(mesh.positions));
+  Effect effect{mesh, 0, "turns", "turned", ""};
+  if (!topology.crowded_edges.empty() || topology.one_sided_at != no_vertex) return effect;
+  std::vector<std::uint8_t> turned(mesh.triangles.size(), 0);
+  for (const std::size_t t : topology.minority) turned[t] = 1;
+  const auto turn_as_said = [&] {
+    effect.mesh.triangles = mesh.triangles;
+    for (std::size_t t = 0; t < turned.size(); ++t)
+      if (turned[t] != 0) std::swap(effect.mesh.triangles[t][1], effect.mesh.triangles[t][2]);
+  };
+  turn_as_said();
+  if (signed_volume(effect.mesh, bounds_of_used(mesh)) < 0.0) {
+    for (std::uint8_t& turn : turned) turn ^= 1;
+    turn_as_said();
+  }
+  effect.count = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
+  effect.what = counted(effect.count, "face", "faces") + ", so that all face outwards";
+  return effect;
+}
+
+Effect effect_of(const Mesh& mesh, MendKind kind) {
+  switch (kind) {
+    case MendKind::unreferenced:
+      return drop_unreferenced(mesh);
+    case MendKind::weld:
+      return weld_near(mesh);
+    case MendKind::doubles:
+      return drop_doubles(mesh);
+    case MendKind::fins:
+      return drop_fins(mesh);
+    case MendKind::largest_piece:
+      return keep_largest_piece(mesh);
+    case MendKind::reorient:
+      return turn_faces(mesh);
+    case MendKind::holes:
+      return fill_holes(mesh);
+  }
+  return {mesh, 0, "", "", ""};
+}
+
+}  // namespace
+
+std::string_view key_of(MendKind kind) { return mend_keys.at(static_cast<std::size_t>(kind)); }
+
+std::optional<MendKind> mend_named(std::string_view key) {
+  const auto found = std::find(mend_keys.begin(), mend_keys.end(), key);
+  if (found == mend_keys.end()) return std::nullopt;
+  return static_cast<MendKind>(found - mend_keys.begin());
+}
+
+Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles) {
+  std::vector<std::uint8_t> keep(mesh.positions.size(), 1);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const VertexId v : triangle) keep[v] = 0;
+  for (const Triangle& triangle : triangles)
+    for (const VertexId v : triangle) keep[v] = 1;
+  Mesh changed{mesh.name, {}, std::move(triangles), {}};
+  std::vector<VertexId> moved(keep.size(), no_vertex);
+  for (std::size_t v = 0; v < keep.size(); ++v) {
+    if (keep[v] == 0) continue;
+    moved[v] = static_cast<VertexId>(changed.positions.size());
+    changed.positions.push_back(mesh.positions[v]);
+  }
+  std::vector<std::array<VertexId, 2>> sides;
+  for (Triangle& triangle : changed.triangles) {
+    for (VertexId& v : triangle) v = moved[v];
+    for (std::size_t k = 0; k < 3; ++k) sides.push_back({triangle[k], triangle[(k + 1) % 3]});
+  }
+  sides = unique_edges(sides, changed.positions.size());
+  for (const auto& [a, b] : mesh.edges) {
+    if (keep[a] == 0 || keep[b] == 0) continue;
+    const std::array<VertexId, 2> edge{std::min(moved[a], moved[b]), std::max(moved[a], moved[b])};
+    if (std::binary_search(sides.begin(), sides.end(), edge)) changed.edges.push_back(edge);
+  }
+  return changed;
+}
+
+Mended mend(const Mesh& mesh, MendKind kind) {
+  Effect effect = effect_of(mesh, kind);
+  if (effect.count == 0) return {mesh, {kind, 0, "", ""}};
+  const Labels& label = labels.at(static_cast<std::size_t>(kind));
+  return {std::move(effect.mesh),
+          {kind, effect.count, std::string(label.would) + ": " + effect.verb + " " + effect.what + ".",
+           std::string(label.did) + ": " + effect.past + " " + effect.what + "."}};
+}
+
+// Which mends help: tried in their order, each kept only where the check finds less wrong after it.
+
+namespace {
+
+bool has(const CheckResult& result, FindingKind kind) {
+  return std::any_of(result.findings.begin(), result.findings.end(),
+                     [&](const Finding& finding) { return finding.kind == kind; });
+}
+
+// Nothing here can make these fit.
+bool beyond_mending(const CheckResult& result) {
+  return has(result, FindingKind::no_triangles) || has(result, FindingKind::index_out_of_range) ||
+         has(result, FindingKind::no_extent);
+}
+
+bool is_about(MendKind kind, const CheckResult& wrong) {
+  switch (kind) {
+    case MendKind::unreferenced:
+      return has(wrong, FindingKind::not_finite);
+    case MendKind::weld:
+      return has(wrong, FindingKind::open_edges) || has(wrong, FindingKind::several_pieces);
+    case MendKind::doubles:
+    case MendKind::fins:
+      return has(wrong, FindingKind::edge_not_manifold);
+    case MendKind::largest_piece:
+      return has(wrong, FindingKind::several_pieces);
+    case MendKind::reorient:  // filling goes round a hole as the faces at its rim do
+      return has(wrong, FindingKind::open_edges) && has(wrong, FindingKind::flipped_faces);
+    case MendKind::holes:
+      return has(wrong, FindingKind::open_edges);
+  }
+  return false;
+}
+
+// How much is wrong; what hides the rest is more than all of it.
+std::size_t badness(const CheckResult& result) {
+  if (has(result, FindingKind::not_finite)) return std::numeric_limits<std::size_t>::max();
+  std::size_t sum = 0;
+  for (const Finding& finding : result.findings)
+    if (finding.severity == Severity::error) sum += finding.count;
+  return sum;
+}
+
+// What every mend but dropping strays relies on.
+bool is_in_range(const Mesh& mesh) {
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
+  });
+}
+
+bool is_finite(const Mesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  });
+}
+
+}  // namespace
+
+std::vector<MendKind> MendPlan::kinds() const {
+  std::vector<MendKind> all;
+  for (const MendStep& step : steps) all.push_back(step.kind);
+  return all;
+}
+
+std::optional<MendPlan> plan_mends(const Mesh& mesh) {
+  CheckResult wrong = check(mesh);
+  if (wrong.fit() || beyond_mending(wrong)) return std::nullopt;
+  MendPlan plan{mesh, {}};
+  for (std::size_t i = 0; i < mend_count; ++i) {
+    const auto kind = static_cast<MendKind>(i);
+    if (!is_about(kind, wrong)) continue;
+    if (kind != MendKind::unreferenced && has(wrong, FindingKind::not_finite)) return std::nullopt;
+    Mended mended = mend(plan.mesh, kind);
+    if (mended.step.count == 0) continue;
+    CheckResult after = check(mended.mesh);
+    const bool prepares = kind == MendKind::reorient;
+    if (!prepares && badness(after) >= badness(wrong)) continue;
+    plan.mesh = std::move(mended.mesh);
+    plan.steps.push_back(std::move(mended.step));
+    wrong = std::move(after);
+    if (wrong.fit()) return plan;
+  }
+  return std::nullopt;
+}
+
+MendPlan carry_out(const Mesh& mesh, const std::vector<MendKind>& kinds) {
+  MendPlan plan{mesh, {}};
+  if (mesh.triangles.empty() || !is_in_range(mesh)) return plan;
+  for (std::size_t i = 0; i < mend_count; ++i) {
+    const auto kind = static_cast<MendKind>(i);
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
+    if (kind != MendKind::unreferenced && !is_finite(plan.mesh)) break;
+    Mended mended = mend(plan.mesh, kind);
+    if (mended.step.count == 0) continue;
+    plan.mesh = std::move(mended.mesh);
+    plan.steps.push_back(std::move(mended.step));
+  }
+  return plan;
+}
+
+}  // namespace knit

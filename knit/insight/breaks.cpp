@@ -1,0 +1,308 @@
+#include "knit/insight/breaks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "knit/insight/narrate.h"
+
+namespace knit {
+
+namespace {
+
+// How a kind is written: its word, what stands after it, and what follows.
+struct Form {
+  BreakKind kind;
+  std::string_view word;
+  char sign;  // 0: the word alone
+};
+constexpr std::array forms{
+    Form{BreakKind::stage, "stage", '='},     Form{BreakKind::row, "row", '='},
+    Form{BreakKind::label, "label", '='},     Form{BreakKind::grows, "grows", '>'},
+    Form{BreakKind::shrinks, "shrinks", '>'}, Form{BreakKind::gap, "gap", '\0'},
+    Form{BreakKind::stall, "stall", '\0'},    Form{BreakKind::over_double, "over-double", '\0'},
+    Form{BreakKind::wider, "wider", '>'},     Form{BreakKind::narrower, "narrower", '<'}};
+constexpr std::string_view all_forms =
+    "stage=rows, row=14, label=m1l, grows>4, shrinks>4, gap, stall, over-double, wider>1.3 or narrower<0.7";
+
+struct NamedLabel {
+  Label label;
+  std::string_view name;
+};
+// Those that a step of their own gives to a stitch.
+constexpr std::array labels{NamedLabel{Label::m1r, "m1r"},     NamedLabel{Label::m1l, "m1l"},
+                            NamedLabel{Label::k2tog, "k2tog"}, NamedLabel{Label::ssk, "ssk"},
+                            NamedLabel{Label::cast, "cast"},   NamedLabel{Label::main, "main"}};
+
+const Form& form_of(BreakKind kind) {
+  return *std::find_if(forms.begin(), forms.end(), [&](const Form& form) { return form.kind == kind; });
+}
+
+// Lower case, without blanks.
+std::string plain(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+    result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+using Parsed = std::variant<BreakCondition, std::string>;
+
+std::string cannot_be(const Form& form, std::string_view value, const std::string& give) {
+  return "the break condition " + std::string(form.word) + form.sign + " cannot have \"" +
+         std::string(value) + "\"; give " + give + ".";
+}
+
+Parsed with_stage(const Form& form, std::string_view value) {
+  BreakCondition condition{.kind = form.kind};
+  const auto stage = stage_named(value);
+  const bool has_steps =
+      stage && std::find(machine_stages.begin(), machine_stages.end(), *stage) != machine_stages.end();
+  if (!has_steps) return cannot_be(form, value, "timing, cast-on, rows, stitches, faces or pattern");
+  condition.stage = *stage;
+  return condition;
+}
+
+Parsed with_label(const Form& form, std::string_view value) {
+  BreakCondition condition{.kind = form.kind};
+  for (const NamedLabel& label : labels) {
+    if (label.name != value) continue;
+    condition.label = label.label;
+    return condition;
+  }
+  return cannot_be(form, value, "m1r, m1l, k2tog, ssk, main or cast");
+}
+
+Parsed with_count(const Form& form, std::string_view value) {
+  BreakCondition condition{.kind = form.kind};
+  const std::int32_t lowest = form.kind == BreakKind::row ? 1 : 0;
+  const auto count = number_in<std::int32_t>(value);
+  if (!count || *count < lowest)
+    return cannot_be(form, value, "a whole number from " + std::to_string(lowest));
+  condition.count = *count;
+  return condition;
+}
+
+Parsed with_bound(const Form& form, std::string_view value) {
+  BreakCondition condition{.kind = form.kind};
+  const auto bound = number_in<double>(value);
+  if (!bound || !std::isfinite(*bound) || *bound <= 0.0)
+    return cannot_be(form, value, "how many stitch widths, above 0");
+  condition.bound = *bound;
+  return condition;
+}
+
+Parsed with_value(const Form& form, std::string_view value) {
+  switch (form.kind) {
+    case BreakKind::stage:
+      return with_stage(form, value);
+    case BreakKind::label:
+      return with_label(form, value);
+    case BreakKind::wider:
+    case BreakKind::narrower:
+      return with_bound(form, value);
+    default:
+      return with_count(form, value);
+  }
+}
+
+// The label that a step gives to a stitch.
+std::optional<Label> label_given(const Step& step) {
+  if (const auto* shaping = std::get_if<ShapingPlaced>(&step.what)) return shaping->label;
+  if (std::holds_alternative<MainPlaced>(step.what)) return Label::main;
+  const bool cast = std::holds_alternative<StitchCastOn>(step.what) ||
+                    (std::holds_alternative<StitchPlaced>(step.what) && step.place.stage == Stage::cast_on);
+  return cast ? std::optional(Label::cast) : std::nullopt;
+}
+
+// Most steps of a run are of a kind at which only the beginning of a row or stage can be a hit.
+bool is_common(const Step& step) {
+  return std::holds_alternative<CandidateMeasured>(step.what) ||
+         std::holds_alternative<VertexTimed>(step.what) || std::holds_alternative<FaceMade>(step.what);
+}
+
+bool wants_over_double(const Step& step) {
+  if (const auto* resampled = std::get_if<RowResampled>(&step.what))
+    return resampled->reason == ResampleReason::more_than_double;
+  const auto* chosen = std::get_if<CountChosen>(&step.what);
+  return chosen != nullptr && chosen->reason == CountReason::at_most_double;
+}
+
+// Of a finished row, in stitch widths.
+struct Widths {
+  double low = no_limit, high = 0.0;
+};
+
+Widths widths_of(const Row& row, double stitch_width) {
+  Widths widths;
+  const std::size_t n = row.stitches.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double width =
+        glm::distance(row.stitches[i].position, row.stitches[(i + 1) % n].position) / stitch_width;
+    widths = {std::min(widths.low, width), std::max(widths.high, width)};
+  }
+  return widths;
+}
+
+// What a condition may ask of a step beside the step itself.
+struct Sight {
+  bool begins_stage = false, begins_row = false;
+  std::int32_t growth = 0;  // of the row that the step finishes
+  Widths widths;            // its own; as here where no condition asks for them
+};
+
+bool holds(const BreakCondition& condition, const Step& step, const Sight& sight) {
+  const auto* closed = std::get_if<RowClosed>(&step.what);
+  switch (condition.kind) {
+    case BreakKind::stage:
+      return sight.begins_stage && step.place.stage == condition.stage;
+    case BreakKind::row:
+      return sight.begins_row && step.place.row == condition.count;
+    case BreakKind::label:
+      return label_given(step) == condition.label;
+    case BreakKind::grows:
+      return sight.growth > condition.count;
+    case BreakKind::shrinks:
+      return -sight.growth > condition.count;
+    case BreakKind::gap:
+      return closed != nullptr && !closed->in_band;
+    case BreakKind::stall:
+      return std::holds_alternative<BandMissed>(step.what);
+    case BreakKind::over_double:
+      return wants_over_double(step);
+    case BreakKind::wider:
+      return sight.widths.high > condition.bound;
+    case BreakKind::narrower:
+      return sight.widths.low < condition.bound;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::variant<BreakCondition, std::string> parse_break(std::string_view text) {
+  const std::string given = plain(text);
+  for (const Form& form : forms) {
+    if (given.rfind(form.word, 0) != 0) continue;
+    const std::string_view rest = std::string_view(given).substr(form.word.size());
+    if (form.sign == '\0' && rest.empty()) return BreakCondition{.kind = form.kind};
+    if (form.sign != '\0' && !rest.empty() && rest.front() == form.sign)
+      return with_value(form, rest.substr(1));
+  }
+  return "\"" + std::string(text) + "\" is no break condition; give " + std::string(all_forms) + ".";
+}
+
+std::string text_of(const BreakCondition& condition) {
+  const Form& form = form_of(condition.kind);
+  std::string text(form.word);
+  if (form.sign == '\0') return text;
+  text += form.sign;
+  switch (condition.kind) {
+    case BreakKind::stage:
+      return text + std::string(name_of(condition.stage));
+    case BreakKind::label:
+      for (const NamedLabel& label : labels) {
+        if (label.label == condition.label) text += label.name;
+      }
+      return text;
+    case BreakKind::wider:
+    case BreakKind::narrower:
+      return text + number_text(condition.bound);
+    default:
+      return text + std::to_string(condition.count);
+  }
+}
+
+std::string words_of(const BreakCondition& condition) {
+  const std::string count = std::to_string(condition.count);
+  const std::string by = " by more than " + count + (condition.count == 1 ? " stitch" : " stitches");
+  const std::string widths = number_text(condition.bound) + " widths";
+  switch (condition.kind) {
+    case BreakKind::stage:
+      return "the stage " + std::string(name_of(condition.stage)) + " begins";
+    case BreakKind::row:
+      return "row " + count + " begins";
+    case BreakKind::label:
+      return "a stitch becomes " + std::string(name_of(condition.label));
+    case BreakKind::grows:
+      return "a row grows" + by;
+    case BreakKind::shrinks:
+      return "a row shrinks" + by;
+    case BreakKind::gap:
+      return "a row closes outside the band";
+    case BreakKind::stall:
+      return "nothing lies in the band";
+    case BreakKind::over_double:
+      return "a row would more than double";
+    case BreakKind::wider:
+      return "a stitch wider than " + widths;
+    case BreakKind::narrower:
+      return "a stitch narrower than " + widths;
+  }
+  return {};
+}
+
+std::optional<std::int32_t> finished_row_size(const Step& step) {
+  if (const auto* shared = std::get_if<GapShared>(&step.what)) return shared->stitches;
+  if (const auto* placed = std::get_if<StitchPlaced>(&step.what); placed != nullptr)
+    return placed->stitch == placed->of ? std::optional(placed->of) : std::nullopt;
+  if (const auto* cast = std::get_if<StitchCastOn>(&step.what); cast != nullptr)
+    return cast->stitch == cast->of ? std::optional(cast->of) : std::nullopt;
+  return std::nullopt;
+}
+
+BreakScanner::BreakScanner(std::vector<BreakCondition> conditions)
+    : conditions_(std::move(conditions)), counts_(conditions_.size(), 0) {
+  measures_ = std::any_of(conditions_.begin(), conditions_.end(), [](const BreakCondition& condition) {
+    return condition.kind == BreakKind::wider || condition.kind == BreakKind::narrower;
+  });
+}
+
+void BreakScanner::hit(std::size_t condition) {
+  hits_.push_back({taken_, condition});
+  ++counts_[condition];
+}
+
+void BreakScanner::take(const Step& step, const Parameters& parameters, std::span<const Shared<Row>> rows) {
+  Sight sight;
+  sight.begins_stage = !last_ || last_->stage != step.place.stage;
+  sight.begins_row = sight.begins_stage || last_->row != step.place.row;
+  last_ = step.place;
+  if (sight.begins_row || !is_common(step)) {
+    const auto size = finished_row_size(step);
+    const auto row = static_cast<std::size_t>(step.place.row) - 1;
+    if (size && row_below_) sight.growth = *size - *row_below_;
+    if (size && measures_ && row < rows.size()) sight.widths = widths_of(*rows[row], parameters.stitch_width);
+    for (std::size_t i = 0; i < conditions_.size(); ++i) {
+      if (holds(conditions_[i], step, sight)) hit(i);
+    }
+    if (size) row_below_ = size;
+  }
+  ++taken_;
+}
+
+void BreakScanner::take_stop(const Step& stop) {
+  const auto* stopped = std::get_if<Stopped>(&stop.what);
+  if (stopped == nullptr) return;
+  // Of a change that is too much, `count` is the row's size and `other` that of the row before.
+  const bool over_double =
+      stopped->reason == StopReason::changes_too_much && stopped->count > 2 * stopped->other;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const bool stall = conditions_[i].kind == BreakKind::stall && stopped->reason == StopReason::stall;
+    if (stall || (conditions_[i].kind == BreakKind::over_double && over_double)) hit(i);
+  }
+}
+
+}  // namespace knit

@@ -1,0 +1,94 @@
+// Why is this here, why is that not: from a thing on the knit mesh to the steps that had to do with it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "knit/run/timeline.h"
+
+namespace knit {
+
+// Rows count from 1, everything else from 0.
+struct StitchThing {
+  std::int32_t row = 1, stitch = 0;
+  friend bool operator==(const StitchThing&, const StitchThing&) = default;
+};
+struct RowEdgeThing {
+  std::int32_t row = 1, stitch = 0;  // from this stitch to the next of its row
+  friend bool operator==(const RowEdgeThing&, const RowEdgeThing&) = default;
+};
+struct ColumnEdgeThing {
+  std::int32_t row = 2, edge = 0;  // of the strip below this row
+  friend bool operator==(const ColumnEdgeThing&, const ColumnEdgeThing&) = default;
+};
+struct FaceThing {
+  std::int32_t row = 2, face = 0;  // of the strip below this row
+  friend bool operator==(const FaceThing&, const FaceThing&) = default;
+};
+struct LabelThing {
+  std::int32_t row = 2, cell = 0;  // of the transition that makes this row
+  friend bool operator==(const LabelThing&, const LabelThing&) = default;
+};
+struct VertexThing {
+  VertexId vertex = no_vertex;  // of the mesh
+  friend bool operator==(const VertexThing&, const VertexThing&) = default;
+};
+using Thing = std::variant<StitchThing, RowEdgeThing, ColumnEdgeThing, FaceThing, LabelThing, VertexThing>;
+
+// Whether it is there. In a row in the making a stitch is there once it is kept; a label once it is placed, a
+// plain one once the row's labels are planned; a column edge with its face; a vertex of the mesh always.
+bool exists(const State& state, const Thing& thing);
+
+// Indices of a timeline's steps, as far as it is known.
+struct StepRange {
+  std::size_t begin = 0, end = 0;
+};
+StepRange steps_of_row(const Timeline& timeline, Stage stage, std::int32_t row);
+// The stage that makes a row's stitches.
+inline Stage stage_of_row(std::int32_t row) { return row <= 1 ? Stage::cast_on : Stage::rows; }
+
+// The step after which it exists and before which it does not; of a vertex: the step that decided on it. None:
+// there is no such thing, or not yet.
+std::optional<std::size_t> made_by(const Timeline& timeline, const Thing& thing);
+// The step that picked the vertex of a stitch, before the stitch was kept; none where it was not picked.
+std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchThing& stitch);
+// The last step that moved a stitch after it was made: by resampling the row, or by sharing its gap.
+std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchThing& stitch);
+// The step that gave a row its number of stitches.
+std::optional<std::size_t> count_decided_by(const Timeline& timeline, std::int32_t row);
+
+// What became of a vertex of the mesh.
+enum class Fate : std::uint8_t {
+  unused,         // no triangle has it
+  no_row,         // its level makes no row
+  cut_rows,       // rows are cut through the surface; vertices are no candidates
+  cast_on,        // on the cast on's level, whose stitches are spread evenly
+  not_yet,        // not worked out so far
+  begins_row,     // the first of its ring
+  accepted,       // in the band
+  taken,          // nothing was in the band, and it was nearest to it
+  refused,        // too near or too far
+  never_reached,  // the run ended before
+};
+struct VertexStory {
+  Fate fate = Fate::not_yet;
+  std::int32_t row = 0;               // that it was a candidate of; 0: none
+  std::vector<std::size_t> measured;  // steps that measured it, or took it, rising
+  std::optional<std::size_t> decided;
+};
+// Requires a vertex of the mesh. A copy at the same place that stands in no ring shares its twin's story.
+VertexStory story_of(const Timeline& timeline, VertexId vertex);
+// The step that gave a vertex its time.
+std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex);
+// The ring of a row that was picked from the mesh's vertices; null: not yet known, or there is none.
+std::shared_ptr<const Ring> ring_of_row(const State& state, std::int32_t row);
+
+// Whether a step had to do with a thing: made, measured, moved or labelled it, or built on it.
+bool touches(const Timeline& timeline, const Thing& thing, std::size_t step);
+// The first such step from `step` on, and the last before it.
+std::optional<std::size_t> touch_from(const Timeline& timeline, const Thing& thing, std::size_t step);
+std::optional<std::size_t> touch_before(const Timeline& timeline, const Thing& thing, std::size_t step);
+
+}  // namespace knit

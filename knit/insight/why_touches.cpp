@@ -1,0 +1,202 @@
+// Which steps had to do with a thing: part of why.
+#include <algorithm>
+#include <array>
+
+#include "knit/insight/why.h"
+
+namespace knit {
+
+namespace {
+
+// Null until it is planned.
+const Transition* transition_of(const State& run, std::int32_t row) {
+  const std::int32_t i = row - 2;
+  const auto finished = static_cast<std::int32_t>(run.transitions.size());
+  if (i < 0 || i > finished) return nullptr;
+  if (i < finished) return &*run.transitions[static_cast<std::size_t>(i)];
+  const auto* work = std::get_if<IndexWork>(&run.work);
+  return work != nullptr && work->plan ? &*work->plan : nullptr;
+}
+
+// The stitches at the two ends of a cell's column edge.
+struct CellEnds {
+  std::int32_t below = -1, above = -1;
+};
+CellEnds ends_of(const Transition& t, std::int32_t cell) {
+  const std::int32_t link = t.link[static_cast<std::size_t>(cell)];
+  return t.above >= t.below ? CellEnds{link, cell} : CellEnds{cell, link};
+}
+std::int32_t next_cell(const Transition& t, std::int32_t cell) {
+  return (cell + 1) % static_cast<std::int32_t>(t.link.size());
+}
+
+// The cells a step works on, in the transition of its row; -1: none.
+std::array<std::int32_t, 2> cells_of(const Transition& t, const Happening& what) {
+  if (const auto* s = std::get_if<MainPlaced>(&what)) return {s->cell, -1};
+  if (const auto* s = std::get_if<ShapingPlaced>(&what)) return {s->cell, s->partner};
+  if (const auto* s = std::get_if<FaceMade>(&what)) return {s->index - 1, next_cell(t, s->index - 1)};
+  return {-1, -1};
+}
+
+// A row's own steps: measured from the stitch, or to it, made it, moved it. Stitches from 0.
+bool makes_stitch(const Happening& what, std::int32_t stitch) {
+  if (const auto* s = std::get_if<StitchCastOn>(&what)) return s->stitch == stitch + 1;
+  if (const auto* s = std::get_if<StitchPlaced>(&what)) return s->stitch == stitch + 1;
+  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+    return s->stitch == stitch + 1 || (s->verdict == Verdict::accepted && s->stitch == stitch);
+  if (const auto* s = std::get_if<BandMissed>(&what)) return s->stitch == stitch + 1 || s->stitch == stitch;
+  if (const auto* s = std::get_if<RowClosed>(&what)) return stitch == 0 || stitch + 1 == s->stitches;
+  if (std::holds_alternative<CycleOrdered>(what)) return stitch == 0;
+  if (std::holds_alternative<RowResampled>(what)) return true;
+  const auto* shared = std::get_if<GapShared>(&what);
+  return shared != nullptr && shared->shared && (shared->how == Closing::arc || stitch > 0);
+}
+
+// From a stitch to the next: measured the way, made its ends, moved them.
+bool makes_edge(const Happening& what, std::int32_t stitch) {
+  const auto placed = [&](std::int32_t made, std::int32_t of) {
+    return made == stitch + 2 || (made == of && stitch + 1 == of);
+  };
+  if (const auto* s = std::get_if<StitchCastOn>(&what)) return placed(s->stitch, s->of);
+  if (const auto* s = std::get_if<StitchPlaced>(&what)) return placed(s->stitch, s->of);
+  // The one measures the way, the next keeps its end.
+  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+    return s->verdict == Verdict::accepted && (s->stitch == stitch + 1 || s->stitch == stitch + 2);
+  if (const auto* s = std::get_if<BandMissed>(&what))
+    return s->stitch == stitch + 1 || s->stitch == stitch + 2;
+  if (const auto* s = std::get_if<RowClosed>(&what)) return stitch + 2 >= s->stitches;
+  if (std::holds_alternative<RowResampled>(what)) return true;
+  const auto* shared = std::get_if<GapShared>(&what);
+  return shared != nullptr && shared->shared;
+}
+
+struct Touches {
+  const Timeline& timeline;
+  std::size_t index;
+
+  [[nodiscard]] const Step& step() const { return timeline.step(index); }
+  [[nodiscard]] const Transition* transition() const {
+    const Stage stage = step().place.stage;
+    if (stage != Stage::stitches && stage != Stage::faces) return nullptr;
+    return transition_of(timeline.furthest(), step().place.row);
+  }
+  // Whether a cell that the step works on has an end for which `is` holds.
+  template <class Is>
+  [[nodiscard]] bool any_end(Is is) const {
+    const Transition* t = transition();
+    if (t == nullptr) return false;
+    const auto cells = cells_of(*t, step().what);
+    return std::any_of(cells.begin(), cells.end(),
+                       [&](std::int32_t cell) { return cell >= 0 && is(*t, ends_of(*t, cell)); });
+  }
+
+  bool operator()(const StitchThing& s) const {
+    const Place& at = step().place;
+    if (at.stage == stage_of_row(s.row) && at.row == s.row) return makes_stitch(step().what, s.stitch);
+    return any_end([&](const Transition& t, const CellEnds& ends) {
+      return (t.row == s.row && ends.above == s.stitch) || (t.row == s.row + 1 && ends.below == s.stitch);
+    });
+  }
+  // Between two stitches: what measured or moved the way from one to the other, and faces along it.
+  bool operator()(const RowEdgeThing& e) const {
+    const Place& at = step().place;
+    if (at.stage == stage_of_row(e.row) && at.row == e.row) return makes_edge(step().what, e.stitch);
+    const auto* face = std::get_if<FaceMade>(&step().what);
+    const Transition* t = face != nullptr ? transition() : nullptr;
+    if (t == nullptr) return false;
+    const CellEnds from = ends_of(*t, face->index - 1);
+    const CellEnds to = ends_of(*t, next_cell(*t, face->index - 1));
+    if (t->row == e.row) return from.above == e.stitch && to.above != e.stitch;
+    return t->row == e.row + 1 && from.below == e.stitch && to.below != e.stitch;
+  }
+  bool operator()(const ColumnEdgeThing& e) const { return on_cell(e.row, e.edge); }
+  bool operator()(const FaceThing& f) const {
+    const auto* face = std::get_if<FaceMade>(&step().what);
+    if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
+    const Transition* t = transition();
+    if (t == nullptr || t->row != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
+    return on_cell(f.row, f.face) || on_cell(f.row, next_cell(*t, f.face));
+  }
+  bool operator()(const LabelThing& l) const {
+    if (step().place.row == l.row && (std::holds_alternative<SpacingChosen>(step().what) ||
+                                      std::holds_alternative<RowsMatched>(step().what)))
+      return true;
+    return on_cell(l.row, l.cell);
+  }
+  bool operator()(const VertexThing& v) const {
+    const std::vector<VertexId>& twin = timeline.input().twin;
+    if (v.vertex >= twin.size()) return false;
+    const auto is = [&](VertexId other) { return other < twin.size() && twin[other] == twin[v.vertex]; };
+    if (const auto* s = std::get_if<EndsFound>(&step().what)) return is(s->start) || is(s->end);
+    if (const auto* s = std::get_if<VertexTimed>(&step().what)) return s->vertex == v.vertex;
+    if (const auto* s = std::get_if<CycleOrdered>(&step().what)) return is(s->first);
+    if (const auto* s = std::get_if<CandidateMeasured>(&step().what))
+      return is(s->anchor) || is(s->candidate);
+    if (const auto* s = std::get_if<BandMissed>(&step().what)) return is(s->anchor) || is(s->taken);
+    return false;
+  }
+  [[nodiscard]] bool on_cell(std::int32_t row, std::int32_t cell) const {
+    const Transition* t = step().place.row == row ? transition() : nullptr;
+    if (t == nullptr) return false;
+    const auto cells = cells_of(*t, step().what);
+    return std::find(cells.begin(), cells.end(), cell) != cells.end();
+  }
+};
+
+// Where a thing's steps can stand: a few rows' stretches, rising, so that a search never walks a whole run.
+struct Stretches {
+  const Timeline& timeline;
+  using Ranges = std::vector<StepRange>;
+  [[nodiscard]] StepRange at(Stage stage, std::int32_t row) const {
+    return steps_of_row(timeline, stage, row);
+  }
+  [[nodiscard]] Ranges of_row(std::int32_t row) const {
+    return {at(stage_of_row(row), row), at(Stage::stitches, row), at(Stage::stitches, row + 1),
+            at(Stage::faces, row), at(Stage::faces, row + 1)};
+  }
+  [[nodiscard]] Ranges of_strip(std::int32_t row) const {
+    return {at(Stage::stitches, row), at(Stage::faces, row)};
+  }
+  Ranges operator()(const StitchThing& s) const { return of_row(s.row); }
+  Ranges operator()(const RowEdgeThing& e) const { return of_row(e.row); }
+  Ranges operator()(const ColumnEdgeThing& e) const { return of_strip(e.row); }
+  Ranges operator()(const FaceThing& f) const { return of_strip(f.row); }
+  Ranges operator()(const LabelThing& l) const { return of_strip(l.row); }
+  Ranges operator()(const VertexThing& v) const {
+    if (v.vertex >= timeline.input().mesh.positions.size() || timeline.known() == 0) return {};
+    Ranges ranges{{0, 1}};  // the ends
+    const auto timed = timed_by(timeline, v.vertex);
+    if (timed && *timed > 0) ranges.push_back({*timed, *timed + 1});
+    const std::int32_t row = story_of(timeline, v.vertex).row;
+    if (row > 1) ranges.push_back(at(Stage::rows, row));
+    return ranges;
+  }
+};
+
+}  // namespace
+
+bool touches(const Timeline& timeline, const Thing& thing, std::size_t step) {
+  return step < timeline.known() && std::visit(Touches{timeline, step}, thing);
+}
+
+std::optional<std::size_t> touch_from(const Timeline& timeline, const Thing& thing, std::size_t step) {
+  for (const StepRange& range : std::visit(Stretches{timeline}, thing)) {
+    for (std::size_t i = std::max(range.begin, step); i < range.end; ++i) {
+      if (touches(timeline, thing, i)) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> touch_before(const Timeline& timeline, const Thing& thing, std::size_t step) {
+  auto ranges = std::visit(Stretches{timeline}, thing);
+  std::reverse(ranges.begin(), ranges.end());
+  for (const StepRange& range : ranges) {
+    for (std::size_t i = std::min(range.end, step); i-- > range.begin;) {
+      if (touches(timeline, thing, i)) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace knit

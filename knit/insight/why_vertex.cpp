@@ -1,0 +1,127 @@
+// What became of a vertex of the mesh: part of why.
+#include <algorithm>
+
+#include "knit/insight/why.h"
+
+namespace knit {
+
+namespace {
+
+std::int32_t level_of(const Timing& timing, VertexId vertex) {
+  const std::vector<double>& times = timing.levels.times;
+  const auto above = std::upper_bound(times.begin(), times.end(), timing.times[vertex]);
+  return static_cast<std::int32_t>(above - times.begin()) - 1;
+}
+
+bool rows_are_cut(const State& state) {
+  if (std::holds_alternative<ContourWork>(state.work)) return true;
+  return !state.rows.empty() && state.rows.front()->ring->ordered_by == OrderedBy::cut;
+}
+
+// The first level that makes a row; -1: not known yet.
+std::int32_t first_level(const State& state) {
+  if (!state.rows.empty()) return state.rows.front()->level;
+  const auto* work = std::get_if<CastOnWork>(&state.work);
+  return work != nullptr ? work->level : -1;
+}
+
+struct Taken {
+  VertexId candidate = no_vertex;
+  bool refused = false, by_band = true;
+};
+std::optional<Taken> measured_in(const Happening& what) {
+  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+    return Taken{s->candidate, s->verdict != Verdict::accepted, true};
+  if (const auto* s = std::get_if<BandMissed>(&what)) return Taken{s->taken, false, false};
+  return std::nullopt;
+}
+
+// Its level makes the row `story.row`, from the second on.
+void follow_walk(const Timeline& timeline, VertexId vertex, VertexStory& story) {
+  const auto ring = ring_of_row(timeline.furthest(), story.row);
+  if (!ring) return;
+  const std::vector<VertexId>& in_ring = ring->vertices;
+  const std::vector<VertexId>& twin = timeline.input().twin;
+  // Of copies at one place mostly a single one stands in the ring.
+  VertexId meant = vertex;
+  if (std::find(in_ring.begin(), in_ring.end(), vertex) == in_ring.end()) {
+    const auto other =
+        std::find_if(in_ring.begin(), in_ring.end(), [&](VertexId v) { return twin[v] == twin[vertex]; });
+    if (other == in_ring.end()) return;
+    meant = *other;
+  }
+  const StepRange steps = steps_of_row(timeline, Stage::rows, story.row);
+  for (std::size_t i = steps.begin; i < steps.end; ++i) {
+    const Happening& what = timeline.step(i).what;
+    const auto* ordered = std::get_if<CycleOrdered>(&what);
+    if (ordered != nullptr && ordered->first == meant) {
+      story.fate = Fate::begins_row;
+      story.decided = i;
+    }
+    const auto taken = measured_in(what);
+    if (!taken || taken->candidate != meant) continue;
+    story.measured.push_back(i);
+    if (story.fate == Fate::begins_row) continue;  // against itself
+    story.fate = taken->refused ? Fate::refused : taken->by_band ? Fate::accepted : Fate::taken;
+    story.decided = i;
+  }
+}
+
+}  // namespace
+
+std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex) {
+  const std::size_t known = timeline.known();
+  std::size_t first = 0;  // a few solves stand before
+  while (first < known && !std::holds_alternative<VertexTimed>(timeline.step(first).what)) {
+    if (timeline.step(first).place.stage != Stage::timing) return std::nullopt;
+    ++first;
+  }
+  const std::size_t step = first + vertex;
+  const auto* timed = step < known ? std::get_if<VertexTimed>(&timeline.step(step).what) : nullptr;
+  return timed != nullptr && timed->vertex == vertex ? std::optional(step) : std::nullopt;
+}
+
+std::shared_ptr<const Ring> ring_of_row(const State& state, std::int32_t row) {
+  const auto finished = static_cast<std::int32_t>(state.rows.size());
+  if (row < 2 || row > finished + 1) return nullptr;
+  if (row <= finished) {
+    const auto ring = state.rows[static_cast<std::size_t>(row) - 1]->ring.pointer();
+    return ring && !ring->vertices.empty() ? ring : nullptr;
+  }
+  const auto* work = std::get_if<RowWork>(&state.work);
+  return work != nullptr ? work->ring.pointer() : nullptr;
+}
+
+VertexStory story_of(const Timeline& timeline, VertexId vertex) {
+  const State& run = timeline.furthest();
+  VertexStory story;
+  story.fate = timeline.complete() ? Fate::never_reached : Fate::not_yet;
+  story.decided = timed_by(timeline, vertex);
+  if (timeline.input().referenced[vertex] == 0) {
+    story.fate = Fate::unused;
+    return story;
+  }
+  if (!run.timing) return story;
+  if (rows_are_cut(run)) {
+    story.fate = Fate::cut_rows;
+    return story;
+  }
+  const std::int32_t first = first_level(run);
+  if (first < 0) return story;
+  const std::int32_t level = level_of(*run.timing, vertex);
+  if (level < first || level > run.last_level) {
+    story.fate = Fate::no_row;
+    return story;
+  }
+  story.row = level - first + 1;
+  if (story.row == 1) {
+    story.fate = Fate::cast_on;
+    const StepRange steps = steps_of_row(timeline, Stage::cast_on, 1);
+    if (steps.begin < steps.end) story.decided = steps.begin;
+    return story;
+  }
+  follow_walk(timeline, vertex, story);
+  return story;
+}
+
+}  // namespace knit

@@ -1,0 +1,50 @@
+// Distance from a point to the nearest of many triangles: a tree of boxes.
+//
+// Exact up to rounding, for slivers and triangles without area too. The order of the triangles, their
+// orientation and how they hang together do not matter.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "knit/mesh/mesh.h"
+
+namespace knit {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+double distance_to_triangle(const glm::dvec3& point, const Corners& triangle);
+
+class TriangleTree {
+ public:
+  // Requires indices in range and finite positions.
+  TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
+
+  [[nodiscard]] double distance(const glm::dvec3& point) const;  // infinite if there are no triangles
+
+ private:
+  struct Box {
+    glm::dvec3 low, high;
+  };
+  struct Node {
+    Box box;
+    std::uint32_t first = 0;  // leaf: its first triangle; else the second child, the first is next in line
+    std::uint32_t count = 0;  // of triangles; 0: no leaf
+  };
+  struct Centre {
+    glm::dvec3 at;
+    std::uint32_t triangle;
+  };
+  Box build(std::span<Centre> centres, std::span<const glm::dvec3> positions,
+            std::span<const Triangle> triangles);
+  [[nodiscard]] double search(std::size_t node, const glm::dvec3& point, double best) const;
+
+  std::vector<Node> nodes_;         // the root first, children after their parent
+  std::vector<Corners> triangles_;  // leaf after leaf
+};
+
+}  // namespace knit

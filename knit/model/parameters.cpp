@@ -1,0 +1,325 @@
+#include "knit/model/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "knit/model/gauge.h"
+
+namespace knit {
+
+namespace {
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// "X,Y,Z", not all 0.
+std::optional<glm::dvec3> parse_direction(std::string_view text) {
+  glm::dvec3 direction(0.0);
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
+    const auto number = parse_number(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    direction[i] = *number;
+    if (i < 2) text.remove_prefix(comma + 1);
+  }
+  if (!(glm::length(direction) > 0.0) || !std::isfinite(glm::length(direction))) return std::nullopt;
+  return direction;
+}
+
+std::optional<Axis> parse_axis(std::string_view text) {
+  if (text == "x") return Axis{AxisKind::x, {0.0, 1.0, 0.0}};
+  if (text == "y") return Axis{AxisKind::y, {0.0, 1.0, 0.0}};
+  if (text == "z") return Axis{AxisKind::z, {0.0, 1.0, 0.0}};
+  const auto direction = parse_direction(text);
+  return direction ? std::optional(Axis{AxisKind::custom, *direction}) : std::nullopt;
+}
+
+std::string refused(const ParameterInfo& info, std::string_view text) {
+  return "--" + std::string(info.key) + " cannot be \"" + std::string(text) + "\"; give " + range_text(info) +
+         ".";
+}
+
+bool set_from(const Number& number, Parameters& p, std::string_view text) {
+  if (number.zero == Zero::means_auto && text == "auto") {
+    p.*number.field = 0.0;
+    return true;
+  }
+  const auto value = parse_number(text);
+  const bool above_zero = number.low == 0.0 && number.zero != Zero::allowed;
+  const bool above = value && (above_zero ? *value > 0.0 : *value >= number.low);
+  if (!above || *value > number.high) return false;
+  p.*number.field = *value;
+  return true;
+}
+
+bool set_from(const Count& count, Parameters& p, std::string_view text) {
+  if (count.zero_means_auto && text == "auto") {
+    p.*count.field = 0;
+    return true;
+  }
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || value < count.low || value > count.high) return false;
+  p.*count.field = value;
+  return true;
+}
+
+bool set_from(const PickedVertex& picked, Parameters& p, std::string_view text) {
+  if (text == "auto") {
+    p.*picked.field = no_vertex;
+    return true;
+  }
+  VertexId value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || value == no_vertex) return false;
+  p.*picked.field = value;
+  return true;
+}
+
+bool set_from(const AxisChoice& /*axis*/, Parameters& p, std::string_view text) {
+  const auto axis = parse_axis(text);
+  if (axis) p.axis = *axis;
+  return axis.has_value();
+}
+
+bool set_from(const DirectionChoice& choice, Parameters& p, std::string_view text) {
+  const auto direction = parse_direction(text);
+  if (direction || text == "auto") p.*choice.field = direction;
+  return direction || text == "auto";
+}
+
+bool set_from(const GaugeChoice& choice, Parameters& p, std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  const auto stitches = parse_number(text.substr(0, comma));
+  const auto rounds = parse_number(text.substr(comma + 1));
+  if (!stitches || !rounds || *stitches <= 0.0 || *rounds <= 0.0) return false;
+  p.*choice.field = {*stitches, *rounds};
+  return true;
+}
+
+bool set_from(const Choice& choice, Parameters& p, std::string_view text) {
+  const auto found = std::find(choice.names.begin(), choice.names.end(), text);
+  if (found == choice.names.end()) return false;
+  choice.set(p, static_cast<int>(found - choice.names.begin()));
+  return true;
+}
+
+std::string direction_text(const glm::dvec3& d) {
+  return number_text(d.x) + "," + number_text(d.y) + "," + number_text(d.z);
+}
+
+std::string axis_text(const Axis& axis) {
+  switch (axis.kind) {
+    case AxisKind::x:
+      return "x";
+    case AxisKind::y:
+      return "y";
+    case AxisKind::z:
+      return "z";
+    case AxisKind::custom:
+      break;
+  }
+  return direction_text(axis.custom);
+}
+
+}  // namespace
+
+glm::dvec3 Axis::direction() const {
+  switch (kind) {
+    case AxisKind::x:
+      return {1.0, 0.0, 0.0};
+    case AxisKind::y:
+      return {0.0, 1.0, 0.0};
+    case AxisKind::z:
+      return {0.0, 0.0, 1.0};
+    case AxisKind::custom:
+      break;
+  }
+  return glm::normalize(custom);
+}
+
+double stitch_height_of(const Parameters& parameters) {
+  return parameters.stitch_height > 0.0 ? parameters.stitch_height : 0.72 * parameters.stitch_width;
+}
+
+Parameters default_parameters(const Bounds& bounds) {
+  Parameters parameters;
+  parameters.stitch_width = 0.03 * bounds.diagonal();
+  parameters.epsilon = 0.5 * parameters.stitch_width;
+  return parameters;
+}
+
+const ParameterInfo* find_parameter(std::string_view key) {
+  const auto table = parameter_table();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const ParameterInfo& i) { return i.key == key; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string value_text(const ParameterInfo& info, const Parameters& p) {
+  struct Text {
+    const Parameters& p;
+    std::string operator()(const Number& n) const {
+      const bool automatic = n.zero == Zero::means_auto && p.*n.field == 0.0;
+      return automatic ? "auto" : number_text(p.*n.field);
+    }
+    std::string operator()(const Count& c) const {
+      return c.zero_means_auto && p.*c.field == 0 ? "auto" : std::to_string(p.*c.field);
+    }
+    std::string operator()(const PickedVertex& v) const {
+      return p.*v.field == no_vertex ? "auto" : std::to_string(p.*v.field);
+    }
+    std::string operator()(const AxisChoice& /*axis*/) const { return axis_text(p.axis); }
+    std::string operator()(const DirectionChoice& d) const {
+      const auto& direction = p.*d.field;
+      return direction ? direction_text(*direction) : "auto";
+    }
+    std::string operator()(const GaugeChoice& g) const {
+      return number_text((p.*g.field).stitches) + "," + number_text((p.*g.field).rounds);
+    }
+    std::string operator()(const Choice& c) const {
+      return std::string(c.names[static_cast<std::size_t>(c.get(p))]);
+    }
+  };
+  return std::visit(Text{p}, info.kind);
+}
+
+std::optional<std::string> set_value(const ParameterInfo& info, Parameters& parameters,
+                                     std::string_view text) {
+  const bool done = std::visit([&](const auto& kind) { return set_from(kind, parameters, text); }, info.kind);
+  return done ? std::nullopt : std::optional(refused(info, text));
+}
+
+std::string range_text(const ParameterInfo& info) {
+  struct Text {
+    std::string operator()(const Number& n) const {
+      const bool from_low = n.low != 0.0 || n.zero == Zero::allowed;
+      const std::string low = from_low ? "a number from " + number_text(n.low) : "a number above 0";
+      const std::string range = n.high >= no_limit ? low : low + " up to " + number_text(n.high);
+      return n.zero == Zero::means_auto ? range + ", or auto" : range;
+    }
+    std::string operator()(const Count& c) const {
+      return "a whole number from " + std::to_string(c.low) + " to " + std::to_string(c.high) +
+             (c.zero_means_auto ? ", or auto" : "");
+    }
+    std::string operator()(const PickedVertex& /*v*/) const {
+      return "a vertex number counted from 0, or auto";
+    }
+    std::string operator()(const AxisChoice& /*a*/) const {
+      return "x, y, z or a direction X,Y,Z that is not 0,0,0";
+    }
+    std::string operator()(const DirectionChoice& /*d*/) const {
+      return "a direction X,Y,Z that is not 0,0,0, or auto";
+    }
+    std::string operator()(const GaugeChoice& /*g*/) const { return "two numbers above 0, as 22,32"; }
+    std::string operator()(const Choice& c) const {
+      std::string names;
+      for (std::size_t i = 0; i < c.names.size(); ++i) {
+        if (i > 0) names += i + 1 == c.names.size() ? " or " : ", ";
+        names += c.names[i];
+      }
+      return names;
+    }
+  };
+  return std::visit(Text{}, info.kind);
+}
+
+namespace {
+
+// Whether a face has a corner there; one with two corners at the same place is no part of the surface.
+bool is_on_surface(VertexId vertex, const Mesh& mesh) {
+  const glm::dvec3 place = mesh.positions[vertex];
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    const glm::dvec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+    return (a == place || b == place || c == place) && a != b && b != c && c != a;
+  });
+}
+
+std::optional<std::string> picked_vertex_fault(std::string_view option, VertexId vertex, const Mesh& mesh) {
+  if (vertex == no_vertex) return std::nullopt;
+  const std::string picked = std::string(option) + " " + std::to_string(vertex);
+  if (vertex >= mesh.positions.size()) {
+    return picked + " is not a vertex of this mesh; it has " + std::to_string(mesh.positions.size()) +
+           ", counted from 0.";
+  }
+  if (is_on_surface(vertex, mesh)) return std::nullopt;
+  return picked + " belongs to no face of this mesh; pick a vertex of the surface, or auto.";
+}
+
+std::optional<std::string> start_direction_fault(const Parameters& p, const Mesh& mesh) {
+  if (!p.start_direction) return std::nullopt;
+  const glm::dvec3 along = knitting_direction(p, mesh);
+  const glm::dvec3 side = glm::cross(*p.start_direction, along);
+  if (glm::length(side) > 1e-6 * glm::length(*p.start_direction) * glm::length(along)) return std::nullopt;
+  return "--start-direction " + direction_text(*p.start_direction) +
+         " points along the direction of knitting; give one across it.";
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
+  // Values that no text could have given: out of range, or no numbers.
+  for (const ParameterInfo& info : parameter_table()) {
+    Parameters read_back = p;
+    if (auto fault = set_value(info, read_back, value_text(info, p))) return fault;
+  }
+  for (const auto& [option, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
+    if (auto fault = picked_vertex_fault(option, vertex, mesh)) return fault;
+  }
+  if (p.start != no_vertex && p.start == p.end) {
+    return "--start and --end are both vertex " + std::to_string(p.start) + "; pick two different ones.";
+  }
+  if (auto fault = start_direction_fault(p, mesh)) return fault;
+  if (p.rows == RowSource::rings && p.epsilon >= p.stitch_width) {
+    return "epsilon " + number_text(p.epsilon) + " is not below the stitch width " +
+           number_text(p.stitch_width) +
+           ", so a vertex would be a stitch away from itself; make epsilon smaller or the stitches wider.";
+  }
+  return std::nullopt;
+}
+
+bool is_read(const ParameterInfo& info, const Parameters& parameters) {
+  const std::string_view key = info.key;
+  const bool of_rings = key == "level-tolerance" || key == "metric" || key == "epsilon" ||
+                        key == "on-stall" || key == "last-anchor" || key == "resample" || key == "close";
+  if (of_rings) return parameters.rows == RowSource::rings;
+  const bool of_nearest = key == "stacking-penalty" || key == "follow-mains";
+  return !of_nearest || parameters.placement == PlacementPolicy::nearest;
+}
+
+Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
+  Stage first = Stage::done;
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.first_reader < first && value_text(info, a) != value_text(info, b)) first = info.first_reader;
+  }
+  return first;
+}
+
+Parameters with_change(const Parameters& base, const Parameters& from, const Parameters& to) {
+  Parameters result = base;
+  for (const ParameterInfo& info : parameter_table()) {
+    const std::string text = value_text(info, to);
+    if (value_text(info, from) != text) set_value(info, result, text);
+  }
+  return result;
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+}  // namespace knit

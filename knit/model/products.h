@@ -1,0 +1,251 @@
+// What the stages hand on: plain data, finished once, then immutable (`Shared<T>` in State).
+//
+// A row belongs to a tube; today there is one. Stitch order is working order: counter-clockwise seen along
+// the direction of knitting, which is clockwise seen from the needles, right side out (a right-handed
+// knitter's order).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "knit/mesh/mesh.h"
+#include "knit/model/shared.h"
+
+namespace knit {
+
+using TubeId = std::int32_t;
+
+// --- timing
+// -------------------------------------------------------------------------------------------------------
+
+// Algorithm 1's line: t(v) = (v - origin) . direction / |direction|^2.
+struct Ends {
+  VertexId start = no_vertex;
+  VertexId end = no_vertex;
+  glm::dvec3 origin{0.0};
+  glm::dvec3 direction{0.0};  // from start to end, not normalised
+  [[nodiscard]] auto fields() const { return std::tie(start, end, origin, direction); }
+  friend bool operator==(const Ends&, const Ends&) = default;
+};
+
+enum class CriticalKind : std::uint8_t { minimum, saddle, maximum };
+
+// Where the level sets of the time begin, part, join or end. A flat part of the surface counts as one point,
+// its lowest-numbered vertex.
+struct CriticalPoint {
+  VertexId vertex = no_vertex;
+  CriticalKind kind = CriticalKind::saddle;
+  std::int32_t multiplicity = 1;  // of a saddle: 2 for one where three loops meet
+  double time = 0.0;
+  [[nodiscard]] auto fields() const { return std::tie(vertex, kind, multiplicity, time); }
+  friend bool operator==(const CriticalPoint&, const CriticalPoint&) = default;
+};
+
+// By time, rising. minima - saddles + maxima equals the Euler characteristic, which is counted apart.
+struct Criticals {
+  std::vector<CriticalPoint> points;
+  std::int32_t minima = 0, saddles = 0, maxima = 0;  // saddles with their multiplicity
+  std::int32_t euler = 0;                            // vertices - edges + triangles of the mesh
+  [[nodiscard]] auto fields() const { return std::tie(points, minima, saddles, maxima, euler); }
+  friend bool operator==(const Criticals&, const Criticals&) = default;
+};
+
+// A level set of several loops, which one tube cannot follow, and the saddle that tells why.
+struct Split {
+  std::int32_t level = 0;  // rows before this level are sound
+  std::int32_t loops = 0;
+  // saddle: the tube parts there, below. minimum: another end of the shape has begun, and joins the first at
+  // the saddle, above.
+  CriticalKind cause = CriticalKind::saddle;
+  VertexId vertex = no_vertex;  // of the saddle
+  double time = 0.0;
+  [[nodiscard]] auto fields() const { return std::tie(level, loops, cause, vertex, time); }
+  friend bool operator==(const Split&, const Split&) = default;
+};
+
+// How far up the surface a level lies: a rising, piecewise linear map from the field that orders the vertices
+// to the mean height along the surface.
+struct HeightScale {
+  std::vector<double> values;   // of the field, rising strictly from 0 to 1
+  std::vector<double> heights;  // rising from 0
+  [[nodiscard]] double total() const { return heights.empty() ? 0.0 : heights.back(); }
+  [[nodiscard]] auto fields() const { return std::tie(values, heights); }
+  friend bool operator==(const HeightScale&, const HeightScale&) = default;
+};
+
+// Vertices of equal time, level by level, rising.
+struct Levels {
+  std::vector<VertexId> vertices;    // level after level; within one by index
+  std::vector<std::uint32_t> begin;  // first of each level, and the end
+  std::vector<double> times;         // of each level: its lowest
+  std::optional<Split> split;
+  [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(times.size()); }
+  [[nodiscard]] std::span<const VertexId> level(std::int32_t i) const {
+    const auto at = static_cast<std::size_t>(i);
+    return std::span(vertices).subspan(begin[at], begin[at + 1] - begin[at]);
+  }
+  [[nodiscard]] auto fields() const { return std::tie(vertices, begin, times, split); }
+  friend bool operator==(const Levels&, const Levels&) = default;
+};
+
+struct Timing {
+  Ends ends;
+  // What a time is read from: cuts are made in it, because it is what runs straight across a triangle. Empty:
+  // the times themselves.
+  std::vector<double> field;
+  HeightScale scale;          // of the field
+  bool retimed = false;       // time = height / total height, else the field itself
+  std::vector<double> times;  // per vertex, clamped to [0, 1]
+  std::int32_t outside = 0;   // vertices that had to be clamped
+  Criticals criticals;
+  Levels levels;
+  [[nodiscard]] const std::vector<double>& cut_field() const { return field.empty() ? times : field; }
+  [[nodiscard]] auto fields() const {
+    return std::tie(ends, field, scale, retimed, times, outside, criticals, levels);
+  }
+  friend bool operator==(const Timing&, const Timing&) = default;
+};
+
+// --- cast on, rows
+// -------------------------------------------------------------------------------------------------
+
+enum class OrderedBy : std::uint8_t { angle, edges, cut };
+
+// A closed polyline in working order from where rounds begin: a level's vertices, or a cut through edges.
+struct Ring {
+  std::vector<VertexId> vertices;  // one a point, copies of the first come last; empty for a cut
+  std::vector<glm::dvec3> points;
+  std::vector<double> arc;  // of each point, along the polyline from the first; rising, within [0, length]
+  double length = 0.0;      // of the closed polyline
+  OrderedBy ordered_by = OrderedBy::angle;
+  [[nodiscard]] auto fields() const { return std::tie(vertices, points, arc, length, ordered_by); }
+  friend bool operator==(const Ring&, const Ring&) = default;
+};
+
+// The surface cut at one time.
+struct Cut {
+  double time = 0.0;
+  std::int32_t edges = 0;           // of the mesh, cut through
+  std::vector<Shared<Ring>> loops;  // one where a tube is; the longest first
+  [[nodiscard]] auto fields() const { return std::tie(time, edges, loops); }
+  friend bool operator==(const Cut&, const Cut&) = default;
+};
+
+// The cuts that rows are taken from, at equal steps of time.
+struct CutPlan {
+  double from_time = 0.0;        // planned from here on to 1
+  double stitch_height = 0.0;    // what was asked
+  double height = 0.0;           // still to go along the surface
+  double row_height = 0.0;       // what fits: the mean height between two cuts
+  std::int32_t passed_over = 0;  // cuts too short for three half stitches, at the start
+  std::vector<Cut> cuts;         // up to the first of several loops
+  std::optional<Split> split;    // of the last cut
+  [[nodiscard]] auto fields() const {
+    return std::tie(from_time, stitch_height, height, row_height, passed_over, cuts, split);
+  }
+  friend bool operator==(const CutPlan&, const CutPlan&) = default;
+};
+
+struct Stitch {
+  glm::dvec3 position{0.0};
+  VertexId vertex = no_vertex;  // the mesh vertex it was picked at; no_vertex when placed by arc
+  [[nodiscard]] auto fields() const { return std::tie(position, vertex); }
+  friend bool operator==(const Stitch&, const Stitch&) = default;
+};
+
+struct Row {
+  TubeId tube = 0;
+  std::int32_t number = 1;  // from 1, the cast on
+  std::int32_t level = 0;   // of the levels, or of the cuts planned
+  double time = 0.0;
+  Shared<Ring> ring;
+  std::vector<Stitch> stitches;  // at least 3, working order
+  [[nodiscard]] auto fields() const { return std::tie(tube, number, level, time, ring, stitches); }
+  friend bool operator==(const Row&, const Row&) = default;
+};
+inline std::int32_t size_of(const Row& row) { return static_cast<std::int32_t>(row.stitches.size()); }
+
+// --- stitch index
+// --------------------------------------------------------------------------------------------------
+
+// The thesis's integers.
+enum class Label : std::uint8_t { knit = 0, m1r = 1, m1l = 2, k2tog = 3, ssk = 4, cast = 5, main = 6 };
+inline bool is_increase(Label label) { return label == Label::m1r || label == Label::m1l; }
+inline bool is_decrease(Label label) { return label == Label::k2tog || label == Label::ssk; }
+inline bool is_shaping(Label label) { return is_increase(label) || is_decrease(label); }
+
+// How mains were spaced; names as in docs/algorithm.md.
+enum class Rule : std::uint8_t { from_cast_on, plain, equal, follow, remainder_last, dense, even, nearest };
+
+struct PlacedLabel {
+  std::int32_t cell = 0;
+  Label label = Label::knit;
+  [[nodiscard]] auto fields() const { return std::tie(cell, label); }
+  friend bool operator==(const PlacedLabel&, const PlacedLabel&) = default;
+};
+
+// From one row to the next. Cells are those of the larger row: `above` when it grows, `below` when it
+// shrinks.
+struct Transition {
+  TubeId tube = 0;
+  std::int32_t row = 2;  // the row it makes, from row - 1
+  std::int32_t below = 0, above = 0;
+  Rule rule = Rule::plain;
+  std::optional<Rule> tried;  // the rule that would have applied, had its sections had room
+  std::int32_t spacing = 0, remainder = 0;
+  std::vector<Label> labels;          // max(below, above) cells
+  std::vector<PlacedLabel> placed;    // mains and shaping in the order of placing
+  std::vector<std::int32_t> mains;    // cells of the mains in row `row`
+  std::vector<std::int32_t> partner;  // per cell: the cell a shaping label works with, else the cell itself
+  std::vector<std::int32_t> link;     // per cell: its stitch in the smaller row
+  double sum_of_squares = 0.0;        // nearest: of the lengths of its wale edges
+  double longest_square = 0.0;
+  [[nodiscard]] std::int32_t change() const { return above - below; }
+  [[nodiscard]] auto fields() const {
+    return std::tie(tube, row, below, above, rule, tried, spacing, remainder, labels, placed, mains, partner,
+                    link, sum_of_squares, longest_square);
+  }
+  friend bool operator==(const Transition&, const Transition&) = default;
+};
+
+// --- faces
+// ---------------------------------------------------------------------------------------------------------
+
+// Corners are stitches counted through all rows (the knitting path), counter-clockwise seen from outside.
+struct Face {
+  std::array<std::uint32_t, 4> corners{};
+  std::int32_t corner_count = 4;  // 3: the last corner is unused and 0
+  std::int32_t cell = 0;          // of the transition
+  Label label = Label::knit;
+  [[nodiscard]] auto fields() const { return std::tie(corners, corner_count, cell, label); }
+  friend bool operator==(const Face&, const Face&) = default;
+};
+
+// The faces between row - 1 and row.
+struct Strip {
+  std::int32_t row = 2;
+  std::vector<Face> faces;
+  std::vector<std::array<std::uint32_t, 2>> column_edges;  // lower stitch, upper stitch
+  [[nodiscard]] auto fields() const { return std::tie(row, faces, column_edges); }
+  friend bool operator==(const Strip&, const Strip&) = default;
+};
+
+// --- pattern
+// -------------------------------------------------------------------------------------------------------
+
+struct PatternLine {
+  std::int32_t row = 1;
+  std::string text;
+  std::int32_t consumed = 0;  // stitches of the row before
+  std::int32_t produced = 0;
+  [[nodiscard]] auto fields() const { return std::tie(row, text, consumed, produced); }
+  friend bool operator==(const PatternLine&, const PatternLine&) = default;
+};
+
+}  // namespace knit

@@ -1,0 +1,19 @@
+#include "knit/model/stage.h"
+
+namespace knit {
+
+namespace {
+constexpr std::array<std::string_view, 8> stage_names{"import",   "timing", "cast-on", "rows",
+                                                      "stitches", "faces",  "pattern", "done"};
+}
+
+std::string_view name_of(Stage stage) { return stage_names.at(static_cast<std::size_t>(stage)); }
+
+std::optional<Stage> stage_named(std::string_view name) {
+  for (const Stage stage : machine_stages) {
+    if (name_of(stage) == name) return stage;
+  }
+  return std::nullopt;
+}
+
+}  // namespace knit

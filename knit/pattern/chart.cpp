@@ -1,0 +1,180 @@
+#include "knit/pattern/chart.h"
+
+#include <algorithm>
+
+#include "knit/pattern/wales.h"
+
+namespace knit {
+
+namespace {
+
+ChartSymbol symbol_of(Hand hand) {
+  switch (hand) {
+    case Hand::m1r:
+      return ChartSymbol::m1r;
+    case Hand::m1l:
+      return ChartSymbol::m1l;
+    case Hand::k2tog:
+      return ChartSymbol::k2tog;
+    case Hand::ssk:
+      return ChartSymbol::ssk;
+    case Hand::knit:
+      break;
+  }
+  return ChartSymbol::knit;
+}
+
+class ChartMaker {
+ public:
+  explicit ChartMaker(const Rounds& rounds)
+      : rounds_(rounds), wales_(wales_of(rounds)), columns_(columns_of(wales_)) {}
+
+  [[nodiscard]] Chart make() const {
+    Chart chart{columns_.width, {cast_on()}};
+    for (std::size_t row = 1; row < wales_.rows.size(); ++row) chart.rows.push_back(worked(row));
+    chart.rows.push_back(bind_off());
+    return chart;
+  }
+
+ private:
+  // One of these for every stitch of a row; mains as in the round that makes row `mains_of`.
+  [[nodiscard]] ChartRow all_alike(std::size_t row, ChartSymbol symbol, std::size_t mains_of) const {
+    const std::vector<std::uint8_t> main = main_wales(mains_of);
+    ChartRow made{1, static_cast<std::int32_t>(wales_.rows[row].size()), {}};
+    made.squares.resize(static_cast<std::size_t>(columns_.width));
+    std::int32_t stitch = 0;
+    for (const Wale wale : wales_.rows[row]) {
+      const auto w = static_cast<std::size_t>(wale);
+      made.squares[static_cast<std::size_t>(columns_.of[w])] = {symbol, main[w] != 0, stitch++};
+    }
+    return made;
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> main_wales(std::size_t row) const {
+    std::vector<std::uint8_t> main(columns_.of.size(), 0);
+    if (row == 0 || row >= wales_.rows.size()) return main;
+    const std::vector<Operation>& operations = rounds_.rounds[row - 1].operations;
+    for (std::size_t i = 0; i < operations.size(); ++i)
+      main[static_cast<std::size_t>(wales_.rows[row][i])] = operations[i].at_main ? 1 : 0;
+    return main;
+  }
+
+  [[nodiscard]] ChartRow worked(std::size_t row) const {
+    const Round& round = rounds_.rounds[row - 1];
+    ChartRow made = all_alike(row, ChartSymbol::knit, row);
+    made.number = round.number;
+    for (ChartSquare& square : made.squares) {
+      if (square.stitch >= 0)
+        square.symbol = symbol_of(round.operations[static_cast<std::size_t>(square.stitch)].hand);
+    }
+    return made;
+  }
+
+  // The cast on has no mains yet, so the first round's are shown.
+  [[nodiscard]] ChartRow cast_on() const { return all_alike(0, ChartSymbol::cast_on, 1); }
+  [[nodiscard]] ChartRow bind_off() const {
+    const std::size_t last = wales_.rows.size() - 1;
+    ChartRow made = all_alike(last, ChartSymbol::bind_off, last);
+    made.number = rounds_.rounds.empty() ? 2 : rounds_.rounds.back().number + 1;
+    made.stitches = 0;
+    return made;
+  }
+
+  const Rounds& rounds_;
+  Wales wales_;
+  WaleColumns columns_;
+};
+
+}  // namespace
+
+Chart chart_of(const Rounds& rounds) { return ChartMaker(rounds).make(); }
+
+namespace {
+
+constexpr const char* how_to_read =
+    "Read from the bottom up, every round from right to left. At the right stands the round's\n"
+    "number, at the left how many stitches there are after it.\n";
+
+bool has(const Chart& chart, ChartSymbol symbol) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(), [&](const ChartRow& row) {
+    return std::any_of(row.squares.begin(), row.squares.end(),
+                       [&](const ChartSquare& square) { return square.symbol == symbol; });
+  });
+}
+
+// Each on a line too short to be joined with the next by whoever reads the file by machine.
+std::string key_of(const Chart& chart) {
+  std::string text;
+  for (const ChartSign& sign : chart_signs) {
+    if (!has(chart, sign.symbol)) continue;
+    text += sign.sign == ' ' ? "  (blank)  " : std::string("     ") + sign.sign + "     ";
+    text.append(sign.meaning).append("\n");
+  }
+  return text;
+}
+
+std::string right_aligned(const std::string& words, std::size_t width) {
+  return std::string(width - std::min(width, words.size()), ' ') + words;
+}
+
+// The squares of a row as they lie on paper: the first worked at the right.
+std::string squares_of(const ChartRow& row) {
+  std::string text;
+  for (std::size_t column = row.squares.size(); column-- > 0;)
+    text += sign_of(row.squares[column].symbol).sign;
+  return text;
+}
+
+// The number of every tenth column, counted from the right as rounds are worked.
+std::string ruler_of(const Chart& chart) {
+  std::string line(static_cast<std::size_t>(chart.columns), ' ');
+  for (std::int32_t column = 10; column <= chart.columns; column += 10) {
+    const std::string number = std::to_string(column);
+    const auto at = static_cast<std::size_t>(chart.columns - column);
+    for (std::size_t i = 0; i < number.size() && at + i < line.size(); ++i) line[at + i] = number[i];
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+std::string grid_of(const Chart& chart) {
+  std::size_t counts = 0;
+  for (const ChartRow& row : chart.rows) counts = std::max(counts, std::to_string(row.stitches).size());
+  std::string text;
+  for (std::size_t i = chart.rows.size(); i-- > 0;) {
+    const ChartRow& row = chart.rows[i];
+    const bool ends = row.stitches == 0;  // the bind off: no round, and nothing is left
+    text += right_aligned(ends ? "" : std::to_string(row.stitches), counts) + " |" + squares_of(row) + "|" +
+            (ends ? "" : " " + std::to_string(row.number)) + "\n";
+  }
+  const std::string ruler = ruler_of(chart);
+  return ruler.empty() ? text : text + std::string(counts + 2, ' ') + ruler + "\n";
+}
+
+std::string too_wide(const Chart& chart) {
+  return "The chart is " + std::to_string(chart.columns) +
+         " squares wide, too wide for text. Save it as a drawing: in the menu\n"
+         "File, Save the chart, or on the command line --save-chart chart.svg.\n";
+}
+
+}  // namespace
+
+const ChartSign& sign_of(ChartSymbol symbol) {
+  return *std::find_if(chart_signs.begin(), chart_signs.end(),
+                       [&](const ChartSign& sign) { return sign.symbol == symbol; });
+}
+
+std::string chart_as_text(const Chart& chart) {
+  if (chart.rows.empty()) return "";
+  if (chart.columns > widest_text_chart) return "\nCHART\n" + too_wide(chart);
+  return "\nCHART\n" + std::string(how_to_read) + "\n" + key_of(chart) + "\n" + grid_of(chart);
+}
+
+std::string chart_as_markdown(const Chart& chart) {
+  if (chart.rows.empty()) return "";
+  if (chart.columns > widest_text_chart) return "\n## Chart\n\n" + too_wide(chart);
+  return "\n## Chart\n\n" + std::string(how_to_read) + "\n```text\n" + key_of(chart) + "\n" + grid_of(chart) +
+         "```\n";
+}
+
+}  // namespace knit

@@ -1,0 +1,73 @@
+// The chart of the pattern: one row of squares a round, wales kept in columns by grey squares where there is no
+// stitch.
+//
+// Rows go bottom to top, each is worked from right to left: column 0 is the right edge, where rounds begin. A
+// square belongs to the round that works it: an increase stands in the round that makes it, a decrease in the
+// round that takes two together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knit/pattern/rounds.h"
+
+namespace knit {
+
+enum class ChartSymbol : std::uint8_t { no_stitch, knit, m1r, m1l, k2tog, ssk, cast_on, bind_off };
+
+struct ChartSquare {
+  ChartSymbol symbol = ChartSymbol::no_stitch;
+  bool main = false;         // of a main wale
+  std::int32_t stitch = -1;  // of its row, from 0; -1: no stitch
+  friend bool operator==(const ChartSquare&, const ChartSquare&) = default;
+};
+struct ChartRow {
+  std::int32_t number = 1;    // of the round
+  std::int32_t stitches = 0;  // on the needles afterwards
+  std::vector<ChartSquare> squares;
+  friend bool operator==(const ChartRow&, const ChartRow&) = default;
+};
+struct Chart {
+  std::int32_t columns = 0;
+  std::vector<ChartRow> rows;  // the cast on first
+};
+
+// Columns are chosen so that a stitch stands above the one it is worked from wherever it can, and main wales
+// keep their column all the way.
+Chart chart_of(const Rounds& rounds);
+
+// The chart as characters, for the plain documents: one a square, under its key, bottom to top and right to left.
+//
+// Plain knitting is blank and grey squares are dotted, as on the drawing, so that the shaping stands out. The
+// section holds no line that a reader of patterns could take for a round, a cast on or an end.
+
+// What a square means: a character and words. The key of every form of the chart speaks these words.
+struct ChartSign {
+  ChartSymbol symbol;
+  char sign;
+  std::string_view meaning;
+};
+inline constexpr std::array<ChartSign, 8> chart_signs{{
+    {ChartSymbol::knit, ' ', "k: knit"},
+    {ChartSymbol::m1r, 'R', "m1r: make 1 right"},
+    {ChartSymbol::m1l, 'L', "m1l: make 1 left"},
+    {ChartSymbol::k2tog, '/', "k2tog: knit 2 together"},
+    {ChartSymbol::ssk, '\\', "ssk: slip, slip, knit"},
+    {ChartSymbol::cast_on, 'o', "CO: cast on"},
+    {ChartSymbol::bind_off, '=', "BO: bind off or close up"},
+    {ChartSymbol::no_stitch, ':', "no stitch: skip it"},
+}};
+const ChartSign& sign_of(ChartSymbol symbol);
+
+// A wider chart is no use as text.
+inline constexpr std::int32_t widest_text_chart = 100;
+
+// The document's last section, with an empty line before it. Of a chart that is too wide it says where the
+// chart is to be had.
+std::string chart_as_text(const Chart& chart);
+std::string chart_as_markdown(const Chart& chart);
+
+}  // namespace knit

@@ -1,0 +1,112 @@
+#include "knit/pattern/rounds.h"
+
+#include "knit/model/bug.h"
+
+namespace knit {
+
+namespace {
+
+Hand hand_of(Label label) {
+  switch (label) {
+    case Label::m1r:
+      return Hand::m1r;
+    case Label::m1l:
+      return Hand::m1l;
+    case Label::k2tog:
+      return Hand::k2tog;
+    case Label::ssk:
+      return Hand::ssk;
+    case Label::knit:
+    case Label::cast:
+    case Label::main:
+      break;
+  }
+  return Hand::knit;
+}
+
+// Cells whose stitch a decrease beside them takes in.
+std::vector<std::uint8_t> taken_in(const Transition& t) {
+  std::vector<std::uint8_t> taken(t.labels.size(), 0);
+  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
+    if (is_decrease(t.labels[cell])) taken[static_cast<std::size_t>(t.partner[cell])] = 1;
+  }
+  return taken;
+}
+
+Round round_of(const Transition& t) {
+  Round round{t.row, {}, t.below, t.above};
+  const std::vector<std::uint8_t> taken = taken_in(t);
+  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
+    if (taken[cell] != 0) continue;
+    const Label label = t.labels[cell];
+    const auto partner = static_cast<std::size_t>(t.partner[cell]);
+    const bool at_main = label == Label::main || (is_decrease(label) && t.labels[partner] == Label::main);
+    round.operations.push_back({hand_of(label), at_main});
+  }
+  return round;
+}
+
+std::vector<GraphStitch> grown_row(const Transition& t) {
+  std::vector<GraphStitch> row;
+  std::int32_t before = 0;
+  for (const Label label : t.labels) {
+    const bool made = is_increase(label);
+    row.push_back({hand_of(label), before, made ? 0 : 1});
+    before += made ? 0 : 1;
+  }
+  return row;
+}
+
+std::vector<GraphStitch> shrunk_row(const Transition& t) {
+  std::vector<GraphStitch> row(static_cast<std::size_t>(t.above), {Hand::knit, -1, 0});
+  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
+    GraphStitch& stitch = row[static_cast<std::size_t>(t.link[cell])];
+    if (stitch.first < 0) stitch.first = static_cast<std::int32_t>(cell);
+    ++stitch.count;
+    if (is_decrease(t.labels[cell])) stitch.hand = hand_of(t.labels[cell]);
+  }
+  return row;
+}
+
+}  // namespace
+
+std::int32_t consumed_by(Hand hand) {
+  if (hand == Hand::knit) return 1;
+  return hand == Hand::k2tog || hand == Hand::ssk ? 2 : 0;
+}
+
+std::int32_t made_by(Hand /*hand*/) { return 1; }
+
+Rounds rounds_of(const State& state) {
+  Rounds rounds;
+  rounds.cast_on = static_cast<std::int32_t>(state.rows.front()->stitches.size());
+  for (const auto& transition : state.transitions) rounds.rounds.push_back(round_of(*transition));
+  return rounds;
+}
+
+KnitGraph graph_of(const State& state) {
+  KnitGraph graph;
+  graph.rows.emplace_back(state.rows.front()->stitches.size());
+  for (const auto& t : state.transitions)
+    graph.rows.push_back(t->change() >= 0 ? grown_row(*t) : shrunk_row(*t));
+  return graph;
+}
+
+KnitGraph graph_of(const Rounds& rounds) {
+  KnitGraph graph;
+  graph.rows.emplace_back(static_cast<std::size_t>(rounds.cast_on));
+  for (const Round& round : rounds.rounds) {
+    std::vector<GraphStitch> row;
+    std::int32_t worked = 0;
+    for (const Operation& operation : round.operations) {
+      row.push_back({operation.hand, worked, consumed_by(operation.hand)});
+      worked += consumed_by(operation.hand);
+    }
+    if (worked != static_cast<std::int32_t>(graph.rows.back().size()))
+      throw Bug("a round does not work all its stitches");
+    graph.rows.push_back(std::move(row));
+  }
+  return graph;
+}
+
+}  // namespace knit

@@ -1,0 +1,63 @@
+// The pattern as work for hands: what is done to which stitches, round by round, and the graph that comes out.
+//
+// Taken from the label transitions, never from the arrays of Appendix A. Operations stand in working order and
+// never cross the beginning of a round. Rounds are numbered as rows are: 1 is the cast on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "knit/model/products.h"
+#include "knit/run/state.h"
+
+namespace knit {
+
+enum class Hand : std::uint8_t { knit, m1r, m1l, k2tog, ssk };
+
+// Stitches of the round before that one operation takes, and stitches that it makes.
+std::int32_t consumed_by(Hand hand);
+std::int32_t made_by(Hand hand);
+
+struct Operation {
+  Hand hand = Hand::knit;
+  bool at_main = false;  // it works a main stitch
+  friend bool operator==(const Operation&, const Operation&) = default;
+};
+
+struct Round {
+  std::int32_t number = 2;
+  std::vector<Operation> operations;
+  std::int32_t before = 0, after = 0;  // stitches
+  friend bool operator==(const Round&, const Round&) = default;
+};
+
+struct Rounds {
+  std::int32_t cast_on = 0;
+  std::vector<Round> rounds;  // the second row on
+  [[nodiscard]] std::int32_t last_count() const { return rounds.empty() ? cast_on : rounds.back().after; }
+  friend bool operator==(const Rounds&, const Rounds&) = default;
+};
+
+// Of the transitions that are there. Requires at least one row.
+Rounds rounds_of(const State& state);
+
+// One stitch and what it was worked from: stitches `first`, `first` + 1 ... of the row below, `count` of them.
+// A stitch made from the bar between two has count 0; `first` then says how many stitches of the row below
+// stand before the bar.
+struct GraphStitch {
+  Hand hand = Hand::knit;
+  std::int32_t first = 0, count = 0;
+  friend bool operator==(const GraphStitch&, const GraphStitch&) = default;
+};
+struct KnitGraph {
+  std::vector<std::vector<GraphStitch>> rows;  // the cast on first: its stitches have nothing below
+  friend bool operator==(const KnitGraph&, const KnitGraph&) = default;
+};
+
+// Read off labels and links, without the operations: what a written pattern must lead back to.
+KnitGraph graph_of(const State& state);
+
+// Works the operations on live stitches. Requires that every round consumes exactly what is there.
+KnitGraph graph_of(const Rounds& rounds);
+
+}  // namespace knit

@@ -1,0 +1,90 @@
+// The written pattern: everything a knitter is told, in the order in which knitters expect it, as text parts that
+// an exporter sets. Lines and words follow the usual conventions (docs/pattern.md).
+//
+// Every count is worked out from the operations; sizes in centimetres come from the gauge's own arithmetic:
+// length along the fabric = rounds / rounds per cm, circumference = stitches / stitches per cm.
+//
+// The finished height is that of the fabric filled out round: where circumferences change, a round climbs less
+// than its own height h. A round's line stands in the middle of its height, as the rows of the mesh do. From
+// one line to the next it climbs sqrt(h^2 - dr^2), dr being the change of the radius, taken over six rounds
+// because counts are whole numbers. A drawn-in end is one more such step, to radius 0; an open end adds half a
+// round. So an open tube is as high as its fabric is long, and a ball about as high as it is wide: 1.5 % less at
+// 12 cm, 22 stitches and 32 rounds; the coarser the stitches, the rougher (4 % at 16 and 22).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "knit/model/gauge.h"
+#include "knit/pattern/fold.h"
+#include "knit/pattern/rounds.h"
+
+namespace knit {
+
+struct PatternOptions {
+  std::string title;                // empty: the mesh's name
+  std::string yarn;                 // what the person calls it; empty: by weight class alone
+  std::string colour;               // empty: not said
+  std::optional<double> needle_mm;  // none: the usual one for the weight class
+  bool markers = false;             // at main lines
+  bool stars = false;               // *...; rep from * to end, where a round is one repeat
+  friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
+};
+
+struct PatternSizes {
+  Gauge gauge;             // stitches and rounds in 10 cm
+  double length_cm = 0.0;  // along the fabric: the rounds, the cast on too
+  double height_cm = 0.0;  // filled out round
+  double around_cm = 0.0;  // at the widest round
+  double yarn_m = 0.0;     // without spare
+  double yarn_with_spare_m = 0.0;
+  double yarn_g = 0.0;   // with spare
+  int weight_class = 3;  // Craft Yarn Council, 0 Lace to 7 Jumbo
+};
+PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge);
+
+// Up to so many stitches are drawn together with the yarn's end, at the cast on too; more are bound off, or
+// stay open.
+inline constexpr std::int32_t most_drawn_in = 12;
+inline bool is_drawn_in(std::int32_t stitches) { return stitches <= most_drawn_in; }
+
+// After which rounds (their numbers) a piece closed at both ends is stuffed: the last one that still has 40 %
+// of the most stitches, and 12 at least; and alike before a neck of fewer than a quarter of them, or than 12.
+// Empty: the piece stays open, or is too narrow all over.
+std::vector<std::int32_t> stuffed_after(const Rounds& rounds);
+
+// "Rnd 7: [K4, m1l] 6 times. (30 sts)" or "Rnds 8-12: Knit. (30 sts)"
+struct RoundLine {
+  std::int32_t first = 1, last = 1;
+  std::string words;          // "[K4, m1l] 6 times", without label, stop and count
+  std::int32_t stitches = 0;  // afterwards
+  [[nodiscard]] std::string text() const;
+};
+
+struct WrittenPattern {
+  std::string title, level;  // Basic, Easy, Intermediate or Complex
+  std::vector<std::string> size;
+  std::vector<std::string> materials;
+  std::string gauge;
+  std::vector<std::pair<std::string, std::string>> abbreviations;  // only those used
+  std::vector<std::string> notes;
+  std::string start;  // "Using double-pointed needles, CO 6 sts. Join ... Place marker."
+  struct Instruction {
+    std::optional<RoundLine> round;  // or else a remark: stuffing, and last how the end is closed
+    std::string remark;
+  };
+  std::vector<Instruction> instructions;
+  std::vector<std::string> finishing;
+};
+
+WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
+                             const std::string& mesh_name);
+
+// Lines of at most 100 columns, but a round is always one line. No line begins like a round but the rounds.
+std::string pattern_as_text(const WrittenPattern& pattern);
+std::string pattern_as_markdown(const WrittenPattern& pattern);
+
+}  // namespace knit

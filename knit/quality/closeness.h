@@ -1,0 +1,31 @@
+// How close the knit mesh and the mesh that came in are to each other: distances both ways, and areas.
+//
+// Distances are sampled: on the knit mesh at every stitch, at the middle of every edge and face, and at the
+// middles of the lines from a face's middle to its corners; on the mesh at every vertex (once a place) and at
+// the middle of every triangle. Quads count as two triangles, cut between their first and third corner. Mesh
+// units; nearest points are exact.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "knit/mesh/mesh.h"
+#include "knit/run/state.h"
+
+namespace knit {
+
+struct Distances {
+  std::size_t samples = 0;
+  double mean = 0.0, max = 0.0;
+};
+
+struct Closeness {
+  Distances knit_to_mesh, mesh_to_knit;  // the ends of the tube stay open, which mesh_to_knit shows
+  double diagonal = 0.0;                 // of the mesh's bounding box
+  double knit_area = 0.0, mesh_area = 0.0;
+};
+
+// Nothing while there are no faces. Takes about a second a million triangles; meant for a worker.
+std::optional<Closeness> measure_closeness(const Input& input, const State& state);
+
+}  // namespace knit

@@ -1,0 +1,179 @@
+#include "knit/quality/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "knit/quality/mirror.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::size_t long_row = 12;  // shorter ones are all curvature
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+struct Stop {
+  glm::dvec3 position{0.0};
+  glm::dvec3 tangent{0.0};  // of its row, towards the next stitch
+  std::size_t in_row = 0;   // the row's number of stitches
+};
+
+// The stitches along the knitting path.
+std::vector<Stop> stops_of(const State& state) {
+  std::vector<Stop> stops;
+  for (const auto& row : state.rows) {
+    const std::size_t n = row->stitches.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const glm::dvec3& next = row->stitches[(i + 1) % n].position;
+      const glm::dvec3& previous = row->stitches[(i + n - 1) % n].position;
+      stops.push_back({row->stitches[i].position, unit(next - previous), n});
+    }
+  }
+  return stops;
+}
+
+std::vector<double> course_lengths(const Row& row, double width) {
+  std::vector<double> lengths;
+  const std::size_t n = row.stitches.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const glm::dvec3& next = row.stitches[(i + 1) % n].position;
+    lengths.push_back(glm::distance(row.stitches[i].position, next) / width);
+  }
+  return lengths;
+}
+
+void measure_courses(Quality& quality, const State& state) {
+  std::vector<double> all;
+  std::vector<double> in_long_rows;
+  for (const auto& row : state.rows) {
+    const std::vector<double> lengths = course_lengths(*row, quality.stitch_width);
+    all.insert(all.end(), lengths.begin(), lengths.end());
+    if (lengths.size() >= long_row) in_long_rows.insert(in_long_rows.end(), lengths.begin(), lengths.end());
+    RowFit fit;
+    fit.row = row->number;
+    fit.stitches = static_cast<std::int32_t>(lengths.size());
+    fit.length = row->ring ? row->ring->length : 0.0;
+    fit.ideal = fit.length / quality.stitch_width;
+    fit.course_cv = figures_of(lengths).cv;
+    quality.worst_course_cv_in_row = std::max(quality.worst_course_cv_in_row, fit.course_cv);
+    quality.rows.push_back(fit);
+  }
+  quality.course = spread_of(all, 0.0, 2.0, 40);
+  quality.long_course = spread_of(in_long_rows, 0.0, 2.0, 40);
+}
+
+double along_rows(const Stop& lower, const Stop& upper) {
+  return std::abs(glm::dot(upper.position - lower.position, unit(lower.tangent + upper.tangent)));
+}
+
+void measure_wales(Quality& quality, const State& state, const std::vector<Stop>& stops) {
+  std::vector<double> lengths;
+  for (const auto& strip : state.strips) {
+    for (const auto& [p, q] : strip->column_edges) {
+      const Stop& lower = stops[p];
+      const Stop& upper = stops[q];
+      lengths.push_back(glm::distance(lower.position, upper.position) / quality.stitch_height);
+      const double offset = along_rows(lower, upper) / quality.stitch_width;
+      quality.offset = std::max(quality.offset, offset);
+      if (std::min(lower.in_row, upper.in_row) >= long_row) {
+        quality.long_offset = std::max(quality.long_offset, offset);
+      }
+    }
+  }
+  quality.wale = spread_of(lengths, 0.0, 2.0, 40);
+}
+
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
+}
+
+Spread corners_of(const State& state, const std::vector<Stop>& stops) {
+  std::vector<double> angles;
+  for (const auto& strip : state.strips) {
+    for (const Face& face : strip->faces) {
+      const auto n = static_cast<std::size_t>(face.corner_count);
+      for (std::size_t i = 0; i < n; ++i) {
+        const glm::dvec3& corner = stops[face.corners[i]].position;
+        angles.push_back(degrees_between(stops[face.corners[(i + 1) % n]].position - corner,
+                                         stops[face.corners[(i + n - 1) % n]].position - corner));
+      }
+    }
+  }
+  return spread_of(angles, 0.0, 180.0, 36);
+}
+
+// Of the stitches that have a strip below and one above.
+double regular_share(const State& state, std::size_t stitches) {
+  if (state.strips.size() < 2) return 0.0;
+  std::vector<std::int32_t> up(stitches, 0);
+  std::vector<std::int32_t> down(stitches, 0);
+  for (const auto& strip : state.strips) {
+    for (const auto& [lower, upper] : strip->column_edges) {
+      ++up[lower];
+      ++down[upper];
+    }
+  }
+  std::size_t begin = state.rows.front()->stitches.size();
+  std::size_t regular = 0;
+  std::size_t all = 0;
+  for (std::size_t row = 1; row < state.strips.size(); ++row) {
+    const std::size_t end = begin + state.rows[row]->stitches.size();
+    for (; begin < end; ++begin, ++all) regular += up[begin] == 1 && down[begin] == 1 ? 1 : 0;
+  }
+  return static_cast<double>(regular) / static_cast<double>(all);
+}
+
+Histogram histogram_of(std::span<const double> values, double low, double high, std::size_t bins) {
+  Histogram histogram{low, high, std::vector<std::size_t>(bins, 0)};
+  if (bins == 0) return histogram;
+  const auto last = static_cast<double>(bins - 1);
+  for (const double value : values) {
+    const double bin = std::floor((value - low) / (high - low) * static_cast<double>(bins));
+    // Written so that what is no number has a bin too.
+    ++histogram.bins[bin > 0.0 ? static_cast<std::size_t>(std::min(bin, last)) : 0];
+  }
+  return histogram;
+}
+
+}  // namespace
+
+Spread spread_of(std::span<const double> values, double histogram_low, double histogram_high,
+                 std::size_t bins) {
+  const LengthFigures figures = figures_of(values);
+  Spread spread{figures.count, figures.mean, figures.cv, figures.low, figures.high, 0.0, {}};
+  spread.histogram = histogram_of(values, histogram_low, histogram_high, bins);
+  if (values.empty()) return spread;
+  std::vector<double> ranked(values.begin(), values.end());
+  const std::size_t rank = (95 * ranked.size() + 99) / 100;  // from 1
+  const auto at = ranked.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+  std::nth_element(ranked.begin(), at, ranked.end());
+  spread.p95 = *at;
+  return spread;
+}
+
+Quality measure_quality(const Input& input, const State& state, double stitch_width, double stitch_height) {
+  Quality quality;
+  quality.stitch_width = stitch_width;
+  quality.stitch_height = stitch_height;
+  quality.steady_shaping =
+      static_cast<std::int32_t>(std::ceil(2.0 * std::numbers::pi * stitch_height / stitch_width));
+  measure_courses(quality, state);
+  quality.shaping = shaping_figures(state);
+  const std::vector<Stop> stops = stops_of(state);
+  measure_wales(quality, state, stops);
+  quality.corner = corners_of(state, stops);
+  quality.faces = count_faces(state);
+  const std::size_t faces = quality.faces.quads + quality.faces.triangles;
+  if (faces > 0) quality.quad_share = static_cast<double>(quality.faces.quads) / static_cast<double>(faces);
+  quality.regular_share = regular_share(state, stops.size());
+  quality.mirror = mirror_error(input, state, stitch_width);
+  return quality;
+}
+
+}  // namespace knit

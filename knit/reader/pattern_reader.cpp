@@ -1,0 +1,292 @@
+#include "knit/reader/pattern_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "knit/import/quoting.h"
+#include "knit/reader/reader_text.h"
+#include "knit/reader/reader_work.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::int64_t most_rounds_in_line = 10'000;
+constexpr std::int64_t most_work = 4'000'000;  // stitches in all; a round costs some by itself
+constexpr std::int64_t work_of_a_round = 16;
+
+std::string name_of_round(std::int64_t first, std::int64_t last) {
+  if (first == last) return "Rnd " + std::to_string(first);
+  return "Rnds " + std::to_string(first) + "-" + std::to_string(last);
+}
+
+// The counts that may be on the needles: one as long as all holds; after a mistake the stated and the made one,
+// whichever the next round works out with; none where nobody can tell.
+using Counts = std::vector<std::int64_t>;
+
+class Reader {
+ public:
+  ReadPattern run(std::string_view text) {
+    for (const TextLine& line : pattern_lines(text)) {
+      line_ = line.number;
+      const Tokens tokens = tokens_of(line.text);
+      if (const auto label = label_of(tokens))
+        round_line(*label, std::span(tokens).subspan(label->tokens));
+      else
+        prose(tokens);
+      if (stopped_) break;
+    }
+    return std::move(read_);
+  }
+
+ private:
+  void blame(const std::string& sentence) {
+    read_.mistakes.push_back({line_, "line " + std::to_string(line_) + ": " + sentence});
+    sound_ = false;
+  }
+
+  // --- Lines without a label -----------------------------------------------------------------------------------
+
+  // "CO: cast on", "BO bind off" tell what a word means.
+  static bool is_glossary(const Tokens& tokens) {
+    if (tokens.size() < 2 || !(tokens[0].is("co") || tokens[0].is("bo"))) return false;
+    const Token& next = tokens[1];
+    return next.is(":") || next.is("=") || next.is("-") || next.is("/") || next.is("|") || next.is("cast") ||
+           next.is("bind");
+  }
+
+  void prose(const Tokens& tokens) {
+    if (is_glossary(tokens)) return;
+    if (const auto number = cast_on_in(tokens)) {
+      if (read_.rounds_read > 0)
+        second_piece();
+      else
+        cast_on(*number, tokens, says_round_one(tokens));
+      return;
+    }
+    if (read_.rounds_read == 0 || closed_) return;
+    if (const auto closing = closing_in(tokens)) close(*closing);
+  }
+
+  void second_piece() {
+    blame("another cast on stands here, and one piece is read; put each piece into a text of its own.");
+    stopped_ = true;
+  }
+
+  static bool says_round_one(const Tokens& tokens) {
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+      if (is_round_word(tokens[i]) && tokens[i + 1].is_number() && tokens[i + 1].value == 1) return true;
+      if (tokens[i].is("first") && is_round_word(tokens[i + 1])) return true;
+    }
+    return false;
+  }
+
+  void cast_on(std::int64_t number, std::span<const Token> words, bool is_round_one) {
+    if (has_cast_on_) {
+      if (number != cast_on_)
+        blame("casts on " + stitches_text(number) + ", and " + std::to_string(cast_on_) +
+              " are cast on already.");
+      return;
+    }
+    has_cast_on_ = true;
+    cast_on_ = number;
+    if (is_round_one) next_ = 2;
+    if (number < 1 || number > most_stitches) {
+      blame("casts on " + stitches_text(number) + "; give a number from 1 to " +
+            std::to_string(most_stitches) + ".");
+      return;
+    }
+    counts_ = {number};
+    read_.rounds.cast_on = static_cast<std::int32_t>(number);
+    read_.stitches += number;
+    const auto stated = stated_in(words);
+    if (!stated || *stated == number) return;
+    blame("the cast on makes " + stitches_text(number) + ", the line says " + std::to_string(*stated) + ".");
+    counts_.push_back(*stated);
+  }
+
+  void close(const ClosingWords& closing) {
+    closed_ = true;
+    closed_line_ = line_;
+    const std::int64_t there = counts_.empty() ? closing.number.value_or(0) : counts_.front();
+    const std::int64_t number = closing.number.value_or(there);
+    read_.closed_with = static_cast<std::int32_t>(std::min(number, most_number));
+    if (counts_.empty() || std::find(counts_.begin(), counts_.end(), number) != counts_.end()) return;
+    blame("closes " + stitches_text(number) + ", and " + std::to_string(there) +
+          (there == 1 ? " is" : " are") + " on the needles.");
+  }
+
+  // --- Rounds --------------------------------------------------------------------------------------------------
+
+  void round_line(const RoundLabel& label, std::span<const Token> words) {
+    const std::size_t mistakes_before = read_.mistakes.size();
+    const std::int64_t first = label.first.value_or(next_);
+    const std::int64_t last = label.first ? label.last : next_;
+    const std::string name = name_of_round(first, last);
+    if (closed_) {
+      blame(name + " comes after the stitches were closed in line " + std::to_string(closed_line_) + ".");
+      stopped_ = true;
+      return;
+    }
+    if (!label.mistake.empty()) blame((label.first ? name : "the round") + label.mistake);
+    if (const auto number = cast_on_in(words)) return labelled_cast_on(*number, first, words);
+    if (!has_cast_on_ && read_.rounds_read == 0 && read_.mistakes.empty())
+      blame(name + " begins and no stitches are cast on; say \"CO 6 sts\" before it.");
+    if (label.first)
+      number_in_turn(label.mistake.empty(), first, last);
+    else
+      ++next_;
+    if (last - first >= most_rounds_in_line) {
+      blame(name + " are more than " + std::to_string(most_rounds_in_line) + " rounds in one line.");
+      counts_.clear();
+      return;
+    }
+    const auto closing = closing_in(words);
+    if (closing) words = words.first(closing->at);
+    const bool only_closes = closing && std::all_of(words.begin(), words.end(), [](const Token& t) {
+                               return t.kind == Token::Kind::mark;
+                             });
+    if (!only_closes) work(first, last, words, mistakes_before);
+    if (closing) close(*closing);
+  }
+
+  void labelled_cast_on(std::int64_t number, std::int64_t first, std::span<const Token> words) {
+    if (has_cast_on_ || read_.rounds_read > 0) return second_piece();
+    if (first > 1) blame(name_of_round(first, first) + " casts on; the cast on is Rnd 1.");
+    for (const Token& token : words) {
+      if (!stitch_named(token) || token.is("slip")) continue;
+      blame(name_of_round(first, first) + " casts on and works " + quoted(token.text) +
+            "; give what is worked a round of its own.");
+      break;
+    }
+    cast_on(number, words, false);
+    next_ = first + 1;
+    also_next_.clear();
+  }
+
+  // A gap or a repetition; the lines after it may go on from either number.
+  void number_in_turn(bool label_is_sound, std::int64_t first, std::int64_t last) {
+    const std::int64_t span = last - first + 1;
+    const bool in_turn =
+        first == next_ || std::find(also_next_.begin(), also_next_.end(), first) != also_next_.end();
+    also_next_.clear();
+    if (!in_turn) {
+      if (label_is_sound) blame(out_of_turn(first, last));
+      also_next_ = {next_, next_ + span};
+      counts_.clear();
+    }
+    next_ = last + 1;
+  }
+
+  [[nodiscard]] std::string out_of_turn(std::int64_t first, std::int64_t last) const {
+    const std::string name = name_of_round(first, last) + (first == last ? " stands" : " stand");
+    const std::string wanted = name_of_round(next_, next_);
+    if (first < next_ && read_.rounds_read > 0)
+      return name + " here, and " + name_of_round(next_ - 1, next_ - 1) + " was read already; " + wanted +
+             " comes next.";
+    if (first < next_) return name + " here, and the cast on is Rnd 1 already; " + wanted + " comes next.";
+    const std::string missing =
+        name_of_round(next_, first - 1) + (next_ == first - 1 ? " is" : " are") + " missing";
+    if (read_.rounds_read > 0 || next_ != 1 || first != 2) return name + " here, and " + missing + ".";
+    return name + " first, and " + missing + "; if the cast on is Rnd 1, its line must say so.";
+  }
+
+  void work(std::int64_t first, std::int64_t last, std::span<const Token> tokens,
+            std::size_t mistakes_before) {
+    const RoundWords words = round_words(tokens);
+    read_.rounds_read += static_cast<std::size_t>(last - first + 1);
+    if (!words.mistake.empty()) {
+      // One sentence a line: a label that is wrong has been said.
+      if (read_.mistakes.size() == mistakes_before) blame(name_of_round(first, last) + words.mistake);
+      go_on_with(words.stated);
+      return;
+    }
+    const bool quiet = read_.mistakes.size() > mistakes_before;
+    for (std::int64_t number = first; number <= last && !stopped_; ++number) {
+      const bool stated_here = number == last;
+      if (!work_one(number, words, stated_here, quiet)) return go_on_with(words.stated);
+    }
+  }
+
+  void go_on_with(std::optional<std::int64_t> stated) {
+    counts_.clear();
+    if (stated && *stated >= 1 && *stated <= most_stitches) counts_ = {*stated};
+  }
+
+  // Whether the round could be worked on what may be there. With `quiet` its line is blamed already.
+  bool work_one(std::int64_t number, const RoundWords& words, bool stated_here, bool quiet) {
+    const std::string name = name_of_round(number, number);
+    if (counts_.empty()) {
+      const auto takes = fixed_takes(words.nodes);
+      if (!takes || *takes > most_stitches) return false;
+      counts_ = {*takes};
+    }
+    Counts after;
+    std::string why;
+    for (const std::int64_t live : counts_) {
+      WorkedRound round = work_round(words.nodes, live);
+      spend(round.made);
+      if (!round.mistake.empty()) {
+        if (why.empty()) why = round.mistake;
+      } else if (stated_here && words.stated && round.made != *words.stated) {
+        if (why.empty() || after.empty())
+          why = " makes " + stitches_text(round.made) + ", the line says " + std::to_string(*words.stated) +
+                ".";
+        wrong_made_.push_back(round.made);
+      } else {
+        if (after.empty()) read_.stitches += round.made;
+        after.push_back(round.made);
+        keep(std::move(round), live);
+      }
+    }
+    return settle(std::move(after), name, why, words.stated, quiet);
+  }
+
+  bool settle(Counts after, const std::string& name, const std::string& why,
+              std::optional<std::int64_t> stated, bool quiet) {
+    const Counts wrong_made = std::exchange(wrong_made_, {});
+    if (!after.empty()) {
+      if (after.size() == 2 && after[0] == after[1]) after.pop_back();
+      counts_ = std::move(after);
+      return true;
+    }
+    if (!quiet) blame(name + why);
+    if (wrong_made.empty()) return false;
+    read_.stitches += wrong_made.front();
+    go_on_with(stated);
+    counts_.push_back(wrong_made.front());
+    return true;
+  }
+
+  void keep(WorkedRound round, std::int64_t live) {
+    if (!sound_) return;
+    if (!round.told) {
+      sound_ = false;  // no mistake, but Rounds cannot say it
+      return;
+    }
+    const auto row = static_cast<std::int32_t>(read_.rounds.rounds.size() + 2);
+    read_.rounds.rounds.push_back({row, std::move(round.operations), static_cast<std::int32_t>(live),
+                                   static_cast<std::int32_t>(round.made)});
+  }
+
+  void spend(std::int64_t stitches) {
+    work_ += stitches + work_of_a_round;
+    if (work_ <= most_work || stopped_) return;
+    blame("the pattern is longer than can be read: more than " + stitches_text(most_work) + ".");
+    stopped_ = true;
+  }
+
+  ReadPattern read_;
+  std::size_t line_ = 0, closed_line_ = 0;
+  bool has_cast_on_ = false, closed_ = false, stopped_ = false;
+  bool sound_ = true;  // nothing so far that Rounds could not hold
+  std::int64_t cast_on_ = 0, next_ = 1, work_ = 0;
+  Counts also_next_;  // round numbers that would do as well, after one out of turn
+  Counts counts_, wrong_made_;
+};
+
+}  // namespace
+
+ReadPattern read_pattern(std::string_view text) { return Reader().run(text); }
+
+}  // namespace knit

@@ -1,0 +1,218 @@
+#include "knit/rows/contour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace knit {
+
+namespace {
+
+using Edge = std::array<VertexId, 2>;  // places, the lower number first
+
+// Where a triangle is cut: from one of its edges to another.
+struct Segment {
+  std::array<Edge, 2> ends;
+};
+
+Edge edge_of(const Input& input, VertexId a, VertexId b) {
+  const VertexId p = input.twin[a];
+  const VertexId q = input.twin[b];
+  return {std::min(p, q), std::max(p, q)};
+}
+
+// How many of the values lie at or below each vertex: it is above exactly these cuts.
+std::vector<std::uint32_t> cuts_below(const Input& input, const std::vector<double>& field,
+                                      std::span<const double> values) {
+  std::vector<std::uint32_t> below(field.size());
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    const double value = field[input.twin[v]];
+    below[v] =
+        static_cast<std::uint32_t>(std::upper_bound(values.begin(), values.end(), value) - values.begin());
+  }
+  return below;
+}
+
+std::vector<std::vector<Segment>> cut_triangles(const Input& input, const std::vector<double>& field,
+                                                std::span<const double> values) {
+  const std::vector<std::uint32_t> below = cuts_below(input, field, values);
+  std::vector<std::vector<Segment>> cuts(values.size());
+  for (const Triangle& t : input.mesh.triangles) {
+    const auto [low, high] = std::minmax({below[t[0]], below[t[1]], below[t[2]]});
+    if (low == high) continue;
+    const Triangle p{input.twin[t[0]], input.twin[t[1]], input.twin[t[2]]};
+    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+    for (std::uint32_t cut = low; cut < high; ++cut) {
+      Segment segment{};
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if ((below[t[i]] > cut) != (below[t[j]] > cut)) segment.ends[found++] = edge_of(input, t[i], t[j]);
+      }
+      cuts[cut].push_back(segment);
+    }
+  }
+  return cuts;
+}
+
+// Joins segments that end on the same edge. A loop is the edges it crosses, in order.
+std::vector<std::vector<Edge>> link(const std::vector<Segment>& segments) {
+  struct End {
+    Edge edge;
+    std::uint32_t segment;
+  };
+  std::vector<End> ends;
+  ends.reserve(2 * segments.size());
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    for (const Edge& edge : segments[s].ends) ends.push_back({edge, s});
+  }
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.segment < b.segment;
+  });
+  const auto across = [&](const Edge& edge, std::uint32_t from) {
+    const auto first = std::lower_bound(ends.begin(), ends.end(), edge,
+                                        [](const End& end, const Edge& e) { return end.edge < e; });
+    for (auto it = first; it != ends.end() && it->edge == edge; ++it) {
+      if (it->segment != from) return it->segment;
+    }
+    return from;  // an open edge, which a checked mesh does not have
+  };
+  std::vector<std::vector<Edge>> loops;
+  std::vector<std::uint8_t> seen(segments.size(), 0);
+  for (std::uint32_t first = 0; first < segments.size(); ++first) {
+    if (seen[first] != 0) continue;
+    std::vector<Edge> loop;
+    Edge edge = segments[first].ends[1];
+    for (std::uint32_t s = first; seen[s] == 0; s = across(edge, s)) {
+      seen[s] = 1;
+      if (s != first) edge = segments[s].ends[segments[s].ends[0] == edge ? 1 : 0];
+      loop.push_back(edge);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+// The crossed points, without repetitions.
+std::vector<glm::dvec3> points_on(const Input& input, const std::vector<double>& field, double value,
+                                  const std::vector<Edge>& loop) {
+  std::vector<glm::dvec3> points;
+  points.reserve(loop.size());
+  for (const auto& [a, b] : loop) {
+    const double share = (value - field[a]) / (field[b] - field[a]);
+    // Exact at both ends, so that a cut through a vertex finds it once.
+    const glm::dvec3 point = (1.0 - share) * input.mesh.positions[a] + share * input.mesh.positions[b];
+    if (points.empty() || point != points.back()) points.push_back(point);
+  }
+  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  return points;
+}
+
+glm::dvec3 centre_of(const std::vector<glm::dvec3>& points) {
+  glm::dvec3 sum(0.0);
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3& next = points[(i + 1) % points.size()];
+    const double step = glm::distance(points[i], next);
+    sum += step * 0.5 * (points[i] + next);
+    length += step;
+  }
+  return length > 0.0 ? sum / length : points.front();
+}
+
+void put_in_working_order(std::vector<glm::dvec3>& points, const RowFrame& frame, const glm::dvec3& centre) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3 a = points[i] - centre;
+    const glm::dvec3 b = points[(i + 1) % points.size()] - centre;
+    area += glm::dot(a, frame.right) * glm::dot(b, frame.ahead) -
+            glm::dot(b, frame.right) * glm::dot(a, frame.ahead);
+  }
+  if (area < 0.0) std::reverse(points.begin(), points.end());
+}
+
+// A place on the loop: after point `segment`, a share of the way to the next.
+struct Start {
+  std::size_t segment = 0;
+  glm::dvec3 point{0.0};
+};
+
+Start find_start(const std::vector<glm::dvec3>& points, const RowFrame& frame, const glm::dvec3& centre,
+                 const std::optional<glm::dvec3>& below) {
+  std::optional<Start> best;
+  double best_rank = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3& a = points[i];
+    const glm::dvec3& b = points[(i + 1) % points.size()];
+    const double from = glm::dot(a - centre, frame.ahead);
+    const double to = glm::dot(b - centre, frame.ahead);
+    if ((from < 0.0) == (to < 0.0)) continue;
+    const glm::dvec3 point = a + (from / (from - to)) * (b - a);
+    const double out = glm::dot(point - centre, frame.right);
+    if (out <= 0.0) continue;
+    const double rank = below ? glm::distance(point, *below) : -out;
+    if (best && rank >= best_rank) continue;
+    best = Start{i, point};
+    best_rank = rank;
+  }
+  if (best) return *best;
+  // The loop does not go round its centre there: the point farthest on that side.
+  const auto farthest = std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+    return glm::dot(a, frame.right) < glm::dot(b, frame.right);
+  });
+  return {static_cast<std::size_t>(farthest - points.begin()), *farthest};
+}
+
+Ring ring_from(std::vector<glm::dvec3> points, const RowFrame& frame,
+               const std::optional<glm::dvec3>& below) {
+  const glm::dvec3 centre = centre_of(points);
+  put_in_working_order(points, frame, centre);
+  const Start start = find_start(points, frame, centre, below);
+  const auto after = static_cast<std::ptrdiff_t>((start.segment + 1) % points.size());
+  std::rotate(points.begin(), points.begin() + after, points.end());
+  Ring ring;
+  ring.ordered_by = OrderedBy::cut;
+  if (points.front() != start.point && points.back() != start.point) ring.points.push_back(start.point);
+  if (points.back() == start.point) {
+    ring.points.push_back(start.point);
+    points.pop_back();
+  }
+  ring.points.insert(ring.points.end(), points.begin(), points.end());
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    ring.arc.push_back(ring.length);
+    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
+  }
+  return ring;
+}
+
+}  // namespace
+
+std::vector<Cut> cut_surface(const Input& input, const std::vector<double>& field,
+                             std::span<const double> values, std::span<const double> times,
+                             const RowFrame& frame) {
+  const auto segments = cut_triangles(input, field, values);
+  // Shorter ones are points, but for rounding.
+  const double least_length = 1e-9 * input.bounds.diagonal();
+  std::vector<Cut> cuts;
+  std::optional<glm::dvec3> below;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Cut cut{times[i], static_cast<std::int32_t>(segments[i].size()), {}};
+    std::vector<Ring> rings;
+    for (const std::vector<Edge>& loop : link(segments[i])) {
+      std::vector<glm::dvec3> points = points_on(input, field, values[i], loop);
+      // Two points are a tube pressed flat, there and back; one is a pinch.
+      if (points.size() < 2) continue;
+      Ring ring = ring_from(std::move(points), frame, below);
+      if (ring.length > least_length) rings.push_back(std::move(ring));
+    }
+    std::stable_sort(rings.begin(), rings.end(),
+                     [](const Ring& a, const Ring& b) { return a.length > b.length; });
+    for (Ring& ring : rings) cut.loops.emplace_back(std::move(ring));
+    if (!cut.loops.empty()) below = cut.loops.front()->points.front();
+    cuts.push_back(std::move(cut));
+  }
+  return cuts;
+}
+
+}  // namespace knit

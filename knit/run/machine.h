@@ -1,0 +1,31 @@
+// The pipeline as a state machine: one smallest step at a time, on a value.
+//
+// `advance` is deterministic and reads nothing but its arguments: the same input, parameters and state give
+// the same bits. When the mesh cannot be knitted on, the step says so (`Stopped`) and the state stays as it
+// was; the same holds when the state is finished, which must be asked first.
+#pragma once
+
+#include "knit/mesh/mesh.h"
+#include "knit/model/parameters.h"
+#include "knit/model/step.h"
+#include "knit/run/state.h"
+
+namespace knit {
+
+// Requires !state.finished().
+Step advance(const Input& input, const Parameters& parameters, State& state);
+
+// Whether the step to come may take longer than a frame: a solve over a large surface. Requires
+// !state.finished().
+bool step_is_long(const Input& input, const Parameters& parameters, const State& state);
+
+// The machine's parts, one a stage, in calling order. Each takes one step of its own stage.
+Happening advance_timing(const Input& input, const Parameters& parameters, State& state);
+Happening advance_cast_on(const Input& input, const Parameters& parameters, State& state);
+Happening advance_contours(const Input& input, const Parameters& parameters, State& state);
+Happening advance_rows(const Input& input, const Parameters& parameters, State& state);
+Happening advance_stitches(const Parameters& parameters, State& state);
+Happening advance_faces(State& state);
+Happening advance_pattern(State& state);
+
+}  // namespace knit

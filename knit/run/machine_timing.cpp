@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "knit/run/machine.h"
+#include "knit/timing/critical.h"
+#include "knit/timing/heights.h"
+#include "knit/timing/levels.h"
+#include "knit/timing/timing.h"
+
+namespace knit {
+
+namespace {
+
+bool is_retimed(TimingKind kind) { return kind == TimingKind::arc_length || kind == TimingKind::harmonic; }
+
+// Algorithm 1, line 3: exact at the ends, whatever rounding says.
+double pinned(const Ends& ends, VertexId vertex, double value) {
+  return vertex == ends.start ? 0.0 : vertex == ends.end ? 1.0 : value;
+}
+
+Happening find_ends_of_knitting(const Input& input, const Parameters& parameters, TimingWork& work) {
+  auto found = find_ends(input, parameters);
+  if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
+  work.ends = std::get<Ends>(found);
+  work.kind = parameters.timing;
+  return EndsFound{work.ends->start, work.ends->end, glm::length(work.ends->direction)};
+}
+
+// Distances from the start become a field; without a picked end the farthest vertex is the end.
+Happening take_distances(const Input& input, const Parameters& parameters, TimingWork& work) {
+  std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start);
+  const auto farthest = std::max_element(field.begin(), field.end());
+  if (parameters.end == no_vertex) work.ends->end = static_cast<VertexId>(farthest - field.begin());
+  const double whole = field[work.ends->end];
+  const FieldSolved step{FieldStep::distance, work.ends->end, static_cast<std::int64_t>(field.size()), whole};
+  if (!(whole > 0.0)) return Stopped{StopReason::no_extent, {}, -1, 0, 0, work.ends->start, 0.0, 0.0};
+  for (double& value : field) value /= whole;
+  work.field = Shared(std::move(field));
+  return step;
+}
+
+Happening solve_next(const Input& input, const Parameters& parameters, TimingWork& work) {
+  const VertexId start = work.ends->start;
+  const auto vertices = static_cast<std::int64_t>(input.mesh.positions.size());
+  if (!work.net) {
+    work.net = Shared(make_intrinsic(input));
+    return FieldSolved{FieldStep::net, start, static_cast<std::int64_t>(work.net->triangles.size()), 0.0};
+  }
+  if (work.kind == TimingKind::harmonic) {
+    work.field = Shared(solve_harmonic(input, *work.net, start, work.ends->end));
+    return FieldSolved{FieldStep::harmonic, start, vertices, 1.0};
+  }
+  if (!work.heat) {
+    work.heat = Shared(spread_heat(input, *work.net, start));
+    return FieldSolved{FieldStep::heat, start, vertices, 0.0};
+  }
+  if (!work.slopes) {
+    work.slopes = Shared(unit_slopes(*work.net, *work.heat));
+    return FieldSolved{FieldStep::slopes, start, static_cast<std::int64_t>(work.slopes->size()), 1.0};
+  }
+  return take_distances(input, parameters, work);
+}
+
+// How far a vertex stands from the start to the end along the line, within [0, 1].
+double clamped_projection(const Input& input, const Ends& ends, VertexId vertex) {
+  return std::clamp(pinned(ends, vertex, time_of(ends, input.mesh.positions[vertex])), 0.0, 1.0);
+}
+
+Happening measure(const Input& input, TimingWork& work) {
+  if (!work.field) {
+    std::vector<double> field(input.mesh.positions.size());
+    for (VertexId v = 0; v < field.size(); ++v) field[v] = clamped_projection(input, *work.ends, v);
+    work.field = Shared(std::move(field));
+  }
+  work.scale = Shared(measure_heights(input, *work.field));
+  return HeightsMeasured{static_cast<std::int32_t>(work.scale->values.size()) - 1, work.scale->total()};
+}
+
+Happening time_next_vertex(const Input& input, TimingWork& work) {
+  const auto vertex = static_cast<VertexId>(work.times.size());
+  const Ends& ends = *work.ends;
+  const bool solved = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
+  const double value = solved ? (*work.field)[vertex] : time_of(ends, input.mesh.positions[vertex]);
+  // Rounding may push a vertex of the extreme level out by a hair; only a real excess is worth a word.
+  const bool outside = value < -1e-9 || value > 1.0 + 1e-9;
+  if (outside) ++work.outside;
+  double time = std::clamp(pinned(ends, vertex, value), 0.0, 1.0);
+  if (work.scale) time = height_at(*work.scale, time) / work.scale->total();
+  work.times.push_back(time);
+  return VertexTimed{vertex, outside, time};
+}
+
+Happening find_critical_points(const Input& input, TimingWork& work) {
+  work.criticals = Shared(find_criticals(input, work.times.to_vector()));
+  const Criticals& found = *work.criticals;
+  return CriticalsFound{found.minima, found.saddles, found.maxima, found.euler};
+}
+
+Happening group(const Input& input, const Parameters& parameters, State& state, const TimingWork& work) {
+  Timing timing;
+  timing.ends = *work.ends;
+  timing.outside = work.outside;
+  timing.times = work.times.to_vector();
+  timing.criticals = *work.criticals;
+  timing.retimed = is_retimed(work.kind);
+  if (timing.retimed) timing.field = *work.field;
+  if (work.scale) timing.scale = *work.scale;  // else only contours ask for one, of the times: plan_cuts
+  timing.levels = group_levels(input, timing.times, timing.criticals, parameters.level_tolerance);
+  const auto& split = timing.levels.split;
+  const LevelsGrouped grouped{timing.levels.count(), timing.outside, split ? split->level : -1,
+                              split ? split->loops : 1, parameters.level_tolerance};
+  state.timing = Shared(std::move(timing));
+  state.work = CastOnWork{};
+  state.next = {Stage::cast_on, 1, 0};
+  return grouped;
+}
+
+}  // namespace
+
+Happening advance_timing(const Input& input, const Parameters& parameters, State& state) {
+  auto& work = std::get<TimingWork>(state.work);
+  if (!work.ends) return find_ends_of_knitting(input, parameters, work);
+  const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
+  if (solved_for && !work.field) return solve_next(input, parameters, work);
+  if (is_retimed(work.kind) && !work.scale) return measure(input, work);
+  if (work.times.size() < input.mesh.positions.size()) return time_next_vertex(input, work);
+  if (!work.criticals) return find_critical_points(input, work);
+  return group(input, parameters, state, work);
+}
+
+}  // namespace knit

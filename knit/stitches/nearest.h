@@ -1,0 +1,41 @@
+// Stage 4, placement `nearest`: each stitch of the larger row hangs on the stitch of the smaller row that makes
+// the wale edges as short as can be.
+//
+// A monotone matching of two closed rows that begins at both first stitches and never crosses the beginning of
+// the round: each cell of the larger row has one link, each stitch of the smaller row one or two; the first stitch
+// has one, unless all have two. Of all such matchings the one with the least sum of squared wale lengths (plus
+// penalties, if asked for) is found by dynamic programming over stitches and doublings. Labels follow from the
+// links: a doubled stitch is shaping, leaning by the side on which the nearest main stands. Mains are wales: up to
+// six, spread over the cast on and carried from row to row along the links.
+//
+// Mirrored rounds are worked mirrored, right for left, unless every stitch is doubled: nothing here prefers a side.
+// Only where two places are equally near does the first of them count.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "knit/model/products.h"
+
+namespace knit {
+
+struct NearestRows {
+  std::span<const Stitch> below, above;
+  std::span<const std::int32_t> mains;         // stitches of the row below; none: it is the cast on
+  std::span<const std::uint8_t> shaped_below;  // per stitch below: 1 where shaping made it; may be empty
+};
+
+// In squared mesh units.
+struct NearestPenalties {
+  double stacking = 0.0;    // for shaping on what shaping made in the row below
+  double from_mains = 0.0;  // times the squared distance, in stitches, to the place beside the nearest main
+};
+
+// Requires ceil(below / 2) <= above <= 2 * below. `row` is the row made.
+Transition plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row);
+
+// Per stitch of the row that a transition makes: 1 where its shaping took part.
+std::vector<std::uint8_t> shaped_by(const Transition& transition);
+
+}  // namespace knit

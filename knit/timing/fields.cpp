@@ -1,0 +1,197 @@
+#include "knit/timing/fields.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "knit/model/bug.h"
+#include "knit/timing/dissection.h"
+#include "knit/timing/intrinsic.h"
+
+namespace knit {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+// How many times the square root of the heat time the surface may reach: the heat falls to no less than
+// exp(-500).
+constexpr double farthest_reach = 500.0;
+// No edge's weight is less, so that nothing comes loose where rounding takes a weight away.
+constexpr double least_weight = 1e-12;
+
+// The places that the net uses, numbered in the order of elimination; -1 for all other vertices.
+struct Unknowns {
+  std::vector<int> of_vertex;
+  int count = 0;
+};
+
+Unknowns number_unknowns(const Input& input, const Spokes& spokes) {
+  Unknowns unknowns{std::vector<int>(input.twin.size(), -1), 0};
+  for (const VertexId v : order_by_dissection(spokes, input.mesh.positions))
+    unknowns.of_vertex[v] = unknowns.count++;
+  return unknowns;
+}
+
+int unknown_at(const Input& input, const Unknowns& unknowns, VertexId vertex) {
+  if (vertex >= input.twin.size() || unknowns.of_vertex[input.twin[vertex]] < 0)
+    throw Bug("a field is to begin or end at a vertex that no triangle uses");
+  return unknowns.of_vertex[input.twin[vertex]];
+}
+
+std::vector<double> to_vertices(const Input& input, const Unknowns& unknowns, const Vector& values) {
+  std::vector<double> result(input.twin.size(), 0.0);
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    const int unknown = unknowns.of_vertex[input.twin[v]];
+    if (unknown >= 0) result[v] = values[unknown];
+  }
+  return result;
+}
+
+// The Laplacian as (L u)_i = sum of w_ij (u_i - u_j): its lower half. Every w_ij is positive.
+Matrix make_laplacian(const IntrinsicMesh& intrinsic, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * intrinsic.triangles.size() + static_cast<std::size_t>(unknowns.count));
+  for (int i = 0; i < unknowns.count; ++i) entries.emplace_back(i, i, 0.0);
+  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    const std::array<double, 3> cotangents = cotangents_of(intrinsic.lengths[t]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int i = unknowns.of_vertex[intrinsic.triangles[t][k]];
+      const int j = unknowns.of_vertex[intrinsic.triangles[t][(k + 1) % 3]];
+      entries.emplace_back(std::max(i, j), std::min(i, j), -0.5 * cotangents[(k + 2) % 3]);
+    }
+  }
+  Matrix laplacian(unknowns.count, unknowns.count);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  Vector sums = Vector::Zero(unknowns.count);
+  for (int j = 0; j < unknowns.count; ++j) {
+    for (Matrix::InnerIterator it(laplacian, j); it; ++it) {
+      if (it.row() == j) continue;
+      it.valueRef() = std::min(it.value(), -least_weight);
+      sums[j] -= it.value();
+      sums[it.row()] -= it.value();
+    }
+  }
+  // Written last: an edge back to where it starts leaves no trace.
+  for (int j = 0; j < unknowns.count; ++j) laplacian.coeffRef(j, j) = sums[j];
+  return laplacian;
+}
+
+Vector lumped_masses(const IntrinsicMesh& intrinsic, const Unknowns& unknowns) {
+  Vector masses = Vector::Zero(unknowns.count);
+  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    const double third = area_of(intrinsic.lengths[t]) / 3.0;
+    for (const VertexId v : intrinsic.triangles[t]) masses[unknowns.of_vertex[v]] += third;
+  }
+  return masses;
+}
+
+struct Pin {
+  int unknown;
+  double value;
+};
+
+Vector solve(const Matrix& lower_half, const Vector& right) {
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factored(lower_half);
+  if (factored.info() != Eigen::Success) throw Bug("the Laplacian of the mesh could not be factored");
+  return factored.solve(right);
+}
+
+// Solves L u = right with some values given. Their columns move to the right side.
+Vector solve_pinned(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, Vector right,
+                    std::span<const Pin> pins) {
+  Matrix matrix = make_laplacian(intrinsic, unknowns);
+  std::vector<const Pin*> pin_at(static_cast<std::size_t>(matrix.cols()), nullptr);
+  for (const Pin& pin : pins) pin_at[static_cast<std::size_t>(pin.unknown)] = &pin;
+  for (int j = 0; j < matrix.outerSize(); ++j) {
+    const Pin* const column = pin_at[static_cast<std::size_t>(j)];
+    for (Matrix::InnerIterator it(matrix, j); it; ++it) {
+      const Pin* const row = pin_at[static_cast<std::size_t>(it.row())];
+      if (it.row() == j || (column == nullptr && row == nullptr)) continue;
+      if (column != nullptr) right[it.row()] -= it.value() * column->value;
+      if (row != nullptr) right[j] -= it.value() * row->value;
+      it.valueRef() = 0.0;
+    }
+  }
+  for (const Pin& pin : pins) right[pin.unknown] = matrix.coeff(pin.unknown, pin.unknown) * pin.value;
+  Vector values = solve(matrix, right);
+  for (const Pin& pin : pins) values[pin.unknown] = pin.value;
+  return values;
+}
+
+// -grad u / |grad u| times each edge. Heat may be as small as 1e-217, so nothing here may square it.
+std::array<double, 3> unit_slopes_in(const SideLengths& lengths, const std::array<double, 3>& heat) {
+  const auto base =
+      static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const Apex apex = lay_out(lengths, base);
+  const auto fall_to = [&](std::size_t k) { return heat[base] - heat[k % 3]; };
+  const double x = fall_to(base + 1) / lengths[base];
+  const double y = (fall_to(base + 2) - x * apex.x) / apex.y;
+  const double steepness = std::hypot(x, y);
+  std::array<double, 3> slopes{};
+  if (!(steepness > 0.0)) return slopes;
+  slopes[base] = x / steepness * lengths[base];
+  slopes[(base + 2) % 3] = -(x * apex.x + y * apex.y) / steepness;
+  slopes[(base + 1) % 3] = -slopes[base] - slopes[(base + 2) % 3];
+  return slopes;
+}
+
+}  // namespace
+
+std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start) {
+  const Spokes spokes = spokes_of(intrinsic, input.twin.size());
+  const Unknowns unknowns = number_unknowns(input, spokes);
+  const int source = unknown_at(input, unknowns, start);
+  const double reach = reach_along_edges(spokes, input.twin[start]);
+  const double spread = std::max(intrinsic.mean_edge, reach / farthest_reach);
+  Matrix matrix = make_laplacian(intrinsic, unknowns);
+  // M + t L over t: without a unit of length.
+  matrix.diagonal() += lumped_masses(intrinsic, unknowns) / (spread * spread);
+  Vector unit = Vector::Zero(unknowns.count);
+  unit[source] = 1.0;
+  const Vector heat = solve(matrix, unit);
+  return to_vertices(input, unknowns, heat / heat[source]);
+}
+
+EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat) {
+  EdgeSlopes slopes;
+  slopes.reserve(intrinsic.triangles.size());
+  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    const auto& [a, b, c] = intrinsic.triangles[t];
+    slopes.push_back(unit_slopes_in(intrinsic.lengths[t], {heat[a], heat[b], heat[c]}));
+  }
+  return slopes;
+}
+
+std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intrinsic,
+                                  const EdgeSlopes& slopes, VertexId start) {
+  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+  const Pin pin{unknown_at(input, unknowns, start), 0.0};
+  Vector rise = Vector::Zero(unknowns.count);  // minus the slopes' divergence
+  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    const std::array<double, 3> cotangents = cotangents_of(intrinsic.lengths[t]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double flow = 0.5 * cotangents[(k + 2) % 3] * slopes[t][k];
+      rise[unknowns.of_vertex[intrinsic.triangles[t][k]]] -= flow;
+      rise[unknowns.of_vertex[intrinsic.triangles[t][(k + 1) % 3]]] += flow;
+    }
+  }
+  const Vector distance = solve_pinned(intrinsic, unknowns, rise, {&pin, 1});
+  return to_vertices(input, unknowns, distance.cwiseMax(0.0));
+}
+
+std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
+                                   VertexId end) {
+  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+  const std::array<Pin, 2> pins{Pin{unknown_at(input, unknowns, start), 0.0},
+                                Pin{unknown_at(input, unknowns, end), 1.0}};
+  if (pins[0].unknown == pins[1].unknown) throw Bug("a harmonic field begins and ends at one place");
+  const Vector zero = Vector::Zero(unknowns.count);
+  return to_vertices(input, unknowns, solve_pinned(intrinsic, unknowns, zero, pins).cwiseMin(1.0));
+}
+
+}  // namespace knit

@@ -1,0 +1,41 @@
+// Stage 1, timing by solving on the surface: distance from a vertex, and the harmonic field between two.
+//
+// Vertices at the same place are one (Input::twin): results have one value a mesh vertex, twins alike;
+// vertices that no triangle uses get 0. Cotangent Laplacian and lumped masses on the intrinsic Delaunay
+// triangulation, so that no weight is negative and the harmonic field has no peak or pit along the edges of that
+// net (along the mesh's own edges small ones may show); direct sparse Cholesky.
+// K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in Heat", 2013; U. Pinkall, K. Polthier, "Computing
+// discrete minimal surfaces and their conjugates", 1993.
+//
+// The solves are direct and take seconds on a million triangles; meant for a worker. `start` and `end` must
+// be vertices of a triangle with three places.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "knit/mesh/mesh.h"
+#include "knit/timing/intrinsic.h"
+
+namespace knit {
+
+// The heat method's three steps. Heat after a short time, at each vertex, as a share of that at `start`, from
+// where it flows: in (0, 1]. The time is the square of the mean edge; more where the surface reaches so far
+// that the heat would fall below the smallest double.
+std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start);
+
+// How steep the heat falls along each edge of each triangle once every slope is made 1: the unit field
+// -grad u / |grad u|, as its dot product with edge k -> k + 1 of triangle t. 0 where the heat is level.
+using EdgeSlopes = std::vector<std::array<double, 3>>;
+EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat);
+
+// The function whose slopes come nearest to these, 0 at `start` and nowhere negative: the distance from
+// `start` along the surface.
+std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intrinsic,
+                                  const EdgeSlopes& slopes, VertexId start);
+
+// 0 at `start`, 1 at `end`, and in between at every vertex the weighted mean of its neighbours.
+std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
+                                   VertexId end);
+
+}  // namespace knit
