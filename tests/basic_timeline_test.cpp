@@ -1,0 +1,163 @@
+// The recorder knows no pipeline: the rewind contract holds for another machine, a counter that rises, then falls.
+#include <compare>
+#include <random>
+
+#include "knit/model/bug.h"
+#include "knit/run/basic_timeline_impl.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+struct Counter {
+  struct Input {
+    int top;
+  };
+  struct Parameters {
+    int rise = 1, fall = 1;
+    friend bool operator==(const Parameters&, const Parameters&) = default;
+  };
+  struct Place {
+    int stage = 0, item = 0;  // rising, falling, finished
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+  struct State {
+    Place next;
+    int count = 0;
+    std::vector<int> seen;
+    friend bool operator==(const State&, const State&) = default;
+  };
+  struct Step {
+    Place place;
+    int count;
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+
+  static Step advance(const Input& input, const Parameters& parameters, State& state) {
+    const Place place = state.next;
+    if (parameters.rise == 0 && place.stage == 0) return {place, -1};
+    state.count += place.stage == 0 ? parameters.rise : -parameters.fall;
+    state.seen.push_back(state.count);
+    const bool turns = place.stage == 0 ? state.count >= input.top : state.count <= 0;
+    state.next = turns ? Place{place.stage + 1, 0} : Place{place.stage, place.item + 1};
+    return {place, state.count};
+  }
+  static bool finished(const State& state) { return state.next.stage == 2; }
+  static Place next(const State& state) { return state.next; }
+  static Place place_of(const Step& step) { return step.place; }
+  static bool is_stop(const Step& step) { return step.count == -1 && step.place.stage == 0; }
+  static bool is_long(const Input& /*input*/, const Parameters& /*parameters*/, const State& state) {
+    return state.next == Place{1, 0};
+  }
+  static Place first_reader(const Parameters& before, const Parameters& after) {
+    if (before.rise != after.rise) return {0, 0};
+    return before.fall != after.fall ? Place{1, 0} : Place{3, 0};
+  }
+  static Parameters agreed(const Parameters& parameters, const Input& /*input*/) { return parameters; }
+  static Parameters with_change(const Parameters& kept, const Parameters& before, const Parameters& after) {
+    return {before.rise == after.rise ? kept.rise : after.rise,
+            before.fall == after.fall ? kept.fall : after.fall};
+  }
+  static std::size_t copy_bytes(const State& state) {
+    return sizeof(State) + state.seen.size() * sizeof(int);
+  }
+  static bool enters(const Place& from, const Place& to) { return from.stage != to.stage; }
+  static bool worth_keeping(const State& state) { return state.next.item == 0; }
+  static std::size_t steps_expected(const Input& input) { return static_cast<std::size_t>(input.top); }
+};
+
+using Recorder = knit::BasicTimeline<Counter>;
+
+constexpr std::size_t tiny = 2000;
+
+Recorder recorder(const Counter::Parameters& parameters, std::size_t budget = tiny) {
+  return {std::make_shared<const Counter::Input>(Counter::Input{400}), parameters, budget};
+}
+
+std::vector<Counter::State> states_of(Recorder& run) {
+  run.seek(0);
+  std::vector<Counter::State> states{run.state()};
+  while (run.forward()) states.push_back(run.state());
+  return states;
+}
+
+void check_scrubbing(Recorder& run, const std::vector<Counter::State>& states) {
+  REQUIRE(run.known() + 1 == states.size());
+  run.seek(run.known());
+  std::size_t wrong = 0;
+  while (run.back()) wrong += run.state() == states[run.position()] ? 0U : 1U;
+  std::mt19937 random(20260101);
+  for (int i = 0; i < 200; ++i) {
+    run.seek(random() % states.size());
+    wrong += run.state() == states[run.position()] ? 0U : 1U;
+  }
+  CHECK(wrong == 0);
+}
+
+}  // namespace
+
+TEST_CASE("another machine's run has one state a position: forward, back, at random, on a tiny budget") {
+  Recorder wide = recorder({1, 3}, Recorder::default_budget_bytes);
+  const std::vector<Counter::State> states = states_of(wide);
+  REQUIRE(states.size() == 1 + 400 + 134);
+  check_scrubbing(wide, states);
+  Recorder tight = recorder({1, 3});
+  CHECK(states_of(tight) == states);
+  CHECK(tight.keyframe_bytes() <= tiny);
+  check_scrubbing(tight, states);
+}
+
+TEST_CASE("another machine's run, tuned, is as if it had been so from the start, and shows the same place") {
+  const std::vector<Counter::Parameters> changes{{2, 3}, {1, 5}, {7, 1}};
+  for (const Counter::Parameters& changed : changes) {
+    for (const std::size_t at : {std::size_t{0}, std::size_t{150}, std::size_t{401}, std::size_t{430}}) {
+      CAPTURE(changed.rise, changed.fall, at);
+      Recorder run = recorder({1, 3});
+      run.extend_to_end();
+      run.seek(at);
+      const Counter::Place place = run.place();
+      run.tune(changed);
+      run.extend_to_end();
+      CHECK(run.place() <= place);
+      CHECK(run.position() == (at == 0 ? 0 : run.position_of(place)));
+      Recorder fresh = recorder(changed);
+      const std::vector<Counter::State> states = states_of(fresh);
+      check_scrubbing(run, states);
+      CHECK(run.steps() == fresh.steps());
+    }
+  }
+}
+
+TEST_CASE("another machine's run, edited, keeps its past, and the edit counts when the run is tuned") {
+  Recorder run = recorder({1, 3});
+  run.extend_to_end();
+  const std::vector<Counter::Step> before = run.steps();
+  run.seek(100);
+  run.edit_from_here({10, 3});
+  run.extend_to_end();
+  CHECK(run.position() == 100);
+  CHECK(std::equal(before.begin(), before.begin() + 100, run.steps().begin()));
+  CHECK(run.known() == 100 + 30 + 134);
+  const std::vector<Counter::State> states = states_of(run);
+  check_scrubbing(run, states);
+  run.seek(50);
+  run.tune({1, 100});
+  run.extend_to_end();
+  CHECK(run.known() == 100 + 30 + 4);
+  CHECK(run.edits().size() == 1);
+  run.remove_edit(0);
+  run.extend_to_end();
+  CHECK(run.known() == 400 + 4);
+}
+
+TEST_CASE("another machine's long step can be taken elsewhere, and its stop ends the run") {
+  Recorder run = recorder({1, 3});
+  while (run.extend_briefly(1000) && run.next_is_long())
+    run.accept(run.next_job(), Recorder::work(run.next_job()));
+  Recorder plain = recorder({1, 3});
+  plain.extend_to_end();
+  CHECK(run.steps() == plain.steps());
+  run.tune({0, 3});
+  run.extend_to_end();
+  REQUIRE(run.stop() != nullptr);
+  CHECK(run.known() == 0);
+}
