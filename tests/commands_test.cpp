@@ -1,6 +1,8 @@
 // Keys: each gives its action, and none while a person types.
 #include "app/panels/kit/commands.h"
 
+#include <set>
+
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -58,4 +60,23 @@ TEST_CASE("a vertex that the mesh has not is refused where it is typed") {
   desk.type("999999");
   CHECK(desk.frames({KeyPress{Key::Enter, true, {}}, KeyPress{Key::Enter, false, {}}}).empty());
   CHECK(desk.ui.vertex_fields.at("end").trouble.find("999999") != std::string::npos);
+}
+
+TEST_CASE("the key of the side panels goes round all that have a name, and each has its tab") {
+  Desk desk;
+  desk.open();
+  std::set<std::string> tabs;
+  for (const auto& [mark, box] : desk.ui.controls) {
+    if (mark.starts_with("side/")) tabs.insert(mark.substr(5));
+  }
+  CHECK(tabs == std::set<std::string>(side_keys.begin(), side_keys.end()));
+  std::set<std::string> reached;
+  for (std::size_t i = 0; i < side_keys.size(); ++i) {
+    desk.act(desk.press({Key::R, {}, 0}));
+    const auto side = static_cast<std::size_t>(desk.session.side);
+    REQUIRE(side < side_keys.size());
+    reached.insert(std::string(side_keys[side]));
+  }
+  CHECK(reached == tabs);
+  CHECK(desk.session.side == SidePanel::step);
 }

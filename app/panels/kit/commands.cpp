@@ -182,8 +182,8 @@ const std::array table{
     layer_info<Layer::faces>(Key::Digit9),
     CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
                 [](const Session& session) -> Wish {
-                  constexpr int sides = static_cast<int>(SidePanel::sweep) + 1;
-                  return ShowSide{static_cast<SidePanel>((static_cast<int>(session.side) + 1) % sides)};
+                  return ShowSide{static_cast<SidePanel>((static_cast<std::size_t>(session.side) + 1) %
+                                                         side_keys.size())};
                 }},
     CommandInfo{Command::chart, view, "The view or the chart", on(Key::T), false,
                 [](const Session& session) -> Wish {
