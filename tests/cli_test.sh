@@ -239,6 +239,16 @@ ok "the report is written" is_json report1.json
 ok "the report says so too" grep -q 'split' report1.json
 for file in steps1.jsonl mesh1.obj torus.png; do ok "$file is written" [ -s $file ]; done
 ok "the map is written" [ -e map1.txt ]
+for option in '--save-pattern p.txt' '--save-pattern p.html' '--save-chart p.svg' '--save-gltf p.glb' '--save-plots p.csv'; do
+  run_to 1 --example torus --headless $option # the words of the option apart
+  ok "$option: why it stopped, and that nothing is written for that" [ "$(wc -l <err)" = 2 ]
+  says 'the run stopped'
+  ok "$option: nothing is written" [ ! -e p.* ]
+done
+run_to 2 --example torus --headless --save-pattern p.txt --save-report no/such/folder/file
+says 'no/such/folder/file'
+run_to 2 --headless --at rows:3 --save-pattern p.txt # it did not stop: asked for too early
+says 'not there yet'
 run_to 1 --headless --epsilon 0.001 --on-stall stop --save-mesh stalled.obj
 says 'nothing within'
 ok "the rows before the stall are written" grep -q '^g row_001' stalled.obj

@@ -214,6 +214,8 @@ std::optional<GltfFormat> gltf_format_of(const std::filesystem::path& path) {
 
 std::optional<std::string> gltf_missing(const Session& session) {
   if (!session.timeline->state().rows.empty()) return std::nullopt;
+  if (stop_shown(session) != nullptr)
+    return "the run stopped before the cast on, so there is nothing to write as glTF.";
   return "there is nothing knit yet to write as glTF; go on until the cast on is done.";
 }
 

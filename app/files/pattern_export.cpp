@@ -279,6 +279,7 @@ std::optional<double> needle_mm_of(std::string_view text) {
 std::optional<std::string> pattern_missing(const Session& session) {
   if (!session.timeline) return "nothing is open; open a mesh to write its pattern.";
   if (session.timeline->state().stage() > knit::Stage::stitches) return std::nullopt;
+  if (stop_shown(session) != nullptr) return "the run stopped, so there is no pattern to write.";
   return "the pattern is not there yet: not all stitches have their labels. Let the run go on to the faces.";
 }
 

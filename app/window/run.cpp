@@ -5,7 +5,9 @@
 #include "app/actions/background_work.h"
 #include "app/base/files.h"
 #include "app/files/export.h"
+#include "app/files/gltf.h"
 #include "app/files/pattern_export.h"
+#include "app/files/plots.h"
 #include "app/render/memory.h"
 #include "app/script/figure_words.h"
 #include "app/script/queries.h"
@@ -73,14 +75,36 @@ std::optional<std::string> save_animation(Session& session, const CommandLine& l
   return save_animation_headless(session, wish, error_is_terminal());
 }
 
-// True when all that is asked for has been written.
+// What is not there because the run stopped is not the command line's mistake: the exit code speaks of the stop.
+bool missing_as_stopped(const Session& session, ExportKind kind) {
+  if (stop_shown(session) == nullptr) return false;
+  switch (kind) {
+    case ExportKind::pattern:
+    case ExportKind::chart:
+      return pattern_missing(session).has_value();
+    case ExportKind::gltf:
+      return gltf_missing(session).has_value();
+    case ExportKind::plots:
+      return plots_missing(session).has_value();
+    default:
+      return false;
+  }
+}
+
+// True when all that is asked for, and is there, has been written.
 bool save_all(Session& session, const CommandLine& line) {
   bool all_saved = true;
   const auto note = [&](const std::optional<std::string>& error) {
     if (error) say(*error);
     all_saved = all_saved && !error;
   };
-  for (const Export& wish : line.saves) note(save(session, line, wish));
+  for (const Export& wish : line.saves) {
+    const auto error = save(session, line, wish);
+    if (error && missing_as_stopped(session, wish.kind))
+      say(*error);
+    else
+      note(error);
+  }
   if (line.picture) note(save_figure(session, *line.picture));
   if (line.animation) note(save_animation(session, line));
   return all_saved;
