@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/script/command_line.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
 #include "app/window/run.h"
 #include "knit/model/bug.h"
 
@@ -18,7 +20,7 @@ std::filesystem::path folder_of_program(const char* as_called) {
 }
 
 int run(const std::vector<std::string>& arguments, app::Session& session) {
-  const auto parsed = app::parse_command_line(arguments, session.assets);
+  const auto parsed = app::parse_command_line(arguments, session.program->assets);
   if (const auto* answer = std::get_if<app::Answer>(&parsed)) {
     std::fputs(answer->out.c_str(), stdout);
     if (!answer->error.empty()) std::fprintf(stderr, "knit-mesh: %s\n", answer->error.c_str());
@@ -43,7 +45,7 @@ void report_bug(const knit::Bug& bug, const std::vector<std::string>& arguments,
     else if (!arguments[i].starts_with("--at="))
       command += " '" + arguments[i] + "'";
   }
-  if (session.timeline) command += " --at " + std::to_string(session.timeline->position());
+  if (session.document) command += " --at " + std::to_string(session.document->timeline.position());
   std::fprintf(stderr, "knit-mesh: this is a bug: %s. It happened at: %s\n", bug.what(), command.c_str());
 }
 
@@ -53,7 +55,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   app::Session session;
   try {
-    session.assets = folder_of_program(argv[0]) / "assets";
+    session.program->assets = folder_of_program(argv[0]) / "assets";
     return run(arguments, session);
   } catch (const knit::Bug& bug) {
     report_bug(bug, arguments, session);

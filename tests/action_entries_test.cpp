@@ -7,6 +7,8 @@
 #include "app/base/word_search.h"
 #include "app/panels/dialogs/action_palette.h"
 #include "app/panels/dialogs/file_dialogs.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -78,7 +80,7 @@ TEST_CASE(
 
 TEST_CASE("a few letters find what is meant first") {
   Desk desk;
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.open();
   const auto entries = entries_of(desk.session);
   CHECK(first_for(entries, "eps") == "Set epsilon \xCE\xB5 to...");
@@ -109,7 +111,7 @@ TEST_CASE("what was used lately comes first, and decides between equals") {
 
 TEST_CASE("no two entries are called alike, with or without a mesh, and those that are idle say why") {
   Desk desk;
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   for (const bool open : {false, true}) {
     if (open) desk.open();
     const auto entries = entries_of(desk.session);
@@ -134,8 +136,8 @@ TEST_CASE("no two entries are called alike, with or without a mesh, and those th
 
 TEST_CASE("everything that is listed somewhere has its entry") {
   Desk desk;
-  desk.session.assets = KNIT_ASSETS_DIR;
-  desk.session.preferences.recent = {"/tmp/ball.obj", "example:vase", "/tmp/work.json"};
+  desk.session.program->assets = KNIT_ASSETS_DIR;
+  desk.session.program->preferences.recent = {"/tmp/ball.obj", "example:vase", "/tmp/work.json"};
   desk.open();
   const auto entries = entries_of(desk.session);
   const auto has = [&](const std::string& words) {
@@ -146,7 +148,7 @@ TEST_CASE("everything that is listed somewhere has its entry") {
     has(words_of(info));
     CHECK(entry_named(entries, words_of(info))->keys == keys_of(info));
   }
-  for (const std::string& name : list_examples(desk.session.assets)) has("Open the example " + name);
+  for (const std::string& name : list_examples(desk.session.program->assets)) has("Open the example " + name);
   for (const SaveKind& kind : save_kinds()) has("Save the " + std::string(kind.words) + "...");
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     const auto* choice = std::get_if<knit::Choice>(&info.kind);
@@ -162,7 +164,7 @@ TEST_CASE("every example of a prompt can be typed as it stands") {
   Desk desk;
   desk.open();
   apply(desk.session, StartSweep{{{"epsilon", 0.1, 0.2, 2}, std::nullopt}});
-  desk.session.picking = Picking::start;
+  desk.session.view->gaze.picking = Picking::start;
   const auto entries = entries_of(desk.session);
   std::size_t prompts = 0;
   for (const ActionEntry& entry : entries) {
@@ -233,15 +235,15 @@ TEST_CASE("looking from a side turns the camera there, the shorter way") {
   Desk desk;
   desk.open();
   const auto entries = entries_of(desk.session);
-  desk.session.camera.yaw = 3.0;
+  desk.session.view->gaze.camera.yaw = 3.0;
   const auto turn = [&](const char* words) {
     const auto now = entries_of(desk.session);
     return std::get<Action>(entry_named(now, words)->does).get<Orbit>();
   };
   CHECK(std::abs(turn("Look from the back").yaw - 0.1416) < 0.001);
   apply(desk.session, turn("Look from the right"));
-  const glm::dvec3 from = desk.session.camera.eye() - desk.session.camera.target;
-  CHECK(from.x > 0.99 * desk.session.camera.distance);
+  const glm::dvec3 from = desk.session.view->gaze.camera.eye() - desk.session.view->gaze.camera.target;
+  CHECK(from.x > 0.99 * desk.session.view->gaze.camera.distance);
   CHECK(std::abs(from.y) < 0.01);
 }
 
@@ -255,7 +257,7 @@ TEST_CASE("lessons are listed by their titles, and files that are none are left 
   test_support::write_text(folder.path() / "lessons/untitled.json", "[1, 2]");
   test_support::write_text(folder.path() / "lessons/notes.txt", "nothing");
   Session session;
-  session.assets = folder.path();
+  session.program->assets = folder.path();
   const ActionSources sources = read_action_sources(session);
   REQUIRE(sources.lessons.size() == 1);
   CHECK(sources.lessons[0].key == "first");

@@ -6,6 +6,11 @@
 #include "app/files/figures.h"
 #include "app/panels/dialogs/action_palette.h"
 #include "app/panels/dialogs/file_dialogs.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -27,7 +32,7 @@ class Controls {
 // Menus inside menus, a lesson's pages, a verdict to guess, an animation in the making.
 template <class Look>
 void look_at_learning(Desk& desk, const Look& look) {
-  desk.session.preferences.recent = {"/tmp/work.json"};
+  desk.session.program->preferences.recent = {"/tmp/work.json"};
   for (const auto& [menu, inner] :
        {std::pair{"view", "Theme"}, std::pair{"view", "Size"}, std::pair{"view", "Panels"},
         std::pair{"file", "Open recent"}, std::pair{"learn", ""}}) {
@@ -38,9 +43,9 @@ void look_at_learning(Desk& desk, const Look& look) {
     for (int i = 0; i < 2; ++i) desk.press({Key::Escape, {}, 0});
     desk.settle();
   }
-  desk.session.animation = std::make_shared<const AnimationRun>();
+  desk.session.jobs->animation = std::make_shared<const AnimationRun>();
   look(desk);
-  desk.session.animation.reset();
+  desk.session.jobs->animation.reset();
   apply(desk.session, StartLesson{"increases-and-decreases"});  // has questions for a number
   desk.layout = layout_of(1600, 1600, 1, layout_wish(desk.session));
   for (int page = 0; page < 12; ++page) {
@@ -63,34 +68,34 @@ Controls all_controls() {
   };
   {
     Desk desk;
-    desk.session.assets = KNIT_ASSETS_DIR;
+    desk.session.program->assets = KNIT_ASSETS_DIR;
     look(desk);  // nothing open
   }
   for (int side = 0; side < static_cast<int>(side_keys.size()); ++side) {
     Desk desk(1600, 1600);
     desk.open();
-    desk.session.side = static_cast<SidePanel>(side);
+    desk.session.view->side = static_cast<SidePanel>(side);
     look(desk);
     apply(desk.session, PinRun{});
     look(desk);
   }
   Desk desk(1600, 1600);
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.open();
   apply(desk.session, SetBreaks{{knit::BreakCondition{}}});
   apply(desk.session, SeekPlace{{knit::Stage::rows, 3, 3}});
   for (int list = 0; list < static_cast<int>(list_keys.size()); ++list) {
-    desk.session.list = static_cast<RunList>(list);
+    desk.session.view->list = static_cast<RunList>(list);
     look(desk);
   }
-  knit::Parameters changed = desk.session.timeline->parameters();
+  knit::Parameters changed = desk.session.document->timeline.parameters();
   changed.epsilon *= 1.1;
   apply(desk.session, EditFromHere{changed});
   apply(desk.session, Select{knit::VertexThing{3}});
-  desk.session.notices.push_back({});
-  desk.session.rescued = Rescued{"/nowhere/session.json", "thesis-sphere, row 14"};
-  desk.session.long_step.emplace();
-  desk.session.long_step->seconds = 1.0;
+  desk.session.outbox->notices.push_back({});
+  desk.session.program->rescued = Rescued{"/nowhere/session.json", "thesis-sphere, row 14"};
+  desk.session.jobs->run.long_step.emplace();
+  desk.session.jobs->run.long_step->seconds = 1.0;
   look(desk);
   for (const char* menu : {"file", "edit", "presets", "go", "why", "view", "help"}) {
     desk.click("menu/" + std::string(menu));
@@ -98,29 +103,29 @@ Controls all_controls() {
     desk.press({Key::Escape, {}, 0});
     desk.settle();
   }
-  desk.session.mend_offer =
+  desk.session.jobs->mend_offer =
       MendOffer{{"", "ball.obj", {}}, "It has a hole.", std::make_shared<knit::MendPlan>()};
   look(desk);
-  desk.session.mend_offer.reset();
-  desk.session.before_mend = std::make_shared<const Session>();
+  desk.session.jobs->mend_offer.reset();
+  desk.session.document->before_mend = std::make_shared<const Session>();
   look(desk);
-  desk.session.side = SidePanel::pattern;
+  desk.session.view->side = SidePanel::pattern;
   desk.ui.pattern_fields.open = true;
   look(desk);
-  desk.session.side = SidePanel::sweep;
-  desk.session.beside = true;
+  desk.session.view->side = SidePanel::sweep;
+  desk.session.jobs->beside = true;
   // So many that it is still at it when it is looked at.
   apply(desk.session, StartSweep{{{"epsilon", 0.1, 0.2, 10000}, std::nullopt}});
   look(desk);
   apply(desk.session, CancelSweep{});
-  desk.session.open_dialog_open = true;
+  desk.session.view->dialogs.open_dialog_open = true;
   look(desk);
-  desk.session.open_dialog_open = false;
+  desk.session.view->dialogs.open_dialog_open = false;
   desk.settle();
   desk.ui.save.wanted = ExportKind::map;
   look(desk);
   Desk learner(1600, 1600);
-  learner.session.assets = KNIT_ASSETS_DIR;
+  learner.session.program->assets = KNIT_ASSETS_DIR;
   learner.open();
   look_at_learning(learner, look);
   return controls;
@@ -132,7 +137,7 @@ void note_entries(const Session& session, std::set<std::size_t>& reached) {
       reached.insert(action->index());
     } else if (std::holds_alternative<ExportKind>(entry.does)) {
       reached.insert(Action(Export{}).index());
-    } else if (session.timeline) {
+    } else if (session.document) {
       const auto& prompt = std::get<ActionPrompt>(entry.does);
       const std::string file = std::string(KNIT_ASSETS_DIR) + "/torus/mesh.obj";
       const auto read = prompt.read(session, entry.words == "Open file..." ? file : prompt.example);
@@ -145,17 +150,17 @@ void note_entries(const Session& session, std::set<std::size_t>& reached) {
 std::set<std::size_t> in_the_palette() {
   std::set<std::size_t> reached;
   Desk desk;
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   note_entries(desk.session, reached);
   desk.open();
-  desk.session.preferences.recent = {"/tmp/work.json"};
-  desk.session.picking = Picking::start;
+  desk.session.program->preferences.recent = {"/tmp/work.json"};
+  desk.session.view->gaze.picking = Picking::start;
   note_entries(desk.session, reached);
   apply(desk.session, PinRun{});
   const test_support::Folder folder;
   std::filesystem::create_directory(folder.path() / "lessons");
   test_support::write_text(folder.path() / "lessons/first.json", "{\"title\": \"First\"}");
-  desk.session.assets = folder.path();
+  desk.session.program->assets = folder.path();
   note_entries(desk.session, reached);
   return reached;
 }

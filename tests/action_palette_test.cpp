@@ -1,5 +1,8 @@
 // The palette of all actions by keyboard and mouse, and the ways that lead there.
 #include "app/actions/action_entries.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -15,13 +18,13 @@ constexpr Chord up{Key::Up, {}, 0};
 
 struct PaletteDesk : Desk {
   explicit PaletteDesk(float width = 1280, float height = 720) : Desk(width, height) {
-    session.assets = KNIT_ASSETS_DIR;
+    session.program->assets = KNIT_ASSETS_DIR;
     open();
     show();
   }
   void show() {
     act(press(palette_key));
-    REQUIRE(session.action_palette_open);
+    REQUIRE(session.view->dialogs.action_palette_open);
     settle();
   }
   // What Enter wishes beside closing the palette.
@@ -38,7 +41,7 @@ struct PaletteDesk : Desk {
     wishes.erase(std::remove_if(wishes.begin(), wishes.end(),
                                 [](const Action& a) { return a.is<ShowActionPalette>(); }),
                  wishes.end());
-    CHECK_FALSE(session.action_palette_open);
+    CHECK_FALSE(session.view->dialogs.action_palette_open);
     settle();
     return wishes;
   }
@@ -58,9 +61,9 @@ TEST_CASE("Ctrl+P opens the palette, and Ctrl+P, Escape or a click beside it clo
     desk.act(desk.frames({desk.over("play"), MouseClick{MouseButton::Left, true},
                           MouseClick{MouseButton::Left, false}, MouseLeave{}}));
   }
-  SECTION("another hand") { desk.session.action_palette_open = false; }
+  SECTION("another hand") { desk.session.view->dialogs.action_palette_open = false; }
   desk.settle();
-  CHECK_FALSE(desk.session.action_palette_open);
+  CHECK_FALSE(desk.session.view->dialogs.action_palette_open);
   CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
   CHECK(desk.ui.controls.count("action-field") == 0);
   only<SetPlaying>(desk.press({Key::Space, {}, 0}));
@@ -115,7 +118,7 @@ TEST_CASE("an entry that asks turns the field into a prompt that says why someth
   desk.type("go to row");
   CHECK(desk.press(enter).empty());
   desk.settle();
-  REQUIRE(desk.session.action_palette_open);
+  REQUIRE(desk.session.view->dialogs.action_palette_open);
   CHECK(desk.ui.controls.count("action-trouble") == 0);
   desk.type("x");
   desk.settle();
@@ -137,7 +140,7 @@ TEST_CASE("an entry that asks turns the field into a prompt that says why someth
     CHECK_FALSE(only<ShowActionPalette>(desk.press(escape)).open);
   }
   SECTION("the mesh goes away meanwhile") {
-    desk.session.timeline.reset();
+    desk.session.document.reset();
     desk.settle();
     CHECK(desk.ui.controls.count("action-foot") == 1);
     CHECK(desk.press(enter).empty());
@@ -148,8 +151,8 @@ TEST_CASE("what cannot be done now is not done") {
   PaletteDesk desk;
   desk.type("undo");
   CHECK(desk.press(enter).empty());
-  CHECK(desk.session.action_palette_open);
-  desk.session.changes.undo.emplace_back();
+  CHECK(desk.session.view->dialogs.action_palette_open);
+  desk.session.document->changes.undo.emplace_back();
   desk.settle();
   only<Undo>(desk.done());
 }
@@ -183,23 +186,23 @@ TEST_CASE("the palette lies within the window at any size") {
 TEST_CASE("the help leads on to all actions, the glossary and the lessons") {
   Desk desk(1280, 720);
   desk.open();
-  desk.session.help_open = true;
+  desk.session.view->dialogs.help_open = true;
   desk.settle();
   const Box help = desk.ui.controls.at("help");
   for (const char* name : {"help-to/actions", "help-to/glossary", "help-to/lessons"})
     CHECK(desk.ui.controls.at(name).bottom() <= help.bottom());
   SECTION("all actions") {
     desk.act(desk.click("help-to/actions"));
-    CHECK(desk.session.action_palette_open);
+    CHECK(desk.session.view->dialogs.action_palette_open);
   }
   SECTION("the glossary") {
     desk.act(desk.click("help-to/glossary"));
-    CHECK(desk.session.glossary_open);
+    CHECK(desk.session.view->dialogs.glossary_open);
   }
   SECTION("the lessons") {
     desk.act(desk.click("help-to/lessons"));
     desk.settle();
     CHECK(std::string(desk.ui.words.palette.field.data()) == "lesson ");
   }
-  CHECK_FALSE(desk.session.help_open);
+  CHECK_FALSE(desk.session.view->dialogs.help_open);
 }

@@ -6,6 +6,11 @@
 
 #include "app/render/gif_palette.h"
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "tests/support/catch.h"
 #include "tests/support/pictures.h"
@@ -27,7 +32,7 @@ Image single(const Session& session, std::size_t position, bool panels = false, 
              int h = height) {
   const Folder folder;
   Session there = session;
-  there.timeline->seek(position);
+  there.document->timeline.seek(position);
   REQUIRE(save_figure_headless(there, {folder.path() / "one.png", w, h, panels, false}) == std::nullopt);
   return test_support::read_png(test_support::read_text(folder.path() / "one.png"));
 }
@@ -104,7 +109,7 @@ TEST_CASE("an animated PNG has its frames, delays and size, and they equal pictu
 
 TEST_CASE("an animation with panels equals pictures with panels") {
   Session session = test_support::finished_small_session();
-  session.preferences.theme = ThemeKind::light;
+  session.program->preferences.theme = ThemeKind::light;
   const Folder folder;
   SaveAnimation wish = wish_for(folder.path() / "run.png", 3, true);
   wish.width = 640;
@@ -176,23 +181,23 @@ TEST_CASE("an animation that is cancelled leaves nothing, and the old file as it
     if (path.has_extension()) test_support::write_text(path, "old");
     const std::size_t before = folder.files();
     apply(session, wish_for(path, 9));
-    REQUIRE(session.animation != nullptr);
+    REQUIRE(session.jobs->animation != nullptr);
     std::unique_ptr<AnimationMaker> maker;
     for (int i = 0; i < 3; ++i) tend_animation(session, maker);
-    REQUIRE(session.animation != nullptr);
-    CHECK(session.animation->done == 3);
+    REQUIRE(session.jobs->animation != nullptr);
+    CHECK(session.jobs->animation->done == 3);
     CHECK(folder.files() == before + 1);  // half of it, aside
     apply(session, CancelAnimation{});
     tend_animation(session, maker);
     CHECK(folder.files() == before);
     if (path.has_extension()) CHECK(test_support::read_text(path) == "old");
-    CHECK(session.notices.empty());
+    CHECK(session.outbox->notices.empty());
     // And another one may be made at once.
     apply(session, wish_for(path, 2));
     for (int i = 0; i < 2; ++i) tend_animation(session, maker);
-    CHECK(session.animation == nullptr);
-    REQUIRE(session.notices.size() == 1);
-    CHECK(session.notices[0].kind == Notice::Kind::info);
+    CHECK(session.jobs->animation == nullptr);
+    REQUIRE(session.outbox->notices.size() == 1);
+    CHECK(session.outbox->notices[0].kind == Notice::Kind::info);
   }
 }
 
@@ -200,16 +205,16 @@ TEST_CASE("while an animation is made one may look at something else, and the wi
   const Studio studio;
   const Folder folder;
   Session session = test_support::finished_small_session();
-  FrameDrawer drawer(session.assets);
+  FrameDrawer drawer(session.program->assets);
   const FrameShape shape{640, 400, 640, 400};
   for (int i = 0; i < 4; ++i) drawer.draw(session, shape, {});
   const Image before = drawer.target().read();
   const Session asked = session;
   apply(session, wish_for(folder.path() / "a.png", 4));
   apply(session, wish_for(folder.path() / "b.png", 4));
-  REQUIRE(session.notices.size() == 1);  // one at a time
-  CHECK(test_support::is_one_sentence(session.notices[0].text));
-  session.notices.clear();
+  REQUIRE(session.outbox->notices.size() == 1);  // one at a time
+  CHECK(test_support::is_one_sentence(session.outbox->notices[0].text));
+  session.outbox->notices.clear();
   std::unique_ptr<AnimationMaker> maker;
   tend_animation(session, maker);
   apply(session, ToFirst{});
@@ -217,7 +222,7 @@ TEST_CASE("while an animation is made one may look at something else, and the wi
   tend_animation(session, maker);
   drawer.draw(session, shape, {});
   CHECK_FALSE(drawer.busy());
-  while (session.animation) tend_animation(session, maker);
+  while (session.jobs->animation) tend_animation(session, maker);
   const Frames frames = test_support::read_apng(test_support::read_text(folder.path() / "a.png"));
   REQUIRE(frames.pictures.size() == 4);
   CHECK(test_support::difference_of(frames.pictures.back(), single(asked, 600)).most == 0);
@@ -227,20 +232,20 @@ TEST_CASE("a picture is taken beside the window's own frame") {
   const Studio studio;
   const Folder folder;
   Session session = test_support::finished_small_session();
-  FrameDrawer drawer(session.assets);
+  FrameDrawer drawer(session.program->assets);
   const FrameShape shape{640, 400, 640, 400};
   for (int i = 0; i < 4; ++i) drawer.draw(session, shape, {});
   const Image before = drawer.target().read();
   apply(session, SavePicture{folder.path() / "big.png", 1000, 300, false, true});
-  REQUIRE(session.figures_wanted.size() == 1);
+  REQUIRE(session.outbox->pictures.size() == 1);
   save_figures_wanted(session);
-  CHECK(session.figures_wanted.empty());
-  REQUIRE(session.notices.size() == 1);
-  CHECK(session.notices[0].kind == Notice::Kind::info);
+  CHECK(session.outbox->pictures.empty());
+  REQUIRE(session.outbox->notices.size() == 1);
+  CHECK(session.outbox->notices[0].kind == Notice::Kind::info);
   const Image big = test_support::read_png(test_support::read_text(folder.path() / "big.png"));
   CHECK(big.width == 1000);
   CHECK(big.height == 300);
-  session.notices.clear();
+  session.outbox->notices.clear();
   drawer.draw(session, shape, {});
   CHECK(drawer.target().read().rgba == before.rgba);
 }
@@ -256,14 +261,14 @@ TEST_CASE("where nothing can be written an animation says so before it begins, a
     CAPTURE(path);
     Session session = test_support::finished_small_session();
     apply(session, wish_for(path));
-    REQUIRE(session.animation != nullptr);
+    REQUIRE(session.jobs->animation != nullptr);
     std::unique_ptr<AnimationMaker> maker;
     tend_animation(session, maker);
-    CHECK(session.animation == nullptr);
-    REQUIRE(session.notices.size() == 1);
-    CHECK(session.notices[0].kind == Notice::Kind::error);
-    CHECK(test_support::is_one_sentence(session.notices[0].text));
-    CHECK(test_support::contains(session.notices[0].text, path.string()));
+    CHECK(session.jobs->animation == nullptr);
+    REQUIRE(session.outbox->notices.size() == 1);
+    CHECK(session.outbox->notices[0].kind == Notice::Kind::error);
+    CHECK(test_support::is_one_sentence(session.outbox->notices[0].text));
+    CHECK(test_support::contains(session.outbox->notices[0].text, path.string()));
   }
   CHECK(test_support::read_text(folder.path() / "file") == "mine");
   CHECK(folder.files() == 2);
@@ -295,10 +300,10 @@ TEST_CASE("wishes for figures that cannot be are refused in a sentence") {
     const auto fault = fault_of(wish);
     REQUIRE(fault.has_value());
     CHECK(test_support::is_one_sentence(*fault));
-    const std::size_t notices = session.notices.size();
+    const std::size_t notices = session.outbox->notices.size();
     apply(session, wish);
-    CHECK(session.figures_wanted.empty());
-    CHECK(session.notices.size() == notices + 1);
+    CHECK(session.outbox->pictures.empty());
+    CHECK(session.outbox->notices.size() == notices + 1);
   }
   CHECK(animation_kind_of("a.GIF") == AnimationKind::gif);
   CHECK(animation_kind_of("a.apng") == AnimationKind::apng);
@@ -307,13 +312,13 @@ TEST_CASE("wishes for figures that cannot be are refused in a sentence") {
 
 TEST_CASE("the view of a narrower picture keeps all that was seen") {
   Session session = test_support::small_session();
-  session.aspect = 1.6;
-  const double fov = session.camera.field_of_view;
+  session.view->aspect = 1.6;
+  const double fov = session.view->gaze.camera.field_of_view;
   fit_view(session, 2.4);
-  CHECK(session.camera.field_of_view == fov);
-  CHECK(session.aspect == 2.4);
+  CHECK(session.view->gaze.camera.field_of_view == fov);
+  CHECK(session.view->aspect == 2.4);
   fit_view(session, 1.2);
-  CHECK(std::tan(0.5 * session.camera.field_of_view) * 1.2 == Approx(std::tan(0.5 * fov) * 2.4));
+  CHECK(std::tan(0.5 * session.view->gaze.camera.field_of_view) * 1.2 == Approx(std::tan(0.5 * fov) * 2.4));
 }
 
 TEST_CASE("a palette keeps flat colours exactly, and at most 255 of many") {

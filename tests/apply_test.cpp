@@ -2,6 +2,10 @@
 #include <filesystem>
 
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -34,25 +38,33 @@ struct Seen {
 };
 
 Seen seen(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
-  return {hash_of(timeline.state()),  timeline.position(),     timeline.known(),
-          timeline.edits().size(),    &timeline.input(),       timeline.parameters(),
-          timeline.base_parameters(), session.defaults,        session.source.example,
-          session.source.file,        session.findings.size(), session.camera,
-          session.playback.playing};
+  const knit::Timeline& timeline = session.document->timeline;
+  return {hash_of(timeline.state()),
+          timeline.position(),
+          timeline.known(),
+          timeline.edits().size(),
+          &timeline.input(),
+          timeline.parameters(),
+          timeline.base_parameters(),
+          session.document->defaults,
+          session.document->source.example,
+          session.document->source.file,
+          session.document->findings.size(),
+          session.view->gaze.camera,
+          session.view->playback.playing};
 }
 
 // One error more than before, a sentence, and nothing else changed.
 void check_refused(Session& session, const Action& action, const std::string& says) {
   const Seen before = seen(session);
-  const std::size_t notices = session.notices.size();
+  const std::size_t notices = session.outbox->notices.size();
   apply(session, action);
   CHECK((seen(session) == before));
-  REQUIRE(session.notices.size() == notices + 1);
-  CHECK(session.notices.back().kind == Notice::Kind::error);
-  CAPTURE(session.notices.back().text);
-  CHECK(is_one_sentence(session.notices.back().text));
-  CHECK(contains(session.notices.back().text, says));
+  REQUIRE(session.outbox->notices.size() == notices + 1);
+  CHECK(session.outbox->notices.back().kind == Notice::Kind::error);
+  CAPTURE(session.outbox->notices.back().text);
+  CHECK(is_one_sentence(session.outbox->notices.back().text));
+  CHECK(contains(session.outbox->notices.back().text, says));
 }
 
 knit::Parameters with(knit::Parameters parameters, const std::string& key, const std::string& value) {
@@ -72,26 +84,26 @@ const char* const holed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\
 
 TEST_CASE("opening an example: its mesh, its parameters, at the start and in view") {
   Session session = example_session("thesis-sphere");
-  REQUIRE(session.timeline);
-  CHECK(session.source.example == "thesis-sphere");
-  CHECK(session.source.file.empty());
-  CHECK(session.timeline->input().mesh.name == "thesis-sphere");
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.timeline->parameters() == session.defaults);
-  CHECK(session.defaults.close == knit::Closing::thesis);
-  CHECK(session.load_ms > 0.0);
-  CHECK(session.notices.empty());
+  REQUIRE(session.document);
+  CHECK(session.document->source.example == "thesis-sphere");
+  CHECK(session.document->source.file.empty());
+  CHECK(session.document->timeline.input().mesh.name == "thesis-sphere");
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->timeline.parameters() == session.document->defaults);
+  CHECK(session.document->defaults.close == knit::Closing::thesis);
+  CHECK(session.document->load_ms > 0.0);
+  CHECK(session.outbox->notices.empty());
   Camera framed;
-  framed.frame(session.timeline->input().bounds, session.aspect);
-  CHECK(session.camera == framed);
+  framed.frame(session.document->timeline.input().bounds, session.view->aspect);
+  CHECK(session.view->gaze.camera == framed);
 }
 
 TEST_CASE("every example opens") {
   for (const std::string& name : list_examples(KNIT_ASSETS_DIR)) {
     CAPTURE(name);
     const Session session = example_session(name);
-    REQUIRE(session.timeline);
-    CHECK(session.source.example == name);
+    REQUIRE(session.document);
+    CHECK(session.document->source.example == name);
   }
 }
 
@@ -99,15 +111,15 @@ TEST_CASE("opening another mesh begins anew, whatever was going on") {
   Session session = finished_small_session();
   apply_all(session, {SetPlaying{true, -1}, SetSpeed{500.0}, SetPicking{Picking::end}, ShowOpenDialog{true},
                       Orbit{1.0, 0.2}, SetLayer{Layer::faces, false}, OpenExample{"egg"}});
-  CHECK(session.source.example == "egg");
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.run_ms == 0.0);
-  CHECK_FALSE(session.playback.playing);
-  CHECK(session.playback.direction == 1);
-  CHECK(session.playback.steps_per_second == 500.0);
-  CHECK(session.picking == Picking::nothing);
-  CHECK_FALSE(session.open_dialog_open);
-  CHECK_FALSE(session.shows(Layer::faces));  // what the person likes to see stays
+  CHECK(session.document->source.example == "egg");
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->run_ms == 0.0);
+  CHECK_FALSE(session.view->playback.playing);
+  CHECK(session.view->playback.direction == 1);
+  CHECK(session.view->playback.steps_per_second == 500.0);
+  CHECK(session.view->gaze.picking == Picking::nothing);
+  CHECK_FALSE(session.view->dialogs.open_dialog_open);
+  CHECK_FALSE(session.view->shows(Layer::faces));  // what the person likes to see stays
 }
 
 TEST_CASE("opening a file: parameters follow its size") {
@@ -115,12 +127,13 @@ TEST_CASE("opening a file: parameters follow its size") {
   save_obj(folder.path() / "a ball.obj", knit::sphere(24, 12));
   Session session;
   apply(session, OpenFile{folder.path() / "a ball.obj"});
-  REQUIRE(session.timeline);
-  CHECK(session.source.example.empty());
-  CHECK(session.source.file == folder.path() / "a ball.obj");
-  CHECK(session.timeline->input().mesh.name == "a ball");
-  CHECK(session.defaults.stitch_width == Approx(0.03 * session.timeline->input().bounds.diagonal()));
-  CHECK(session.notices.empty());
+  REQUIRE(session.document);
+  CHECK(session.document->source.example.empty());
+  CHECK(session.document->source.file == folder.path() / "a ball.obj");
+  CHECK(session.document->timeline.input().mesh.name == "a ball");
+  CHECK(session.document->defaults.stitch_width ==
+        Approx(0.03 * session.document->timeline.input().bounds.diagonal()));
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("what is odd about a mesh that can be knitted is a warning") {
@@ -128,11 +141,11 @@ TEST_CASE("what is odd about a mesh that can be knitted is a warning") {
   save_obj(folder.path() / "seam.obj", knit::sphere(24, 12, true));
   Session session;
   apply(session, OpenFile{folder.path() / "seam.obj"});
-  REQUIRE(session.timeline);
-  REQUIRE(session.findings.size() == 1);
-  REQUIRE(session.notices.size() == 1);
-  CHECK(session.notices[0].kind == Notice::Kind::warning);
-  CHECK(session.notices[0].text == session.findings[0].sentence);
+  REQUIRE(session.document);
+  REQUIRE(session.document->findings.size() == 1);
+  REQUIRE(session.outbox->notices.size() == 1);
+  CHECK(session.outbox->notices[0].kind == Notice::Kind::warning);
+  CHECK(session.outbox->notices[0].text == session.document->findings[0].sentence);
 }
 
 TEST_CASE("what cannot be opened leaves the session as it was, with a sentence") {
@@ -146,7 +159,7 @@ TEST_CASE("what cannot be opened leaves the session as it was, with a sentence")
   check_refused(session, OpenFile{folder.path() / "missing.obj"}, "does not exist");
   check_refused(session, OpenFile{folder.path()}, "folder");
   check_refused(session, OpenExample{"teapot"}, "choose one of");
-  session.assets = folder.path();
+  session.program->assets = folder.path();
   check_refused(session, OpenExample{"sphere"}, "build the project again");
 }
 
@@ -155,35 +168,35 @@ TEST_CASE("with nothing open, actions about a run do nothing") {
   apply_all(session,
             {StepBy{}, SeekTo{5}, SeekPlace{}, ToFirst{}, ToLast{}, SetPlaying{}, PassTime{0.1}, Tune{},
              EditFromHere{}, RemoveEdit{}, PickVertex{3}, FrameAll{}, Export{ExportKind::map, "-"}});
-  CHECK_FALSE(session.timeline);
-  CHECK_FALSE(session.playback.playing);
-  CHECK(session.notices.empty());
+  CHECK_FALSE(session.document);
+  CHECK_FALSE(session.view->playback.playing);
+  CHECK(session.outbox->notices.empty());
   CHECK(is_one_sentence(sentence(session)));
 }
 
 TEST_CASE("stepping and seeking") {
   Session session = small_session();
   apply(session, StepBy{Unit::item, 1});
-  CHECK(session.timeline->position() == 1);
+  CHECK(session.document->timeline.position() == 1);
   apply(session, StepBy{Unit::stage, 1});
-  CHECK(session.timeline->state().stage() == knit::Stage::cast_on);
+  CHECK(session.document->timeline.state().stage() == knit::Stage::cast_on);
   apply(session, StepBy{Unit::stage, -1});
-  CHECK(session.timeline->position() == 0);
+  CHECK(session.document->timeline.position() == 0);
   apply(session, StepBy{Unit::item, -1});
-  CHECK(session.timeline->position() == 0);
+  CHECK(session.document->timeline.position() == 0);
   apply(session, SeekTo{900});  // further than worked out
-  CHECK(session.timeline->position() == 900);
+  CHECK(session.document->timeline.position() == 900);
   apply(session, SeekPlace{{knit::Stage::rows, 3, 2}});
-  CHECK(session.timeline->place() == knit::Place{knit::Stage::rows, 3, 2});
+  CHECK(session.document->timeline.place() == knit::Place{knit::Stage::rows, 3, 2});
   apply(session, ToLast{});
-  CHECK(session.timeline->state().finished());
-  CHECK(session.timeline->complete());
+  CHECK(session.document->timeline.state().finished());
+  CHECK(session.document->timeline.complete());
   apply(session, StepBy{Unit::item, 1});
-  CHECK(session.timeline->position() == session.timeline->known());
+  CHECK(session.document->timeline.position() == session.document->timeline.known());
   apply(session, ToFirst{});
-  CHECK(session.timeline->position() == 0);
+  CHECK(session.document->timeline.position() == 0);
   apply(session, SeekTo{10000000});
-  CHECK(session.timeline->position() == session.timeline->known());
+  CHECK(session.document->timeline.position() == session.document->timeline.known());
 }
 
 TEST_CASE("the time spent on the run is counted, by whatever action it is worked out") {
@@ -192,73 +205,73 @@ TEST_CASE("the time spent on the run is counted, by whatever action it is worked
     Session session = small_session();
     apply(session, action);
     CAPTURE(action.index());
-    CHECK(session.timeline->known() > 0);
-    CHECK(session.run_ms > 0.0);
+    CHECK(session.document->timeline.known() > 0);
+    CHECK(session.document->run_ms > 0.0);
   }
 }
 
 TEST_CASE("playing takes as many steps as the time and the speed give") {
   Session session = small_session();
   apply_all(session, {SetSpeed{100.0}, SetPlaying{}, PassTime{0.1}});
-  CHECK(session.playback.playing);
-  CHECK(session.timeline->position() == 10);
+  CHECK(session.view->playback.playing);
+  CHECK(session.document->timeline.position() == 10);
   for (int i = 0; i < 8; ++i) apply(session, PassTime{0.0125});  // 1.25 steps each
-  CHECK(session.timeline->position() == 20);
+  CHECK(session.document->timeline.position() == 20);
   apply(session, SetPlaying{false});
   apply(session, PassTime{0.2});
-  CHECK(session.timeline->position() == 20);
+  CHECK(session.document->timeline.position() == 20);
   apply_all(session, {SetPlaying{true, -1}, PassTime{0.05}});
-  CHECK(session.timeline->position() == 15);
+  CHECK(session.document->timeline.position() == 15);
 }
 
 TEST_CASE("a long pause, as of a laptop asleep, is not played back at once") {
   Session session = small_session();
   apply_all(session, {SetSpeed{100.0}, SetPlaying{}, PassTime{3600.0}});
-  CHECK(session.timeline->position() <= 50);
+  CHECK(session.document->timeline.position() <= 50);
   apply(session, PassTime{-5.0});
-  CHECK(session.playback.playing);
+  CHECK(session.view->playback.playing);
 }
 
 TEST_CASE("the clock works the run out, playing or not, and playing goes no further than it") {
   Session session = small_session();
   apply(session, PassTime{0.0});
-  CHECK(session.timeline->known() > 1000);
-  CHECK(session.timeline->position() == 0);
-  CHECK_FALSE(session.playback.playing);
+  CHECK(session.document->timeline.known() > 1000);
+  CHECK(session.document->timeline.position() == 0);
+  CHECK_FALSE(session.view->playback.playing);
 }
 
 TEST_CASE("playing ends at both ends, and playing again at the end begins anew") {
   Session session = small_session();
   apply_all(session, {SetSpeed{fastest_steps_per_second}, SetPlaying{}});
-  for (int i = 0; i < 1000 && session.playback.playing; ++i) apply(session, PassTime{0.25});
-  CHECK_FALSE(session.playback.playing);
-  CHECK(session.timeline->state().finished());
+  for (int i = 0; i < 1000 && session.view->playback.playing; ++i) apply(session, PassTime{0.25});
+  CHECK_FALSE(session.view->playback.playing);
+  CHECK(session.document->timeline.state().finished());
   apply(session, SetPlaying{});
-  CHECK(session.playback.playing);
-  CHECK(session.timeline->position() == 0);
+  CHECK(session.view->playback.playing);
+  CHECK(session.document->timeline.position() == 0);
 
   apply_all(session, {ToLast{}, SetPlaying{true, -1}});
-  CHECK(session.timeline->state().finished());
-  for (int i = 0; i < 1000 && session.playback.playing; ++i) apply(session, PassTime{0.25});
-  CHECK(session.timeline->position() == 0);
-  CHECK_FALSE(session.playback.playing);
-  CHECK(session.playback.direction == 1);
+  CHECK(session.document->timeline.state().finished());
+  for (int i = 0; i < 1000 && session.view->playback.playing; ++i) apply(session, PassTime{0.25});
+  CHECK(session.document->timeline.position() == 0);
+  CHECK_FALSE(session.view->playback.playing);
+  CHECK(session.view->playback.direction == 1);
 }
 
 TEST_CASE("a step taken by hand pauses") {
   Session session = small_session();
   apply_all(session, {SetPlaying{}, StepBy{}});
-  CHECK_FALSE(session.playback.playing);
+  CHECK_FALSE(session.view->playback.playing);
 }
 
 TEST_CASE("the speed stays within its range") {
   Session session = small_session();
   apply(session, SetSpeed{0.0});
-  CHECK(session.playback.steps_per_second == slowest_steps_per_second);
+  CHECK(session.view->playback.steps_per_second == slowest_steps_per_second);
   apply(session, SetSpeed{1e30});
-  CHECK(session.playback.steps_per_second == fastest_steps_per_second);
+  CHECK(session.view->playback.steps_per_second == fastest_steps_per_second);
   apply(session, SetSpeed{250.0});
-  CHECK(session.playback.steps_per_second == 250.0);
+  CHECK(session.view->playback.steps_per_second == 250.0);
 }
 
 TEST_CASE("tuning keeps the place and counts from the start") {
@@ -266,31 +279,32 @@ TEST_CASE("tuning keeps the place and counts from the start") {
   const knit::Place place{knit::Stage::rows, 6, 4};
   apply_all(session,
             {SeekPlace{place}, Tune{with(test_support::small_parameters(), "cast-on", "8")}, PassTime{0.0}});
-  CHECK(session.timeline->base_parameters().cast_on == 8);
-  CHECK(session.timeline->place() == place);
-  CHECK(session.timeline->state().rows[0]->stitches.size() == 8);
-  CHECK(session.defaults.cast_on == 0);
-  CHECK(session.notices.empty());
+  CHECK(session.document->timeline.base_parameters().cast_on == 8);
+  CHECK(session.document->timeline.place() == place);
+  CHECK(session.document->timeline.state().rows[0]->stitches.size() == 8);
+  CHECK(session.document->defaults.cast_on == 0);
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("tuning while it plays goes on from the same place, however long the run takes to get there") {
   Session session = small_session();
-  session.timeline.emplace(knit::make_input(knit::sphere(256, 129)), test_support::thesis_parameters());
+  session.document->timeline =
+      knit::Timeline(knit::make_input(knit::sphere(256, 129)), test_support::thesis_parameters());
   const knit::Place place{knit::Stage::rows, 100, 4};
   apply_all(session, {ToLast{}, SeekPlace{place}, SetPlaying{}});
-  REQUIRE(session.timeline->position() > 45000);  // more than one tick works out
-  apply(session, Tune{with(session.timeline->parameters(), "axis", "0,-1,0")});
-  for (int i = 0; i < 1000 && !session.timeline->complete(); ++i) apply(session, PassTime{0.0});
-  CHECK(session.playback.playing);
-  CHECK(session.timeline->place() == place);
+  REQUIRE(session.document->timeline.position() > 45000);  // more than one tick works out
+  apply(session, Tune{with(session.document->timeline.parameters(), "axis", "0,-1,0")});
+  for (int i = 0; i < 1000 && !session.document->timeline.complete(); ++i) apply(session, PassTime{0.0});
+  CHECK(session.view->playback.playing);
+  CHECK(session.document->timeline.place() == place);
   apply(session, PassTime{0.2});
-  CHECK(session.timeline->place() > place);
+  CHECK(session.document->timeline.place() > place);
 }
 
 TEST_CASE("refused parameters leave the session as it was, with a sentence") {
   Session session = finished_small_session();
   apply(session, SeekTo{700});
-  const knit::Parameters good = session.timeline->parameters();
+  const knit::Parameters good = session.document->timeline.parameters();
   for (const bool tune : {true, false}) {
     const auto change = [&](const std::string& key, const std::string& value) {
       return tune ? Action(Tune{with(good, key, value)}) : Action(EditFromHere{with(good, key, value)});
@@ -308,15 +322,15 @@ TEST_CASE("an edit from here keeps the past, and can be removed") {
   apply(session, SeekPlace{place});
   const Seen before = seen(session);
   apply(session, EditFromHere{with(test_support::small_parameters(), "epsilon", "0.28")});
-  CHECK(session.timeline->edits().size() == 1);
-  CHECK(session.timeline->position() == before.position);
-  CHECK(hash_of(session.timeline->state()) == before.state);
-  CHECK(session.timeline->parameters().epsilon == 0.28);
-  CHECK(session.timeline->base_parameters().epsilon == 0.15);
+  CHECK(session.document->timeline.edits().size() == 1);
+  CHECK(session.document->timeline.position() == before.position);
+  CHECK(hash_of(session.document->timeline.state()) == before.state);
+  CHECK(session.document->timeline.parameters().epsilon == 0.28);
+  CHECK(session.document->timeline.base_parameters().epsilon == 0.15);
   apply(session, RemoveEdit{7});  // there is none
-  CHECK(session.timeline->edits().size() == 1);
+  CHECK(session.document->timeline.edits().size() == 1);
   apply_all(session, {RemoveEdit{0}, PassTime{0.0}});
-  CHECK(session.timeline->edits().empty());
+  CHECK(session.document->timeline.edits().empty());
   CHECK((seen(session) == before));
 }
 
@@ -324,32 +338,33 @@ TEST_CASE("where rows come from cannot change from here once they have begun") {
   Session session = finished_small_session();
   for (const knit::Place& place : {knit::Place{knit::Stage::cast_on, 1, 0}, {knit::Stage::rows, 5, 3}}) {
     apply(session, SeekPlace{place});
-    check_refused(session, EditFromHere{with(session.timeline->parameters(), "rows", "contours")},
+    check_refused(session, EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")},
                   "whole run");
-    CHECK(contains(session.notices.back().text, "from rings already"));
+    CHECK(contains(session.outbox->notices.back().text, "from rings already"));
   }
-  apply_all(session, {SeekPlace{{knit::Stage::cast_on, 0, 0}},
-                      EditFromHere{with(session.timeline->parameters(), "rows", "contours")}, ToLast{}});
-  CHECK(session.notices.size() == 2);
-  CHECK(session.timeline->state().finished());
-  CHECK(session.timeline->base_parameters().rows == knit::RowSource::rings);
-  CHECK(session.timeline->state().rows[3]->ring->ordered_by == knit::OrderedBy::cut);
+  apply_all(session,
+            {SeekPlace{{knit::Stage::cast_on, 0, 0}},
+             EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
+  CHECK(session.outbox->notices.size() == 2);
+  CHECK(session.document->timeline.state().finished());
+  CHECK(session.document->timeline.base_parameters().rows == knit::RowSource::rings);
+  CHECK(session.document->timeline.state().rows[3]->ring->ordered_by == knit::OrderedBy::cut);
 }
 
 TEST_CASE("welding runs on the merged mesh, at the same place, and back again") {
   Session session = small_session(true);
-  const std::size_t unwelded = session.timeline->input().mesh.positions.size();
+  const std::size_t unwelded = session.document->timeline.input().mesh.positions.size();
   const knit::Place place{knit::Stage::rows, 6, 4};
   apply_all(session, {ToLast{}, SeekPlace{place}, Tune{with(test_support::small_parameters(), "weld", "on")},
                       PassTime{0.0}});
-  CHECK(session.timeline->input().mesh.positions.size() < unwelded);
-  CHECK(session.original->positions.size() == unwelded);
-  CHECK(session.timeline->parameters().weld == knit::Weld::on);
-  CHECK(session.timeline->place() == place);
+  CHECK(session.document->timeline.input().mesh.positions.size() < unwelded);
+  CHECK(session.document->original->positions.size() == unwelded);
+  CHECK(session.document->timeline.parameters().weld == knit::Weld::on);
+  CHECK(session.document->timeline.place() == place);
 
   apply_all(session, {Tune{test_support::small_parameters()}, PassTime{0.0}});
-  CHECK(session.timeline->input().mesh.positions.size() == unwelded);
-  CHECK(session.timeline->place() == place);
+  CHECK(session.document->timeline.input().mesh.positions.size() == unwelded);
+  CHECK(session.document->timeline.place() == place);
 }
 
 TEST_CASE("welding keeps edits, and is refused when a picked vertex would be gone") {
@@ -357,38 +372,39 @@ TEST_CASE("welding keeps edits, and is refused when a picked vertex would be gon
   const knit::Parameters good = test_support::small_parameters();
   apply_all(session,
             {ToLast{}, SeekPlace{{knit::Stage::rows, 6, 4}}, EditFromHere{with(good, "epsilon", "0.28")}});
-  apply_all(session, {Tune{with(session.timeline->parameters(), "weld", "on")}, PassTime{0.0}});
-  REQUIRE(session.timeline->edits().size() == 1);
-  CHECK(session.timeline->edits()[0].parameters.epsilon == 0.28);
-  CHECK(session.timeline->edits()[0].parameters.weld == knit::Weld::on);
-  CHECK(session.timeline->base_parameters().epsilon == 0.15);
+  apply_all(session, {Tune{with(session.document->timeline.parameters(), "weld", "on")}, PassTime{0.0}});
+  REQUIRE(session.document->timeline.edits().size() == 1);
+  CHECK(session.document->timeline.edits()[0].parameters.epsilon == 0.28);
+  CHECK(session.document->timeline.edits()[0].parameters.weld == knit::Weld::on);
+  CHECK(session.document->timeline.base_parameters().epsilon == 0.15);
 
   Session picked = small_session(true);
-  const auto last = std::to_string(picked.timeline->input().mesh.positions.size() - 1);
+  const auto last = std::to_string(picked.document->timeline.input().mesh.positions.size() - 1);
   apply_all(picked, {Tune{with(good, "end", last)}, ToLast{}});
-  CHECK(picked.notices.empty());
+  CHECK(picked.outbox->notices.empty());
   check_refused(picked, Tune{with(with(good, "end", last), "weld", "on")}, "--end");
 }
 
 TEST_CASE("picking start and end vertices") {
   Session session = finished_small_session();
-  const auto top = static_cast<knit::VertexId>(session.timeline->input().mesh.positions.size() - 1);
+  const auto top = static_cast<knit::VertexId>(session.document->timeline.input().mesh.positions.size() - 1);
   apply(session, PickVertex{top});  // nobody asked
-  CHECK(session.timeline->parameters().start == knit::no_vertex);
+  CHECK(session.document->timeline.parameters().start == knit::no_vertex);
   apply(session, SetPicking{Picking::start});
-  CHECK(session.picking == Picking::start);
+  CHECK(session.view->gaze.picking == Picking::start);
   apply(session, PickVertex{top});
-  CHECK(session.picking == Picking::nothing);
-  CHECK(session.timeline->parameters().start == top);
+  CHECK(session.view->gaze.picking == Picking::nothing);
+  CHECK(session.document->timeline.parameters().start == top);
   apply_all(session, {SetPicking{Picking::end}, PickVertex{0}});
-  CHECK(session.timeline->parameters().end == 0);
-  CHECK(session.timeline->parameters().start == top);
+  CHECK(session.document->timeline.parameters().end == 0);
+  CHECK(session.document->timeline.parameters().start == top);
   apply(session, ToLast{});
-  CHECK(session.timeline->furthest().rows.front()->stitches.front().position.y > 0.0);  // now from the top
+  CHECK(session.document->timeline.furthest().rows.front()->stitches.front().position.y >
+        0.0);  // now from the top
 
   apply(session, SetPicking{Picking::end});
   check_refused(session, PickVertex{top}, "two different");
-  CHECK(session.picking == Picking::nothing);
+  CHECK(session.view->gaze.picking == Picking::nothing);
   apply(session, SetPicking{Picking::end});
   check_refused(session, PickVertex{top + 1}, "--end");
 }
@@ -398,15 +414,15 @@ TEST_CASE("layers go on and off, one at a time") {
   for (std::size_t i = 0; i < layer_count; ++i) {
     const auto layer = static_cast<Layer>(i);
     const auto others = [&] {
-      auto layers = session.layers;
+      auto layers = session.view->layers;
       layers[i] = false;
       return layers;
     };
     const auto before = others();
     apply(session, SetLayer{layer, true});
-    CHECK(session.shows(layer));
+    CHECK(session.view->shows(layer));
     apply(session, SetLayer{layer, false});
-    CHECK_FALSE(session.shows(layer));
+    CHECK_FALSE(session.view->shows(layer));
     CHECK(others() == before);
     CHECK_FALSE(name_of(layer).empty());
     CHECK_FALSE(key_of(layer).empty());
@@ -415,26 +431,26 @@ TEST_CASE("layers go on and off, one at a time") {
 
 TEST_CASE("the camera turns, moves, zooms and frames, and nonsense is ignored") {
   Session session = small_session();
-  const Camera framed = session.camera;
+  const Camera framed = session.view->gaze.camera;
   apply(session, Orbit{0.5, 0.1});
-  CHECK(session.camera.yaw == Approx(framed.yaw + 0.5));
+  CHECK(session.view->gaze.camera.yaw == Approx(framed.yaw + 0.5));
   apply(session, Pan{{0.5, 0.0}});
-  CHECK_FALSE(session.camera.target == framed.target);
+  CHECK_FALSE(session.view->gaze.camera.target == framed.target);
   apply(session, Zoom{0.5, {0.0, 0.0}});
-  CHECK(session.camera.distance == Approx(0.5 * framed.distance));
-  const Camera zoomed = session.camera;
+  CHECK(session.view->gaze.camera.distance == Approx(0.5 * framed.distance));
+  const Camera zoomed = session.view->gaze.camera;
   apply_all(session, {Zoom{0.0, {0.0, 0.0}}, Zoom{-1.0, {0.0, 0.0}}});
-  CHECK(session.camera == zoomed);
+  CHECK(session.view->gaze.camera == zoomed);
   apply(session, FrameAll{});
-  CHECK(session.camera.target == framed.target);
-  CHECK(session.camera.distance == framed.distance);
-  CHECK(session.camera.yaw == zoomed.yaw);  // framing does not turn
+  CHECK(session.view->gaze.camera.target == framed.target);
+  CHECK(session.view->gaze.camera.distance == framed.distance);
+  CHECK(session.view->gaze.camera.yaw == zoomed.yaw);  // framing does not turn
 
   apply(session, SetAspect{2.0});
-  CHECK(session.aspect == 2.0);
+  CHECK(session.view->aspect == 2.0);
   apply_all(session, {SetAspect{0.0}, SetAspect{-1.0}, SetAspect{std::numeric_limits<double>::infinity()},
                       SetAspect{std::numeric_limits<double>::quiet_NaN()}});
-  CHECK(session.aspect == 2.0);
+  CHECK(session.view->aspect == 2.0);
 }
 
 TEST_CASE("exports are written where asked, with a notice either way") {
@@ -444,34 +460,34 @@ TEST_CASE("exports are written where asked, with a notice either way") {
     const std::filesystem::path path = folder.path() / ("out." + std::to_string(static_cast<int>(kind)));
     apply(session, Export{kind, path});
     CHECK(std::filesystem::file_size(path) > 0);
-    CHECK(session.notices.back().kind == Notice::Kind::info);
-    CHECK(contains(session.notices.back().text, path.filename().string()));
+    CHECK(session.outbox->notices.back().kind == Notice::Kind::info);
+    CHECK(contains(session.outbox->notices.back().text, path.filename().string()));
   }
   check_refused(session, Export{ExportKind::map, folder.path() / "no" / "such" / "folder.txt"},
                 "cannot write");
   apply(session, Export{ExportKind::picture, "p.png"});
-  REQUIRE(session.screenshots_wanted.size() == 1);
-  CHECK(session.screenshots_wanted[0] == "p.png");
+  REQUIRE(session.outbox->screenshots.size() == 1);
+  CHECK(session.outbox->screenshots[0] == "p.png");
 }
 
 TEST_CASE("help, the open dialog, notices and quitting") {
   Session session;
   apply_all(session, {ShowHelp{true}, ShowOpenDialog{true}});
-  CHECK(session.help_open);
-  CHECK(session.open_dialog_open);
+  CHECK(session.view->dialogs.help_open);
+  CHECK(session.view->dialogs.open_dialog_open);
   apply_all(session, {ShowHelp{false}, ShowOpenDialog{false}});
-  CHECK_FALSE(session.help_open);
-  CHECK_FALSE(session.open_dialog_open);
+  CHECK_FALSE(session.view->dialogs.help_open);
+  CHECK_FALSE(session.view->dialogs.open_dialog_open);
 
   apply_all(session, {OpenFile{"no-such-1.obj"}, OpenFile{"no-such-2.obj"}, DismissNotice{5}});
-  CHECK(session.notices.size() == 2);
+  CHECK(session.outbox->notices.size() == 2);
   apply(session, DismissNotice{0});
-  REQUIRE(session.notices.size() == 1);
-  CHECK(contains(session.notices[0].text, "no-such-2"));
+  REQUIRE(session.outbox->notices.size() == 1);
+  CHECK(contains(session.outbox->notices[0].text, "no-such-2"));
 
-  CHECK_FALSE(session.quit);
+  CHECK_FALSE(session.outbox->quit);
   apply(session, Quit{});
-  CHECK(session.quit);
+  CHECK(session.outbox->quit);
 }
 
 TEST_CASE("the sentence always says something, and at a stop why") {

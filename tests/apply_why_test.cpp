@@ -1,12 +1,17 @@
 // Finding why: clicks that pick, jumps to the step that made a thing, the history, and the command line's --why.
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <set>
 
 #include "app/describe/describe.h"
 #include "app/describe/pick.h"
 #include "app/explain/why_words.h"
+#include "app/scene/scene.h"
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -15,7 +20,7 @@ using namespace app;
 
 namespace {
 
-std::size_t position(const Session& session) { return session.timeline->position(); }
+std::size_t position(const Session& session) { return session.document->timeline.position(); }
 
 knit::VertexId refused_vertex(const knit::Timeline& timeline) {
   for (knit::VertexId v = 0; v < timeline.input().mesh.positions.size(); ++v) {
@@ -25,13 +30,13 @@ knit::VertexId refused_vertex(const knit::Timeline& timeline) {
 }
 
 glm::dvec2 on_screen(const Session& session, const glm::dvec3& place) {
-  const View view = session.camera.view(session.aspect);
+  const Sight view = session.view->gaze.camera.view(session.view->aspect);
   const glm::dvec4 at = glm::dmat4(view.projection) * glm::dmat4(view.view) * glm::dvec4(place, 1.0);
   return glm::dvec2(at) / at.w;
 }
 
 bool faces_eye(const Session& session, const glm::dvec3& place) {
-  return glm::dot(glm::normalize(session.camera.eye() - place), glm::normalize(place)) > 0.4;
+  return glm::dot(glm::normalize(session.view->gaze.camera.eye() - place), glm::normalize(place)) > 0.4;
 }
 
 }  // namespace
@@ -41,8 +46,8 @@ TEST_CASE("showing why goes to the step that made it, and back again") {
   const std::size_t end = position(session);
   const knit::Thing face = knit::FaceThing{5, 2};
   apply(session, ShowWhy{face});
-  CHECK(session.travel.selected == face);
-  CHECK(position(session) == *knit::made_by(*session.timeline, face) + 1);
+  CHECK(session.document->travel.selected == face);
+  CHECK(position(session) == *knit::made_by(session.document->timeline, face) + 1);
   const std::size_t made = position(session);
   apply(session, ShowWhy{knit::StitchThing{3, 1}});
   const std::size_t kept = position(session);
@@ -59,7 +64,7 @@ TEST_CASE("showing why goes to the step that made it, and back again") {
   // A new jump forgets what was ahead.
   apply(session, GoBack{});
   apply(session, ToFirst{});
-  CHECK(session.travel.history.ahead.empty());
+  CHECK(session.document->travel.history.ahead.empty());
   apply(session, GoBack{});
   CHECK(position(session) == made);
   apply(session, GoForward{});
@@ -69,9 +74,9 @@ TEST_CASE("showing why goes to the step that made it, and back again") {
 TEST_CASE("dragging along the track is one jump in the history") {
   Session session = test_support::finished_small_session();
   const std::size_t end = position(session);
-  const std::size_t before = session.travel.history.behind.size();
+  const std::size_t before = session.document->travel.history.behind.size();
   for (std::size_t i = 0; i < 30; ++i) apply(session, SeekTo{100 + 40 * i});
-  CHECK(session.travel.history.behind.size() == before + 1);
+  CHECK(session.document->travel.history.behind.size() == before + 1);
   apply(session, GoBack{});
   CHECK(position(session) == end);
   // After stepping by hand another drag is another jump.
@@ -85,23 +90,23 @@ TEST_CASE("dragging along the track is one jump in the history") {
 TEST_CASE("a history never grows without end, and outlives tuning") {
   Session session = test_support::finished_small_session();
   for (std::int32_t i = 0; i < 600; ++i) apply(session, ShowWhy{knit::StitchThing{2 + i % 7, i % 5}});
-  CHECK(session.travel.history.behind.size() <= 200);
-  const knit::Place there = session.timeline->place();
+  CHECK(session.document->travel.history.behind.size() <= 200);
+  const knit::Place there = session.document->timeline.place();
   apply(session, ToFirst{});
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.placement = knit::PlacementPolicy::even;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   apply(session, GoBack{});
   apply(session, GoBack{});
-  CHECK(session.timeline->place() == there);
+  CHECK(session.document->timeline.place() == there);
 }
 
 TEST_CASE("the steps that touched what is selected are gone through both ways") {
   Session session = test_support::finished_small_session();
   apply(session, ToTouch{1});
   const std::size_t end = position(session);
-  CHECK(end == session.timeline->known());
+  CHECK(end == session.document->timeline.known());
   const knit::Thing stitch = knit::StitchThing{6, 2};
   apply(session, Select{stitch});
   std::vector<std::size_t> seen;
@@ -110,7 +115,7 @@ TEST_CASE("the steps that touched what is selected are gone through both ways") 
     apply(session, ToTouch{-1});
     if (position(session) == before) break;
     seen.push_back(position(session));
-    CHECK(knit::touches(*session.timeline, stitch, position(session) - 1));
+    CHECK(knit::touches(session.document->timeline, stitch, position(session) - 1));
   }
   CHECK(seen.size() >= 5);
   std::vector<std::size_t> again{seen.back()};
@@ -128,23 +133,23 @@ TEST_CASE("why: with nothing open, or a vertex that is not there, nothing happen
   for (const Action& action :
        Actions{Select{knit::StitchThing{}}, ShowWhy{knit::FaceThing{}}, ToTouch{1}, GoBack{}, GoForward{}})
     apply(empty, action);
-  CHECK_FALSE(empty.travel.selected);
+  CHECK_FALSE(empty.document->travel.selected);
   Session session = test_support::finished_small_session();
   apply(session, ShowWhy{knit::VertexThing{99999999}});
-  CHECK_FALSE(session.travel.selected);
+  CHECK_FALSE(session.document->travel.selected);
   apply(session, ShowWhy{knit::StitchThing{5000, 1}});
-  CHECK(position(session) == session.timeline->known());
+  CHECK(position(session) == session.document->timeline.known());
 }
 
 TEST_CASE("why: a window whose run is not worked out yet is not held up") {
   Session session = test_support::small_session();
-  session.beside = true;
-  session.timeline->extend(1000);
-  const std::size_t known = session.timeline->known();
+  session.jobs->beside = true;
+  session.document->timeline.extend(1000);
+  const std::size_t known = session.document->timeline.known();
   apply(session, ShowWhy{knit::FaceThing{4, 1}});
-  CHECK(session.timeline->known() == known);
+  CHECK(session.document->timeline.known() == known);
   apply(session, ShowWhy{knit::StitchThing{1, 2}});
-  CHECK(session.timeline->known() == known);
+  CHECK(session.document->timeline.known() == known);
   CHECK(position(session) > 0);
   apply(session, GoBack{});
   CHECK(position(session) == 0);
@@ -152,18 +157,18 @@ TEST_CASE("why: a window whose run is not worked out yet is not held up") {
 
 TEST_CASE("a refused vertex shows its anchor, the distance and the band") {
   Session session = test_support::finished_small_session();
-  const knit::VertexId vertex = refused_vertex(*session.timeline);
+  const knit::VertexId vertex = refused_vertex(session.document->timeline);
   apply(session, ShowWhy{knit::VertexThing{vertex}});
-  const auto& step = session.timeline->step(position(session) - 1);
+  const auto& step = session.document->timeline.step(position(session) - 1);
   REQUIRE(std::holds_alternative<knit::CandidateMeasured>(step.what));
   CHECK(std::get<knit::CandidateMeasured>(step.what).candidate == vertex);
-  CHECK(why_words(*session.timeline, knit::VertexThing{vertex}).find("Passed over") == 0);
+  CHECK(why_words(session.document->timeline, knit::VertexThing{vertex}).find("Passed over") == 0);
   apply(session, ToLast{});
   Describer describer;
   const Scene scene = describer.describe(session);
   REQUIRE(scene.band);
   const auto& measured = std::get<knit::CandidateMeasured>(step.what);
-  const auto& anchor = session.timeline->input().mesh.positions[measured.anchor];
+  const auto& anchor = session.document->timeline.input().mesh.positions[measured.anchor];
   CHECK(glm::distance(glm::dvec3(scene.band->centre), anchor) < 1e-5);
   CHECK(scene.band->inner == Approx(0.15));
   std::set<std::string> captions;
@@ -194,7 +199,7 @@ TEST_CASE("what is selected is lit where it is, and faintly where it is still to
 
 TEST_CASE("a click means the stitch, edge, face or vertex in front under the pointer") {
   Session session = test_support::finished_small_session();
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const PickReach reach{0.01, 0.006};
   std::size_t seen = 0;
   std::size_t right = 0;
@@ -236,11 +241,11 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
 
 TEST_CASE("candidates of the row in the making can be clicked, though edges run through them") {
   Session session = test_support::small_session();
-  while (!std::holds_alternative<knit::RowWork>(session.timeline->state().work) ||
-         session.timeline->state().rows.size() < 7 ||
-         std::get<knit::RowWork>(session.timeline->state().work).walk.kept.size() < 6)
+  while (!std::holds_alternative<knit::RowWork>(session.document->timeline.state().work) ||
+         session.document->timeline.state().rows.size() < 7 ||
+         std::get<knit::RowWork>(session.document->timeline.state().work).walk.kept.size() < 6)
     apply(session, StepBy{});
-  const auto& work = std::get<knit::RowWork>(session.timeline->state().work);
+  const auto& work = std::get<knit::RowWork>(session.document->timeline.state().work);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < work.ring->vertices.size(); ++i) {
     if (!faces_eye(session, work.ring->points[i])) continue;
@@ -278,12 +283,12 @@ TEST_CASE("the option --why answers with the step, its sentence and its numbers"
   const Answer stitch = why_answer(session, "stitch:5:2");
   CHECK(stitch.exit_code == exit_done);
   CHECK(stitch.out.find("stitch 3 of row 5: ") == 0);
-  const auto made = *knit::made_by(*session.timeline, knit::StitchThing{5, 2});
+  const auto made = *knit::made_by(session.document->timeline, knit::StitchThing{5, 2});
   CHECK(stitch.out.find("made\tstep " + std::to_string(made + 1) + "\trows:5:") != std::string::npos);
   CHECK(stitch.out.find("chosen\tstep ") != std::string::npos);
   CHECK(stitch.out.find("  distance\t") != std::string::npos);
   CHECK(position(session) == made + 1);  // a picture shows it
-  const knit::VertexId vertex = refused_vertex(*session.timeline);
+  const knit::VertexId vertex = refused_vertex(session.document->timeline);
   const Answer refused = why_answer(session, "vertex:" + std::to_string(vertex));
   CHECK(refused.out.find("Passed over") != std::string::npos);
   CHECK(refused.out.find("measured\tstep ") != std::string::npos);

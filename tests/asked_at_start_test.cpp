@@ -5,6 +5,9 @@
 #include <thread>
 
 #include "app/actions/opening.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "knit/import/obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
@@ -36,11 +39,11 @@ struct Start {
   explicit Start(const std::filesystem::path& file) {
     const std::vector<std::string> words{file.string(), "--stitch-width", "0.37", "--theme", "light"};
     line = std::get<CommandLine>(parse_command_line(words, KNIT_ASSETS_DIR));
-    session.assets = KNIT_ASSETS_DIR;
+    session.program->assets = KNIT_ASSETS_DIR;
     error = open_as_asked(session, line);
-    session.beside = true;
+    session.jobs->beside = true;
   }
-  [[nodiscard]] double stitch_width() const { return session.timeline->parameters().stitch_width; }
+  [[nodiscard]] double stitch_width() const { return session.document->timeline.parameters().stitch_width; }
 
   CommandLine line;
   Session session;
@@ -49,7 +52,7 @@ struct Start {
 
 void wait_for_worker(Start& start, AskedAtStart& asked) {
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(3);
-  while (start.session.opening) {
+  while (start.session.jobs->opening) {
     CHECK_FALSE(asked.tend(start.session, start.line));
     apply(start.session, PassTime{0.001});
     REQUIRE(std::chrono::steady_clock::now() < give_up);
@@ -63,15 +66,15 @@ TEST_CASE("asked at the start: options wait until mends are made") {
   const Folder folder;
   Start start(bad_file(folder));
   CHECK_FALSE(start.error);
-  REQUIRE(start.session.mend_offer);
+  REQUIRE(start.session.jobs->mend_offer);
   AskedAtStart asked(start.session);
   CHECK_FALSE(asked.tend(start.session, start.line));
   apply(start.session, MendAndOpen{});
-  REQUIRE(start.session.timeline);
+  REQUIRE(start.session.document);
   CHECK(start.stitch_width() != 0.37);
   CHECK(asked.tend(start.session, start.line));
   CHECK(start.stitch_width() == 0.37);
-  apply(start.session, Tune{start.session.defaults});
+  apply(start.session, Tune{start.session.document->defaults});
   CHECK_FALSE(asked.tend(start.session, start.line));  // once
   CHECK(start.stitch_width() != 0.37);
 }
@@ -96,12 +99,12 @@ TEST_CASE("asked at the start: options wait for the worker, and then for mends")
     CAPTURE(whole);
     Start start(large_file(folder, whole));
     CHECK_FALSE(start.error);
-    REQUIRE(start.session.opening);
+    REQUIRE(start.session.jobs->opening);
     AskedAtStart asked(start.session);
     wait_for_worker(start, asked);
     if (!whole) {
       CHECK_FALSE(asked.tend(start.session, start.line));
-      REQUIRE(start.session.mend_offer);
+      REQUIRE(start.session.jobs->mend_offer);
       apply(start.session, MendAndOpen{});
       wait_for_worker(start, asked);
     }

@@ -1,4 +1,6 @@
 // The list of break conditions, their marks, the loop on the track, and what the timeline says.
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -7,7 +9,7 @@ namespace {
 
 void open_breaks(Desk& desk, const std::vector<std::string>& texts) {
   desk.open();
-  desk.session.list = RunList::breaks;
+  desk.session.view->list = RunList::breaks;
   std::vector<knit::BreakCondition> conditions;
   for (const std::string& text : texts)
     conditions.push_back(std::get<knit::BreakCondition>(knit::parse_break(text)));
@@ -21,21 +23,21 @@ TEST_CASE("break conditions are added by one click, by words, and removed", "[br
   Desk desk;
   open_breaks(desk, {});
   desk.act(desk.click("break/usual/stall"));
-  REQUIRE(desk.session.travel.breaks.size() == 1);
-  CHECK(knit::text_of(desk.session.travel.breaks[0]) == "stall");
+  REQUIRE(desk.session.view->breaks.size() == 1);
+  CHECK(knit::text_of(desk.session.view->breaks[0]) == "stall");
   desk.settle();
   CHECK(desk.ui.controls.count("break/usual/stall") == 0);  // it is there already
 
   desk.click("break/field");
   desk.type("row=3");
   desk.act(desk.click("break/add"));
-  REQUIRE(desk.session.travel.breaks.size() == 2);
-  CHECK(knit::text_of(desk.session.travel.breaks[1]) == "row=3");
+  REQUIRE(desk.session.view->breaks.size() == 2);
+  CHECK(knit::text_of(desk.session.view->breaks[1]) == "row=3");
 
   desk.settle();
   desk.act(desk.click("break/remove/0"));
-  REQUIRE(desk.session.travel.breaks.size() == 1);
-  CHECK(knit::text_of(desk.session.travel.breaks[0]) == "row=3");
+  REQUIRE(desk.session.view->breaks.size() == 1);
+  CHECK(knit::text_of(desk.session.view->breaks[0]) == "row=3");
 }
 
 TEST_CASE("what is no condition gets its sentence below the field and adds nothing", "[breaks]") {
@@ -62,28 +64,30 @@ TEST_CASE("a right drag on the track lays the loop, a right click takes it away"
   const auto at = [&](float across) {
     return MouseMove{track.x + across * track.width, track.y + 0.5f * track.height};
   };
-  const std::size_t position = desk.session.timeline->position();
+  const std::size_t position = desk.session.document->timeline.position();
   desk.act(desk.frames({at(0.25f), MouseClick{MouseButton::Right, true}}));
-  CHECK_FALSE(desk.session.travel.loop);
+  CHECK_FALSE(desk.session.document->travel.loop);
   desk.act(desk.frames({at(0.4f)}));
   desk.act(desk.frames({at(0.5f)}));
   desk.act(desk.frames({MouseClick{MouseButton::Right, false}, MouseLeave{}}));
-  REQUIRE(desk.session.travel.loop.has_value());
-  const auto known = static_cast<double>(desk.session.timeline->known());
-  CHECK(static_cast<double>(desk.session.travel.loop->begin) == Approx(0.25 * known).margin(0.01 * known));
-  CHECK(static_cast<double>(desk.session.travel.loop->end) == Approx(0.5 * known).margin(0.01 * known));
-  CHECK(desk.session.timeline->position() == position);
+  REQUIRE(desk.session.document->travel.loop.has_value());
+  const auto known = static_cast<double>(desk.session.document->timeline.known());
+  CHECK(static_cast<double>(desk.session.document->travel.loop->begin) ==
+        Approx(0.25 * known).margin(0.01 * known));
+  CHECK(static_cast<double>(desk.session.document->travel.loop->end) ==
+        Approx(0.5 * known).margin(0.01 * known));
+  CHECK(desk.session.document->timeline.position() == position);
   const Actions wishes = desk.frames(
       {at(0.6f), MouseClick{MouseButton::Right, true}, MouseClick{MouseButton::Right, false}, MouseLeave{}});
   CHECK(count_of<SetLoop>(wishes) == 1);
   desk.act(wishes);
-  CHECK_FALSE(desk.session.travel.loop);
+  CHECK_FALSE(desk.session.document->travel.loop);
 }
 
 TEST_CASE("loop and slow motion are buttons of the timeline", "[breaks]") {
   Desk desk;
   desk.open();
-  desk.session.timeline->seek(50);
+  desk.session.document->timeline.seek(50);
   desk.settle();
   CHECK(only<SetSlowMotion>(desk.click("slow-motion")).on);
   const SetLoop loop = only<SetLoop>(desk.click("loop"));
@@ -99,7 +103,7 @@ TEST_CASE("the place note stands in the timeline, beside the position or in its 
     Desk desk(width, 800);
     desk.open();
     CHECK(desk.ui.controls.count("place-note") == 0);
-    desk.session.place_note = "Row 14, item 3, is not in this run; showing row 13, its last step.";
+    desk.session.document->place_note = "Row 14, item 3, is not in this run; showing row 13, its last step.";
     desk.settle();
     REQUIRE(desk.ui.controls.count("place-note") == 1);
     const Box note = desk.ui.controls.at("place-note");
@@ -113,6 +117,6 @@ TEST_CASE("the place note stands in the timeline, beside the position or in its 
 TEST_CASE("many hits are drawn without a wish", "[breaks]") {
   Desk desk;
   open_breaks(desk, {"label=main", "label=m1l", "row=2", "narrower<5"});
-  REQUIRE(desk.session.travel.hits.hits().size() > 30);
+  REQUIRE(desk.session.document->travel.hits.hits().size() > 30);
   CHECK(desk.frame().empty());
 }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "app/scene/scene.h"
 #include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
@@ -15,7 +17,7 @@ namespace {
 
 // Where a place of the mesh appears: [-1, 1] from the view's centre, up positive.
 glm::dvec2 on_screen(const Camera& camera, double aspect, const glm::dvec3& place) {
-  const View view = camera.view(aspect);
+  const Sight view = camera.view(aspect);
   const glm::dvec4 at = glm::dmat4(view.projection) * glm::dmat4(view.view) * glm::dvec4(place, 1.0);
   REQUIRE(at.w > 0.0);
   return glm::dvec2(at) / at.w;

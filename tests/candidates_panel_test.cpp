@@ -1,4 +1,6 @@
 // The candidates of a row and the ways to "why" in the panels: view, chart, lists, the line of what is selected.
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -8,7 +10,7 @@ namespace {
 // In the middle of a row that is picked from the mesh's vertices.
 void go_into_row(Desk& desk, std::int32_t row) {
   desk.act({SeekPlace{{knit::Stage::rows, row, 8}}});
-  desk.session.list = RunList::candidates;
+  desk.session.view->list = RunList::candidates;
   desk.settle();
 }
 
@@ -34,9 +36,10 @@ TEST_CASE("candidates: a line each, and a click goes to the step that decided") 
   const knit::Candidate& fifth = table.candidates[5];
   CHECK(only<ShowWhy>(desk.click("candidate/5")).thing == knit::Thing(knit::VertexThing{fifth.vertex}));
   desk.act({ShowWhy{knit::VertexThing{fifth.vertex}}});
-  CHECK(desk.session.timeline->position() == fifth.step + 1);
+  CHECK(desk.session.document->timeline.position() == fifth.step + 1);
   desk.settle();
-  CHECK(desk.ui.candidates.order_of(*desk.session.timeline, *desk.session.travel.selected) == 5);
+  CHECK(desk.ui.candidates.order_of(desk.session.document->timeline,
+                                    *desk.session.document->travel.selected) == 5);
   CHECK(count_of<ShowWhy>(desk.click("plot/candidates", 0.7f)) == 1);
 }
 
@@ -67,7 +70,7 @@ TEST_CASE("candidates: sorted by what is clicked, both ways") {
 
 TEST_CASE("candidates: where there are none it says so, and nothing breaks") {
   Desk desk;
-  desk.session.list = RunList::candidates;
+  desk.session.view->list = RunList::candidates;
   desk.settle();
   desk.open();
   desk.act({ToFirst{}});
@@ -91,8 +94,8 @@ TEST_CASE("a click in the view shows why, once it can be no double click") {
   const Actions wishes = wait_for_click(desk);
   REQUIRE(count_of<ShowWhy>(wishes) == 1);
   desk.act(wishes);
-  REQUIRE(desk.session.travel.selected);
-  CHECK(desk.session.timeline->position() < desk.session.timeline->known());
+  REQUIRE(desk.session.document->travel.selected);
+  CHECK(desk.session.document->timeline.position() < desk.session.document->timeline.known());
   // Beside everything: nothing is selected any more.
   const Box& view = desk.layout.view;
   desk.frames({MouseMove{view.x + 3, view.y + 3}, MouseClick{MouseButton::Left, true},
@@ -100,7 +103,7 @@ TEST_CASE("a click in the view shows why, once it can be no double click") {
   const Actions none = wait_for_click(desk);
   REQUIRE(count_of<Select>(none) == 1);
   desk.act(none);
-  CHECK_FALSE(desk.session.travel.selected);
+  CHECK_FALSE(desk.session.document->travel.selected);
   // A drag is no click, and a double click frames.
   const MouseMove centre = desk.over("view");
   desk.frames({centre, MouseClick{MouseButton::Left, true}, MouseMove{centre.x + 50, centre.y},
@@ -139,9 +142,9 @@ TEST_CASE("a double click on a row's cell leads to what begins, counts or change
   REQUIRE(count_of<SeekPlace>(begins) == 2);
   CHECK(begins.back().get<SeekPlace>().place == knit::Place{knit::Stage::rows, 3, 0});
   const Actions counts = twice(0.5f);
-  const auto decided = knit::count_decided_by(*desk.session.timeline, 3);
+  const auto decided = knit::count_decided_by(desk.session.document->timeline, 3);
   REQUIRE(decided);
-  CHECK(counts.back().get<SeekPlace>().place == desk.session.timeline->step(*decided).place);
+  CHECK(counts.back().get<SeekPlace>().place == desk.session.document->timeline.step(*decided).place);
   CHECK(twice(0.9f).back().get<SeekPlace>().place == knit::Place{knit::Stage::stitches, 3, 0});
 }
 
@@ -151,11 +154,11 @@ TEST_CASE("a click on a square of the chart selects its label or stitch and goes
   desk.act({ShowCentre{CentrePanel::chart}});
   desk.settle();
   desk.act(desk.frames({desk.over("chart")}));
-  REQUIRE(desk.session.hovered_stitch);
+  REQUIRE(desk.session.view->gaze.hovered_stitch);
   desk.settle();
   desk.act(desk.frames({MouseClick{MouseButton::Left, true}, MouseClick{MouseButton::Left, false}}));
-  REQUIRE(desk.session.travel.selected);
-  const auto made = knit::made_by(*desk.session.timeline, *desk.session.travel.selected);
+  REQUIRE(desk.session.document->travel.selected);
+  const auto made = knit::made_by(desk.session.document->timeline, *desk.session.document->travel.selected);
   REQUIRE(made);
-  CHECK(desk.session.timeline->position() == *made + 1);
+  CHECK(desk.session.document->timeline.position() == *made + 1);
 }

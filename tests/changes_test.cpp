@@ -2,6 +2,9 @@
 #include "app/session/changes.h"
 
 #include "app/actions/parameters_text.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/view.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -18,7 +21,7 @@ knit::Parameters with(knit::Parameters parameters, const char* key, const std::s
 }
 
 void tune(Session& session, const char* key, const std::string& value, bool held = false) {
-  apply(session, Tune{with(session.timeline->parameters(), key, value), held});
+  apply(session, Tune{with(session.document->timeline.parameters(), key, value), held});
 }
 
 // What a session is about, for going there and back.
@@ -28,9 +31,9 @@ struct Mark {
   std::uint64_t end = 0;
 };
 Mark mark(Session session) {
-  session.timeline->extend_to_end();  // and back to its place
-  return {knobs_of(*session.timeline), session.timeline->place(),
-          knit::hash_of(session.timeline->furthest())};
+  session.document->timeline.extend_to_end();  // and back to its place
+  return {knobs_of(session.document->timeline), session.document->timeline.place(),
+          knit::hash_of(session.document->timeline.furthest())};
 }
 
 }  // namespace
@@ -41,7 +44,7 @@ TEST_CASE("undo and redo go through every kind of change, exactly, and keep the 
   std::vector<Mark> marks{mark(session)};
   const auto noted = [&] { marks.push_back(mark(session)); };
   tune(session, "epsilon", "0.2"), noted();
-  apply(session, EditFromHere{with(session.timeline->parameters(), "epsilon", "0.28")}), noted();
+  apply(session, EditFromHere{with(session.document->timeline.parameters(), "epsilon", "0.28")}), noted();
   tune(session, "close", "thesis"), noted();
   tune(session, "weld", "on"), noted();
   apply(session, ApplyPreset{"best-rows"}), noted();
@@ -49,7 +52,7 @@ TEST_CASE("undo and redo go through every kind of change, exactly, and keep the 
   apply(session, PasteParameters{"stitch-width = 0.35\n"}), noted();
   apply(session, SetPicking{Picking::end});
   apply(session, PickVertex{70}), noted();
-  REQUIRE(session.changes.undo.size() == marks.size() - 1);
+  REQUIRE(session.document->changes.undo.size() == marks.size() - 1);
   for (std::size_t i = marks.size() - 1; i-- > 0;) {
     CAPTURE(i);
     apply(session, Undo{});
@@ -66,74 +69,74 @@ TEST_CASE("undo and redo go through every kind of change, exactly, and keep the 
   }
   apply(session, Redo{});
   CHECK(mark(session).knobs == marks.back().knobs);
-  CHECK(session.notices.empty());
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("a drag is one entry, another parameter or a new hand is another") {
   Session session = small_session();
-  const Knobs before = knobs_of(*session.timeline);
+  const Knobs before = knobs_of(session.document->timeline);
   for (const char* width : {"0.31", "0.32", "0.33"}) tune(session, "stitch-width", width, true);
-  CHECK(session.changes.undo.size() == 1);
+  CHECK(session.document->changes.undo.size() == 1);
   tune(session, "epsilon", "0.16", true);
   tune(session, "epsilon", "0.17", true);
-  CHECK(session.changes.undo.size() == 2);
+  CHECK(session.document->changes.undo.size() == 2);
   apply(session, PassTime{0.1});
   apply(session, Orbit{0.1, 0.1});
   tune(session, "epsilon", "0.18", true);
-  CHECK(session.changes.undo.size() == 2);
+  CHECK(session.document->changes.undo.size() == 2);
   apply(session, Settle{});
   tune(session, "epsilon", "0.19", true);
-  CHECK(session.changes.undo.size() == 3);
+  CHECK(session.document->changes.undo.size() == 3);
   tune(session, "epsilon", "0.2");  // a click
   tune(session, "epsilon", "0.21");
-  CHECK(session.changes.undo.size() == 5);
+  CHECK(session.document->changes.undo.size() == 5);
   for (int i = 0; i < 5; ++i) apply(session, Undo{});
-  CHECK(knobs_of(*session.timeline) == before);
+  CHECK(knobs_of(session.document->timeline) == before);
 }
 
 TEST_CASE("a drag that counts from here is one entry too") {
   Session session = small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 6, 4}});
   for (const char* epsilon : {"0.16", "0.17", "0.18"})
-    apply(session, EditFromHere{with(session.timeline->parameters(), "epsilon", epsilon), true});
-  CHECK(session.changes.undo.size() == 1);
-  CHECK(session.timeline->edits().size() == 1);
+    apply(session, EditFromHere{with(session.document->timeline.parameters(), "epsilon", epsilon), true});
+  CHECK(session.document->changes.undo.size() == 1);
+  CHECK(session.document->timeline.edits().size() == 1);
   apply(session, Undo{});
-  CHECK(session.timeline->edits().empty());
+  CHECK(session.document->timeline.edits().empty());
 }
 
 TEST_CASE("only real changes are entries, and a new one ends redo") {
   Session session = small_session();
-  apply(session, Tune{session.timeline->parameters()});
+  apply(session, Tune{session.document->timeline.parameters()});
   tune(session, "start", "999999");  // refused
   apply(session, RemoveEdit{3});
   apply(session, ApplyPreset{"no such preset"});
-  CHECK(session.changes.undo.empty());
+  CHECK(session.document->changes.undo.empty());
   tune(session, "epsilon", "0.16", true);
   tune(session, "epsilon", "0.15", true);  // dragged back
-  CHECK(session.changes.undo.empty());
+  CHECK(session.document->changes.undo.empty());
   tune(session, "epsilon", "0.2");
   apply(session, Undo{});
-  CHECK(session.changes.redo.size() == 1);
+  CHECK(session.document->changes.redo.size() == 1);
   tune(session, "close", "thesis");
-  CHECK(session.changes.redo.empty());
+  CHECK(session.document->changes.redo.empty());
   apply(session, OpenExample{"sphere"});
-  REQUIRE(session.timeline);
-  CHECK(session.changes.undo.empty());
+  REQUIRE(session.document);
+  CHECK(session.document->changes.undo.empty());
   for (std::size_t i = 0; i < Changes::most + 20; ++i) tune(session, "cast-on", std::to_string(3 + i % 2));
-  CHECK(session.changes.undo.size() == Changes::most);
+  CHECK(session.document->changes.undo.size() == Changes::most);
 }
 
 TEST_CASE("what is cancelled leaves nothing to undo") {
   Session session = beside_session(large_parameters());
   tick_until(session, run_is_complete);
-  const Knobs before = knobs_of(*session.timeline);
+  const Knobs before = knobs_of(session.document->timeline);
   tune(session, "timing", "geodesic");
   tick_until(session, is_working);
-  CHECK(session.changes.undo.size() == 1);
+  CHECK(session.document->changes.undo.size() == 1);
   apply(session, CancelWork{});
-  CHECK(knobs_of(*session.timeline) == before);
-  CHECK(session.changes.undo.empty());
+  CHECK(knobs_of(session.document->timeline) == before);
+  CHECK(session.document->changes.undo.empty());
 }
 
 TEST_CASE("parameters as text read back equal, in the table's order") {
@@ -181,11 +184,11 @@ TEST_CASE("text that cannot be read is one sentence that names the line, and not
     CHECK(is_one_sentence(error));
     CHECK(error.size() < 300);
     Session session = small_session();
-    const Knobs before = knobs_of(*session.timeline);
+    const Knobs before = knobs_of(session.document->timeline);
     apply(session, PasteParameters{c.text});
-    CHECK(knobs_of(*session.timeline) == before);
-    REQUIRE(session.notices.size() == 1);
-    CHECK(session.notices[0].kind == Notice::Kind::error);
+    CHECK(knobs_of(session.document->timeline) == before);
+    REQUIRE(session.outbox->notices.size() == 1);
+    CHECK(session.outbox->notices[0].kind == Notice::Kind::error);
   }
 }
 
@@ -193,9 +196,9 @@ TEST_CASE("copy gives the clipboard what paste understands") {
   Session session = small_session();
   tune(session, "epsilon", "0.21");
   apply(session, CopyParameters{});
-  REQUIRE(session.clipboard_wanted);
+  REQUIRE(session.outbox->clipboard);
   Session other = small_session();
-  apply(other, PasteParameters{*session.clipboard_wanted});
-  CHECK(other.timeline->base_parameters() == session.timeline->base_parameters());
-  CHECK(other.changes.undo.size() == 1);
+  apply(other, PasteParameters{*session.outbox->clipboard});
+  CHECK(other.document->timeline.base_parameters() == session.document->timeline.base_parameters());
+  CHECK(other.document->changes.undo.size() == 1);
 }

@@ -1,4 +1,6 @@
 // The chart in the centre and the round at hand over it: keys, pointer, and what they wish.
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -35,7 +37,7 @@ TEST_CASE("the chart stands in the view's place, before there is anything to cha
   show_chart(desk);
   CHECK(desk.ui.controls.count("view") == 0);
   CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
-  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.timeline->furthest().rows.size()));
+  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.document->timeline.furthest().rows.size()));
 }
 
 TEST_CASE("a square under the pointer is shown everywhere, and a click goes to its round") {
@@ -45,8 +47,8 @@ TEST_CASE("a square under the pointer is shown everywhere, and a click goes to i
   const Actions hovered = desk.frames({middle});
   REQUIRE(count_of<HoverStitch>(hovered) == 1);
   desk.act(hovered);
-  REQUIRE(desk.session.hovered_stitch);
-  const auto row = desk.session.hovered_stitch->row;
+  REQUIRE(desk.session.view->gaze.hovered_stitch);
+  const auto row = desk.session.view->gaze.hovered_stitch->row;
   CHECK(row > 1);
   desk.settle();
   const Actions clicked =
@@ -56,7 +58,7 @@ TEST_CASE("a square under the pointer is shown everywhere, and a click goes to i
     if (const auto* seek = wish.get_if<SeekPlace>()) CHECK(seek->place.row == row);
   }
   desk.act(desk.frames({MouseLeave{}}));
-  CHECK_FALSE(desk.session.hovered_stitch);
+  CHECK_FALSE(desk.session.view->gaze.hovered_stitch);
 }
 
 TEST_CASE("a drag moves the chart and goes nowhere, the wheel brings it nearer") {
@@ -94,7 +96,7 @@ TEST_CASE("the round at hand is lit in the view") {
   Describer describer;
   const std::size_t before = describer.describe(desk.session).lines.size();
   desk.act({KnitAlong{4}});
-  const std::size_t stitches = desk.session.timeline->state().rows[3]->stitches.size();
+  const std::size_t stitches = desk.session.document->timeline.state().rows[3]->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   desk.act({HoverStitch{StitchAt{2, 1}}});
   const Scene scene = describer.describe(desk.session);

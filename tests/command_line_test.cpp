@@ -1,5 +1,7 @@
 // The command line as others script against it: words in, actions or an answer out.
 #include "app/script/command_line.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
 
 #include <algorithm>
 #include <map>
@@ -285,25 +287,25 @@ TEST_CASE("index on the mirror-completed sizes: decreases where the study says, 
 
 TEST_CASE("an opened example has its parameters, and the command line's over them") {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   REQUIRE_FALSE(open_as_asked(session, understood({"--cast-on", "8", "--close", "none"})));
-  REQUIRE(session.timeline);
-  CHECK(session.source.example == "thesis-sphere");
-  const knit::Parameters& parameters = session.timeline->parameters();
+  REQUIRE(session.document);
+  CHECK(session.document->source.example == "thesis-sphere");
+  const knit::Parameters& parameters = session.document->timeline.parameters();
   CHECK(parameters.cast_on == 8);
   CHECK(parameters.close == knit::Closing::none);
   CHECK(parameters.stitch_width == 0.1);
   CHECK(parameters.epsilon == 0.05);
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.defaults.cast_on == 0);
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->defaults.cast_on == 0);
 }
 
 TEST_CASE("a stitch width alone takes epsilon along, an epsilon given stays") {
   const auto epsilon_after = [](const Words& words) {
     Session session;
-    session.assets = KNIT_ASSETS_DIR;
+    session.program->assets = KNIT_ASSETS_DIR;
     REQUIRE_FALSE(open_as_asked(session, understood(words)));
-    return session.timeline->parameters().epsilon;
+    return session.document->timeline.parameters().epsilon;
   };
   CHECK(epsilon_after({"--stitch-width", "0.2"}) == Approx(0.1));
   CHECK(epsilon_after({"--stitch-width", "0.2", "--epsilon", "0.03"}) == 0.03);
@@ -312,9 +314,10 @@ TEST_CASE("a stitch width alone takes epsilon along, an epsilon given stays") {
 
 TEST_CASE("welding by the command line opens the welded mesh") {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   REQUIRE_FALSE(open_as_asked(session, understood({"--weld", "on"})));
-  CHECK(session.timeline->input().mesh.positions.size() < session.original->positions.size());
+  CHECK(session.document->timeline.input().mesh.positions.size() <
+        session.document->original->positions.size());
 }
 
 TEST_CASE("what cannot be opened as asked is one sentence") {
@@ -338,7 +341,7 @@ TEST_CASE("what cannot be opened as asked is one sentence") {
   for (const Case& c : cases) {
     CAPTURE(c.words);
     Session session;
-    session.assets = KNIT_ASSETS_DIR;
+    session.program->assets = KNIT_ASSETS_DIR;
     const auto error = open_as_asked(session, understood(c.words));
     REQUIRE(error);
     CAPTURE(*error);
@@ -350,25 +353,25 @@ TEST_CASE("what cannot be opened as asked is one sentence") {
 TEST_CASE("go_to reaches the end, a number of steps, a stage's first step and a place") {
   Session session = test_support::small_session();
   CHECK_FALSE(go_to(session, AtEnd{}));
-  CHECK(session.timeline->state().finished());
-  const std::size_t all = session.timeline->position();
+  CHECK(session.document->timeline.state().finished());
+  const std::size_t all = session.document->timeline.position();
 
   for (const std::size_t steps : {std::size_t{0}, std::size_t{1}, std::size_t{777}, all}) {
     Session fresh = test_support::small_session();
     CHECK_FALSE(go_to(fresh, steps));
-    CHECK(fresh.timeline->position() == steps);
+    CHECK(fresh.document->timeline.position() == steps);
   }
   for (const knit::Stage stage : knit::machine_stages) {
     Session fresh = test_support::small_session();
     CHECK_FALSE(go_to(fresh, AtStage{stage}));
-    CHECK(fresh.timeline->place().stage == stage);
-    CHECK(fresh.timeline->place().item == 0);
+    CHECK(fresh.document->timeline.place().stage == stage);
+    CHECK(fresh.document->timeline.place().item == 0);
     if (stage == knit::Stage::timing) continue;
-    CHECK(fresh.timeline->step(fresh.timeline->position() - 2).place.stage < stage);
+    CHECK(fresh.document->timeline.step(fresh.document->timeline.position() - 2).place.stage < stage);
   }
   Session fresh = test_support::small_session();
   CHECK_FALSE(go_to(fresh, knit::Place{knit::Stage::rows, 5, 3}));
-  CHECK(fresh.timeline->place() == knit::Place{knit::Stage::rows, 5, 3});
+  CHECK(fresh.document->timeline.place() == knit::Place{knit::Stage::rows, 5, 3});
 }
 
 TEST_CASE("go_to says when the run has no such place, and shows the nearest before it") {
@@ -376,14 +379,14 @@ TEST_CASE("go_to says when the run has no such place, and shows the nearest befo
   const auto too_far = go_to(session, std::size_t{1000000});
   REQUIRE(too_far);
   CHECK(is_one_sentence(*too_far));
-  CHECK(contains(*too_far, std::to_string(session.timeline->known())));
-  CHECK(session.timeline->position() == session.timeline->known());
+  CHECK(contains(*too_far, std::to_string(session.document->timeline.known())));
+  CHECK(session.document->timeline.position() == session.document->timeline.known());
 
   const auto no_row = go_to(session, knit::Place{knit::Stage::rows, 500, 0});
   REQUIRE(no_row);
   CHECK(is_one_sentence(*no_row));
   CHECK(contains(*no_row, "rows:500:0"));
-  CHECK(session.timeline->place().stage == knit::Stage::rows);
+  CHECK(session.document->timeline.place().stage == knit::Stage::rows);
 
   Session torus = test_support::example_session("torus");
   const auto not_reached = go_to(torus, AtStage{knit::Stage::faces});
@@ -397,12 +400,12 @@ namespace {
 
 knit::Parameters opened_with(const Words& words) {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   const auto error = open_as_asked(session, understood(words));
   CAPTURE(words);
   CHECK(error.value_or("") == "");
-  REQUIRE(session.timeline);
-  return session.timeline->parameters();
+  REQUIRE(session.document);
+  return session.document->timeline.parameters();
 }
 
 }  // namespace
@@ -468,7 +471,7 @@ TEST_CASE("a stitch height left to itself, and where rounds begin") {
   CHECK(opened_with({"--preset", "knitters-gauge", "--stitch-height", "auto"}).stitch_height == 0.0);
   CHECK(opened_with({"--start-direction", "-1,0,0"}).start_direction == glm::dvec3(-1.0, 0.0, 0.0));
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   const auto error = open_as_asked(session, understood({"--start-direction", "0,1,0"}));
   REQUIRE(error);
   CHECK(contains(*error, "give one across it"));
@@ -476,7 +479,7 @@ TEST_CASE("a stitch height left to itself, and where rounds begin") {
 
 TEST_CASE("two picked vertices that the mesh does not have are refused, however far out they are") {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   const auto error = open_as_asked(session, understood({"--start", "4000000000", "--end", "5"}));
   REQUIRE(error);
   CHECK(contains(*error, "--start 4000000000 is not a vertex"));

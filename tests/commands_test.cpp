@@ -1,5 +1,6 @@
 // Keys: each gives its action, and none while a person types.
 #include "app/panels/kit/commands.h"
+#include "app/session/view.h"
 
 #include <set>
 
@@ -13,7 +14,7 @@ TEST_CASE("every key of the table gives its action, and no key is nameless") {
       if (chord.key == Key::None && chord.character == 0) continue;
       Desk desk;
       desk.open();
-      if (info.command == Command::close) desk.session.picking = Picking::start;
+      if (info.command == Command::close) desk.session.view->gaze.picking = Picking::start;
       INFO(tooltip_of(info) << " by " << text_of(chord));
       const Actions wishes = desk.press(chord);
       REQUIRE(wishes.size() == 1);
@@ -73,10 +74,10 @@ TEST_CASE("the key of the side panels goes round all that have a name, and each 
   std::set<std::string> reached;
   for (std::size_t i = 0; i < side_keys.size(); ++i) {
     desk.act(desk.press({Key::R, {}, 0}));
-    const auto side = static_cast<std::size_t>(desk.session.side);
+    const auto side = static_cast<std::size_t>(desk.session.view->side);
     REQUIRE(side < side_keys.size());
     reached.insert(std::string(side_keys[side]));
   }
   CHECK(reached == tabs);
-  CHECK(desk.session.side == SidePanel::step);
+  CHECK(desk.session.view->side == SidePanel::step);
 }

@@ -2,16 +2,18 @@
 #include "tests/support/desk.h"
 
 #include "app/panels/compare/sweep_plot.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 using namespace desk;
 
 namespace {
 
 void tune_epsilon(Desk& desk, double epsilon) {
-  knit::Parameters parameters = desk.session.timeline->parameters();
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
   parameters.epsilon = epsilon;
   apply(desk.session, Tune{parameters});
-  desk.session.timeline->extend_to_end();
+  desk.session.document->timeline.extend_to_end();
 }
 
 bool shows(const Desk& desk, const std::string& control) { return desk.ui.controls.count(control) == 1; }
@@ -20,7 +22,7 @@ bool shows(const Desk& desk, const std::string& control) { return desk.ui.contro
 
 TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::compare;
+  desk.session.view->side = SidePanel::compare;
   desk.settle();
   desk.open();
   desk.act({only<PinRun>(desk.click("compare/pin"))});
@@ -35,8 +37,8 @@ TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
   desk.settle();
   CHECK(desk.ui.compare.times_compared() == times);
   desk.act({only<SwapPinned>(desk.click("compare/swap"))});
-  CHECK(desk.session.timeline->parameters().epsilon == wide_band().epsilon);
-  desk.session.timeline->extend_to_end();
+  CHECK(desk.session.document->timeline.parameters().epsilon == wide_band().epsilon);
+  desk.session.document->timeline.extend_to_end();
   desk.settle();
   CHECK(desk.ui.compare.times_compared() == times + 1);
   desk.act({only<Unpin>(desk.click("compare/unpin"))});
@@ -47,14 +49,14 @@ TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
 
 TEST_CASE("sweep side: start, point, take", "[panels]") {
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   desk.settle();
   desk.open();
   CHECK(desk.ui.sweep_form.axis.key == "epsilon");
   CHECK_FALSE(shows(desk, "sweep/problems"));
   desk.ui.sweep_form.axis = {"epsilon", 0.05, 0.25, 5};
   desk.act({only<StartSweep>(desk.click("sweep/start"))});
-  REQUIRE(desk.session.sweep);
+  REQUIRE(desk.session.document->sweep);
   desk.settle();
   for (const char* plot : {"sweep/problems", "sweep/stitches", "sweep/course-cv"}) {
     CAPTURE(plot);
@@ -63,12 +65,12 @@ TEST_CASE("sweep side: start, point, take", "[panels]") {
   const auto taken = only<TakeSweepValue>(desk.click("sweep/stitches", 0.97f));
   CHECK(taken.run == 4);
   desk.act({taken});
-  CHECK(desk.session.timeline->parameters().epsilon == 0.25);
+  CHECK(desk.session.document->timeline.parameters().epsilon == 0.25);
 }
 
 TEST_CASE("sweep side: the form shows the plan of a sweep that a script began", "[panels]") {
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   desk.open();
   desk.act({StartSweep{{{"epsilon", 0.06, 0.2, 4}, SweepAxis{"stitch-width", 0.4, 0.6, 3}}}});
   desk.settle();
@@ -82,7 +84,7 @@ TEST_CASE("sweep side: the form shows the plan of a sweep that a script began", 
 
 TEST_CASE("sweep side: two parameters make a map", "[panels]") {
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   desk.open();
   desk.click("sweep/grid");
   desk.settle();
@@ -96,8 +98,8 @@ TEST_CASE("sweep side: two parameters make a map", "[panels]") {
   const auto taken = only<TakeSweepValue>(desk.click("sweep/map", 0.97f));
   CHECK(taken.run == 10);  // the last column, the middle row
   desk.act({taken});
-  CHECK(desk.session.timeline->parameters().epsilon == 0.25);
-  CHECK(desk.session.timeline->parameters().stitch_width == 0.4);
+  CHECK(desk.session.document->timeline.parameters().epsilon == 0.25);
+  CHECK(desk.session.document->timeline.parameters().stitch_width == 0.4);
 }
 
 TEST_CASE("sweep side: the usual range of every parameter can be swept, one that cannot is told",
@@ -113,7 +115,7 @@ TEST_CASE("sweep side: the usual range of every parameter can be swept, one that
     CHECK(axis.to >= *value);
   }
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   desk.open();
   desk.ui.sweep_form.axis.from = 9.0;
   CHECK(desk.click("sweep/start").empty());
@@ -121,10 +123,10 @@ TEST_CASE("sweep side: the usual range of every parameter can be swept, one that
 
 TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the form", "[panels]") {
   Desk desk(1280, 720);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   desk.open();
   CHECK(desk.ui.sweep_form.axis.key == "epsilon");
-  knit::Parameters parameters = desk.session.timeline->parameters();
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
   parameters.rows = knit::RowSource::contours;
   apply(desk.session, Tune{parameters});
   desk.settle();

@@ -6,6 +6,10 @@
 
 #include "app/describe/describe.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/view.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -18,19 +22,19 @@ using test_support::small_session;
 namespace {
 
 void tune_epsilon(Session& session, double epsilon) {
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.epsilon = epsilon;
   apply(session, Tune{parameters});
 }
 
 RunDifference difference_now(Session& session) {
-  session.timeline->extend_to_end();
-  const Knobs knobs = knobs_of(*session.timeline);
-  const RunTally run = tally_of(*session.timeline);
+  session.document->timeline.extend_to_end();
+  const Knobs knobs = knobs_of(session.document->timeline);
+  const RunTally run = tally_of(session.document->timeline);
   const RunFigures figures = figures_of(run, knobs);
-  const Pin& pin = *session.pinned;
+  const Pin& pin = *session.document->pinned;
   return difference_of({*pin.input, pin.knobs, pin.end, pin.figures},
-                       {session.timeline->input(), knobs, run.state, figures});
+                       {session.document->timeline.input(), knobs, run.state, figures});
 }
 
 const FigureLine& figure(const RunDifference& difference, const std::string& key) {
@@ -53,17 +57,17 @@ LineSets ghosts_of(const Scene& scene) {
 
 TEST_CASE("figures: recorded or not, a run counts the same", "[compare]") {
   Session session = test_support::finished_small_session();
-  const Knobs knobs = knobs_of(*session.timeline);
-  const RunTally bare = whole_run(session.timeline->input(), knobs);
-  const RunTally recorded = tally_of(*session.timeline);
+  const Knobs knobs = knobs_of(session.document->timeline);
+  const RunTally bare = whole_run(session.document->timeline.input(), knobs);
+  const RunTally recorded = tally_of(session.document->timeline);
   CHECK(bare.state == recorded.state);
-  CHECK(bare.steps == session.timeline->known());
+  CHECK(bare.steps == session.document->timeline.known());
   CHECK(bare.steps == recorded.steps);
   CHECK(bare.problems == recorded.problems);
   const RunFigures figures = figures_of(bare, knobs);
   CHECK(figures.finished);
   CHECK(figures.stop.empty());
-  CHECK(figures.rows == session.timeline->furthest().rows.size());
+  CHECK(figures.rows == session.document->timeline.furthest().rows.size());
   const RowFigures rows = row_figures_of(bare.state, 0.3);
   double sum = 0.0;
   for (std::size_t i = 0; i < rows.stitches.size(); ++i) sum += rows.stitches[i] * rows.course[i] * 0.3;
@@ -73,8 +77,8 @@ TEST_CASE("figures: recorded or not, a run counts the same", "[compare]") {
 TEST_CASE("compare: equal runs do not differ", "[compare]") {
   Session session = small_session();
   apply(session, PinRun{});
-  REQUIRE(session.pinned);
-  REQUIRE(session.pinned->known);
+  REQUIRE(session.document->pinned);
+  REQUIRE(session.document->pinned->known);
   const RunDifference difference = difference_now(session);
   CHECK_FALSE(difference.any());
   CHECK(text_of(difference, "a", "b") == "Nothing differs.\n");
@@ -83,14 +87,14 @@ TEST_CASE("compare: equal runs do not differ", "[compare]") {
 TEST_CASE("compare: the first row that differs, the settings and the figures", "[compare]") {
   Session session = small_session();
   apply(session, PinRun{});
-  const knit::State before = session.pinned->end;
+  const knit::State before = session.document->pinned->end;
   tune_epsilon(session, 0.05);
   const RunDifference difference = difference_now(session);
   REQUIRE(difference.parameters.size() == 1);
   CHECK(difference.parameters[0].key == "epsilon");
   CHECK(difference.parameters[0].a == "0.15");
   CHECK(difference.parameters[0].b == "0.05");
-  const knit::State& after = session.timeline->furthest();
+  const knit::State& after = session.document->timeline.furthest();
   std::size_t row = 0;
   while (before.rows[row]->stitches == after.rows[row]->stitches) ++row;
   REQUIRE(difference.first_row);
@@ -106,14 +110,14 @@ TEST_CASE("compare: the first row that differs, the settings and the figures", "
 TEST_CASE("compare: rows alike that are made otherwise are told by their shaping", "[compare]") {
   Session session = small_session();
   apply(session, PinRun{});
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.placement = knit::PlacementPolicy::even;
   apply(session, Tune{parameters});
   const RunDifference difference = difference_now(session);
   REQUIRE(difference.first_row);
   CHECK(difference.first_row->how == RowDiffers::shaping);
-  const auto& a = session.pinned->end.transitions;
-  const auto& b = session.timeline->furthest().transitions;
+  const auto& a = session.document->pinned->end.transitions;
+  const auto& b = session.document->timeline.furthest().transitions;
   const auto at = static_cast<std::size_t>(difference.first_row->row) - 2;
   CHECK(a[at]->labels != b[at]->labels);
   CHECK((at == 0 || a[at - 1]->labels == b[at - 1]->labels));
@@ -122,71 +126,71 @@ TEST_CASE("compare: rows alike that are made otherwise are told by their shaping
 TEST_CASE("swap: the pinned knobs come to hand at the same place, and back", "[compare]") {
   Session session = small_session();
   apply(session, PinRun{});
-  const std::uint64_t first = knit::hash_of(session.timeline->furthest());
+  const std::uint64_t first = knit::hash_of(session.document->timeline.furthest());
   apply(session, SeekPlace{{knit::Stage::rows, 4, 0}});
-  const knit::Place place = session.timeline->place();
+  const knit::Place place = session.document->timeline.place();
   tune_epsilon(session, 0.07);
-  session.timeline->extend_to_end();
-  knit::Parameters edited = session.timeline->parameters();
+  session.document->timeline.extend_to_end();
+  knit::Parameters edited = session.document->timeline.parameters();
   edited.close = knit::Closing::none;
   apply(session, EditFromHere{edited});
-  session.timeline->extend_to_end();
-  const std::uint64_t second = knit::hash_of(session.timeline->furthest());
+  session.document->timeline.extend_to_end();
+  const std::uint64_t second = knit::hash_of(session.document->timeline.furthest());
   REQUIRE(first != second);
   apply(session, SwapPinned{});
-  CHECK(session.timeline->parameters().epsilon == 0.15);
-  CHECK(session.timeline->edits().empty());
-  session.timeline->extend_to_end();
-  CHECK(knit::hash_of(session.timeline->furthest()) == first);
-  CHECK(session.timeline->place() == place);
-  CHECK(knit::hash_of(session.pinned->end) == second);
+  CHECK(session.document->timeline.parameters().epsilon == 0.15);
+  CHECK(session.document->timeline.edits().empty());
+  session.document->timeline.extend_to_end();
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == first);
+  CHECK(session.document->timeline.place() == place);
+  CHECK(knit::hash_of(session.document->pinned->end) == second);
   apply(session, SwapPinned{});
-  session.timeline->extend_to_end();
-  CHECK(session.timeline->edits().size() == 1);
-  CHECK(knit::hash_of(session.timeline->furthest()) == second);
-  CHECK(knit::hash_of(session.pinned->end) == first);
+  session.document->timeline.extend_to_end();
+  CHECK(session.document->timeline.edits().size() == 1);
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == second);
+  CHECK(knit::hash_of(session.document->pinned->end) == first);
   apply(session, Unpin{});
-  CHECK_FALSE(session.pinned);
+  CHECK_FALSE(session.document->pinned);
   apply(session, SwapPinned{});
-  CHECK(knit::hash_of(session.timeline->furthest()) == second);
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == second);
 }
 
 TEST_CASE("swap: welding is swapped with, another mesh is refused", "[compare]") {
   Session session = small_session(true);
   apply(session, PinRun{});
-  const std::size_t loose = session.timeline->input().mesh.positions.size();
-  knit::Parameters parameters = session.timeline->parameters();
+  const std::size_t loose = session.document->timeline.input().mesh.positions.size();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.weld = knit::Weld::on;
   apply(session, Tune{parameters});
-  REQUIRE(session.timeline->input().mesh.positions.size() < loose);
+  REQUIRE(session.document->timeline.input().mesh.positions.size() < loose);
   apply(session, SwapPinned{});
-  CHECK(session.notices.empty());
-  CHECK(session.timeline->input().mesh.positions.size() == loose);
-  CHECK(session.timeline->base_parameters().weld == knit::Weld::off);
+  CHECK(session.outbox->notices.empty());
+  CHECK(session.document->timeline.input().mesh.positions.size() == loose);
+  CHECK(session.document->timeline.base_parameters().weld == knit::Weld::off);
   apply(session, OpenExample{"thesis-sphere"});
-  const knit::Parameters here = session.timeline->parameters();
-  const std::size_t notices = session.notices.size();
+  const knit::Parameters here = session.document->timeline.parameters();
+  const std::size_t notices = session.outbox->notices.size();
   apply(session, SwapPinned{});
-  REQUIRE(session.notices.size() == notices + 1);
-  CHECK(is_one_sentence(session.notices.back().text));
-  CHECK(session.timeline->parameters() == here);
+  REQUIRE(session.outbox->notices.size() == notices + 1);
+  CHECK(is_one_sentence(session.outbox->notices.back().text));
+  CHECK(session.document->timeline.parameters() == here);
 }
 
 TEST_CASE("pin: beside a window it takes its end when there is one", "[compare]") {
   Session session = small_session();
-  session.beside = true;
+  session.jobs->beside = true;
   apply(session, PinRun{});
-  REQUIRE(session.pinned);
+  REQUIRE(session.document->pinned);
   const bool tuned = GENERATE(false, true);
   const std::uint64_t whole =
-      knit::hash_of(whole_run(session.timeline->input(), session.pinned->knobs).state);
-  CHECK_FALSE(session.pinned->known);
+      knit::hash_of(whole_run(session.document->timeline.input(), session.document->pinned->knobs).state);
+  CHECK_FALSE(session.document->pinned->known);
   CHECK(pin_is_pending(session));
   if (tuned) tune_epsilon(session, 0.05);
-  test_support::tick_until(session, [](const Session& s) { return s.pinned->known; });
+  test_support::tick_until(session, [](const Session& s) { return s.document->pinned->known; });
   CHECK_FALSE(pin_is_pending(session));
-  CHECK(knit::hash_of(session.pinned->end) == whole);
-  CHECK(session.pinned->figures.finished);
+  CHECK(knit::hash_of(session.document->pinned->end) == whole);
+  CHECK(session.document->pinned->figures.finished);
 }
 
 TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", "[compare]") {
@@ -195,12 +199,13 @@ TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", 
   apply(session, PinRun{});
   CHECK(ghosts_of(describer.describe(session)).empty());
   tune_epsilon(session, 0.05);
-  session.timeline->extend_to_end();
+  session.document->timeline.extend_to_end();
   const LineSets first = ghosts_of(describer.describe(session));
   const RunDifference difference = difference_now(session);
   const auto same = static_cast<std::size_t>(difference.first_row->row) - 1;
-  CHECK(first.size() > session.pinned->end.rows.size() - same);
-  CHECK(first.size() <= session.pinned->end.rows.size() + session.pinned->end.strips.size() - same);
+  CHECK(first.size() > session.document->pinned->end.rows.size() - same);
+  CHECK(first.size() <=
+        session.document->pinned->end.rows.size() + session.document->pinned->end.strips.size() - same);
   apply(session, ToFirst{});
   CHECK(ghosts_of(describer.describe(session)) == first);
   apply(session, SetLayer{Layer::column_edges, false});
@@ -208,7 +213,7 @@ TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", 
   CHECK(rows.size() < first.size());
   CHECK(std::includes(first.begin(), first.end(), rows.begin(), rows.end()));
   tune_epsilon(session, 0.15);
-  session.timeline->extend_to_end();
+  session.document->timeline.extend_to_end();
   CHECK(ghosts_of(describer.describe(session)).empty());
   apply(session, Unpin{});
   tune_epsilon(session, 0.05);
@@ -217,7 +222,7 @@ TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", 
 
 TEST_CASE("set_knobs: exactly these parameters and edits, as a run of its own", "[timeline]") {
   Session session = small_session();
-  knit::Timeline& timeline = *session.timeline;
+  knit::Timeline& timeline = session.document->timeline;
   timeline.extend_to_end();
   timeline.seek(timeline.position_of({knit::Stage::rows, 6, 2}));
   const knit::Place place = timeline.place();

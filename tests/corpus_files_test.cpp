@@ -5,6 +5,9 @@
 #include <chrono>
 
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"
@@ -35,24 +38,24 @@ class Nobody {
 void check_refused(const fs::path& path, const std::vector<std::string>& words) {
   Session session = small_session();
   apply(session, SeekTo{300});
-  const std::uint64_t state = hash_of(session.timeline->state());
-  const knit::Parameters parameters = session.timeline->parameters();
+  const std::uint64_t state = hash_of(session.document->timeline.state());
+  const knit::Parameters parameters = session.document->timeline.parameters();
   const auto start = std::chrono::steady_clock::now();
   apply(session, OpenFile{path});
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
-  REQUIRE(session.notices.size() == 1);
-  const std::string& sentence = session.notices[0].text;
+  REQUIRE(session.outbox->notices.size() == 1);
+  const std::string& sentence = session.outbox->notices[0].text;
   CAPTURE(sentence);
   CHECK(is_one_sentence(sentence));
   for (const std::string& word : words) {
     CAPTURE(word);
     CHECK(contains(sentence, word));
   }
-  CHECK(session.timeline->position() == 300);
-  CHECK(hash_of(session.timeline->state()) == state);
-  CHECK(session.timeline->parameters() == parameters);
-  CHECK(session.source.file.empty());
-  CHECK_FALSE(session.mend_offer);
+  CHECK(session.document->timeline.position() == 300);
+  CHECK(hash_of(session.document->timeline.state()) == state);
+  CHECK(session.document->timeline.parameters() == parameters);
+  CHECK(session.document->source.file.empty());
+  CHECK_FALSE(session.jobs->mend_offer);
 }
 
 }  // namespace
@@ -97,16 +100,16 @@ TEST_CASE("corpus: a file that is not there or has gone", "[corpus]") {
   write_text(path, corpus::obj_of(corpus::ball()));
   Session session;
   apply(session, OpenFile{path});
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   fs::remove(path);
   check_refused(path, {"ball.obj does not exist"});
   // What is open needs its file no more: welding takes the mesh as it was read.
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.weld = knit::Weld::on;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
-  CHECK(session.timeline->state().finished());
-  CHECK(session.notices.empty());
+  CHECK(session.document->timeline.state().finished());
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("corpus: a file of two gigabytes is refused before it is read", "[corpus]") {

@@ -5,6 +5,10 @@
 #include <set>
 
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/corpus.h"
 #include "tests/support/session.h"
@@ -25,9 +29,13 @@ struct Seen {
 };
 
 Seen seen(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
-  return {session_text(session, "-").text, hash_of(timeline.state()),  timeline.known(),
-          session.notices.size(),          &session.timeline->input(), session.preferences.recent};
+  const knit::Timeline& timeline = session.document->timeline;
+  return {session_text(session, "-").text,
+          hash_of(timeline.state()),
+          timeline.known(),
+          session.outbox->notices.size(),
+          &session.document->timeline.input(),
+          session.program->preferences.recent};
 }
 
 Session session_under_way() {
@@ -39,12 +47,12 @@ Session session_under_way() {
 // The one sentence that a refused opening ends in, taken away again; else empty.
 std::string take_sentence(Session& session, std::size_t notices_before) {
   std::string sentence;
-  if (session.mend_offer) sentence = session.mend_offer->finding;
-  if (session.notices.size() == notices_before + 1) {
+  if (session.jobs->mend_offer) sentence = session.jobs->mend_offer->finding;
+  if (session.outbox->notices.size() == notices_before + 1) {
     CHECK(sentence.empty());
-    CHECK(session.notices.back().kind == Notice::Kind::error);
-    sentence = session.notices.back().text;
-    session.notices.pop_back();
+    CHECK(session.outbox->notices.back().kind == Notice::Kind::error);
+    sentence = session.outbox->notices.back().text;
+    session.outbox->notices.pop_back();
   }
   apply(session, DropMendOffer{});
   return sentence;
@@ -69,16 +77,16 @@ void check_refused(Session& session, const std::filesystem::path& path,
 void check_opened(const std::filesystem::path& path, const corpus::Opens& as) {
   Session session;
   apply(session, OpenFile{path});
-  if (!session.timeline) FAIL(take_sentence(session, 0));
-  CHECK(session.source.file == path);
-  CHECK(session.original->positions.size() == as.vertices);
-  CHECK(session.original->triangles.size() == as.triangles);
-  REQUIRE(session.findings.size() == as.warnings.size());
-  REQUIRE(session.notices.size() == as.warnings.size());
+  if (!session.document) FAIL(take_sentence(session, 0));
+  CHECK(session.document->source.file == path);
+  CHECK(session.document->original->positions.size() == as.vertices);
+  CHECK(session.document->original->triangles.size() == as.triangles);
+  REQUIRE(session.document->findings.size() == as.warnings.size());
+  REQUIRE(session.outbox->notices.size() == as.warnings.size());
   for (std::size_t i = 0; i < as.warnings.size(); ++i) {
-    CAPTURE(session.notices[i].text);
-    CHECK(is_one_sentence(session.notices[i].text));
-    CHECK(contains(session.notices[i].text, as.warnings[i]));
+    CAPTURE(session.outbox->notices[i].text);
+    CHECK(is_one_sentence(session.outbox->notices[i].text));
+    CHECK(contains(session.outbox->notices[i].text, as.warnings[i]));
   }
 }
 
@@ -87,12 +95,12 @@ std::vector<int> sizes_of_run(const knit::Mesh& mesh) {
   write_text(folder.path() / "ball.obj", corpus::obj_of(mesh));
   Session session;
   apply(session, OpenFile{folder.path() / "ball.obj"});
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   apply(session, ToLast{});
-  REQUIRE(session.timeline->complete());
+  REQUIRE(session.document->timeline.complete());
   INFO(sentence(session));
-  CHECK(session.timeline->stop() == nullptr);
-  return row_sizes(session.timeline->state());
+  CHECK(session.document->timeline.stop() == nullptr);
+  return row_sizes(session.document->timeline.state());
 }
 
 }  // namespace

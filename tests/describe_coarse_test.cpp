@@ -7,6 +7,10 @@
 #include "app/describe/describe.h"
 #include "app/describe/describe_motion.h"
 #include "app/describe/describe_symbols.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -17,22 +21,22 @@ namespace {
 // A run of more stitches than are always drawn whole.
 Session fine_session() {
   Session session;
-  session.timeline.emplace(knit::make_input(knit::sphere(48, 25, false)), [] {
+  session.document = Document(knit::Timeline(knit::make_input(knit::sphere(48, 25, false)), [] {
     knit::Parameters fine;
     fine.rows = knit::RowSource::contours;
     fine.placement = knit::PlacementPolicy::even;
     fine.stitch_width = fine.stitch_height = 0.019;
     fine.epsilon = 0.009;
     return fine;
-  }());
-  session.camera.frame(session.timeline->input().bounds, session.aspect);
+  }()));
+  session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);
   apply(session, ToLast{});
   return session;
 }
 
 std::size_t stitches_of(const Session& session) {
   std::size_t count = 0;
-  for (const auto& row : session.timeline->state().rows) count += row->stitches.size();
+  for (const auto& row : session.document->timeline.state().rows) count += row->stitches.size();
   return count;
 }
 
@@ -57,7 +61,7 @@ TEST_CASE("stitches smaller than some pixels are drawn coarsely, and as they are
   const double share = static_cast<double>(triangles_of(far)) / (2.0 * all);
   CHECK(share < 1.3 / (stride * stride));
   CHECK(share > 0.7 / (stride * stride));
-  session.camera.distance *= 0.2;
+  session.view->gaze.camera.distance *= 0.2;
   const Scene near = Describer().describe(session);
   CHECK(near.coarse == 1);
   CHECK(static_cast<double>(triangles_of(near)) > 1.8 * all);
@@ -66,7 +70,7 @@ TEST_CASE("stitches smaller than some pixels are drawn coarsely, and as they are
 TEST_CASE("drawn coarsely, it reaches from the first row to the last, and shows the rarer labels") {
   const Session session = fine_session();
   const Scene scene = Describer().describe(session);
-  const auto& rows = session.timeline->state().rows;
+  const auto& rows = session.document->timeline.state().rows;
   const glm::vec3 first(rows.front()->stitches.front().position);
   const glm::vec3 last(rows.back()->stitches.front().position);
   bool starts = false;
@@ -91,13 +95,13 @@ TEST_CASE("drawn coarsely, it reaches from the first row to the last, and shows 
 
 TEST_CASE("few stitches are always drawn whole, however far away") {
   Session session = test_support::finished_small_session();
-  session.camera.distance *= 50.0;
+  session.view->gaze.camera.distance *= 50.0;
   CHECK(coarseness(session, 300.0) == 1);
 }
 
 TEST_CASE("in pieces coarse shapes are made over some frames, at once they are whole, in a window too") {
   Session session = fine_session();
-  session.beside = true;
+  session.jobs->beside = true;
   // So large that much is made, and still coarsely.
   Showing showing{600.0, 1.0};
   while (coarseness(session, 1.2 * showing.height_px) > 1) showing.height_px *= 1.2;
@@ -124,7 +128,7 @@ TEST_CASE("a step's movement ends where it says, and is not there without a plac
   const auto at = place_of_step(session, *last_step(session));
   REQUIRE(at.has_value());
   const auto& measured = std::get<knit::CandidateMeasured>(last_step(session)->what);
-  CHECK(*at == glm::vec3(session.timeline->input().mesh.positions[measured.candidate]));
+  CHECK(*at == glm::vec3(session.document->timeline.input().mesh.positions[measured.candidate]));
   const auto points = [&](double appeared) {
     return Describer().describe(session, {600.0, appeared}).points;
   };
@@ -132,15 +136,15 @@ TEST_CASE("a step's movement ends where it says, and is not there without a plac
   REQUIRE(points(0.0).size() == still + 1);
   CHECK(points(0.0).back().position == *at);
   CHECK(points(0.0).back().diameter_px > points(0.9).back().diameter_px);
-  session.preferences.motion = false;
+  session.program->preferences.motion = false;
   CHECK(points(0.0).size() == still);
 }
 
 TEST_CASE("every step that makes something at one place has it") {
   Session session = test_support::finished_small_session();
-  for (std::size_t i = 0; i < session.timeline->known(); ++i) {
+  for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
     apply(session, SeekTo{i + 1});
-    const knit::Step& step = session.timeline->step(i);
+    const knit::Step& step = session.document->timeline.step(i);
     const bool places = std::holds_alternative<knit::VertexTimed>(step.what) ||
                         std::holds_alternative<knit::StitchCastOn>(step.what) ||
                         std::holds_alternative<knit::CandidateMeasured>(step.what) ||
@@ -166,7 +170,7 @@ TEST_CASE("faces bear their symbols when they are near") {
   CHECK(ink(60.0) == 0);
   const auto drawn = ink(2000.0);
   std::size_t shaping = 0;
-  for (const auto& strip : session.timeline->state().strips)
+  for (const auto& strip : session.document->timeline.state().strips)
     for (const knit::Face& face : strip->faces) shaping += knit::is_shaping(face.label) ? 1U : 0U;
   CHECK(static_cast<std::size_t>(drawn) >= shaping);
   CHECK(static_cast<std::size_t>(drawn) <= 2 * shaping);

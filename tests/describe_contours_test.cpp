@@ -8,6 +8,8 @@
 
 #include "app/describe/describe.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -19,8 +21,8 @@ namespace {
 
 Session session_of(const knit::Mesh& mesh, const knit::Parameters& parameters) {
   Session session;
-  session.original = std::make_shared<const knit::Mesh>(mesh);
-  session.timeline.emplace(knit::make_input(mesh), parameters);
+  session.document->original = std::make_shared<const knit::Mesh>(mesh);
+  session.document = Document(knit::Timeline(knit::make_input(mesh), parameters));
   apply(session, ToLast{});
   return session;
 }
@@ -46,8 +48,8 @@ Scene scene_of(const Session& session) { return Describer().describe(session); }
 // Moves to the first step of the kind at or after the place; returns it.
 template <class Kind>
 Kind seek_to(Session& session, const knit::Place& from) {
-  for (std::size_t i = 0; i < session.timeline->known(); ++i) {
-    const knit::Step& step = session.timeline->step(i);
+  for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
+    const knit::Step& step = session.document->timeline.step(i);
     if (step.place < from || !std::holds_alternative<Kind>(step.what)) continue;
     apply(session, SeekTo{i + 1});
     return std::get<Kind>(step.what);
@@ -57,7 +59,7 @@ Kind seek_to(Session& session, const knit::Place& from) {
 }
 
 const knit::ContourWork& work_of(const Session& session) {
-  return std::get<knit::ContourWork>(session.timeline->state().work);
+  return std::get<knit::ContourWork>(session.document->timeline.state().work);
 }
 const knit::Ring& ring_of(const Session& session) {
   const knit::ContourWork& work = work_of(session);
@@ -189,7 +191,8 @@ TEST_CASE("without the cycle's layer only the stitches are left, without theirs 
 TEST_CASE("isolines lie at equal steps of the time, by height or along the surface") {
   const auto timing = GENERATE(knit::TimingKind::linear, knit::TimingKind::arc_length);
   Session session = contour_session(timing);
-  const auto lines = isolines_of(dark_theme, session.timeline->input(), *session.timeline->state().timing);
+  const auto lines =
+      isolines_of(dark_theme, session.document->timeline.input(), *session.document->timeline.state().timing);
   std::array<std::size_t, 20> met{};
   std::size_t off = 0;
   for (const Line& line : *lines) {
@@ -226,7 +229,7 @@ TEST_CASE("isolines are there with their layer once the times are, and are made 
   apply(session, SetLayer{Layer::isolines, true});
   CHECK(isolines_at({Stage::rows, 4, 0}) == first);
 
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.timing = knit::TimingKind::linear;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
@@ -242,7 +245,7 @@ TEST_CASE("critical points are marked from where they are found, and named there
   };
   CHECK(count_marks(scene_of(session)) == 0);
   seek_to<knit::CriticalsFound>(session, {});
-  const auto& mesh = session.timeline->input().mesh;
+  const auto& mesh = session.document->timeline.input().mesh;
   Scene scene = scene_of(session);
   CHECK(has_point(scene, mesh.positions.front(), dark_theme.time_low));
   CHECK(has_point(scene, mesh.positions.back(), dark_theme.time_high));
@@ -263,8 +266,8 @@ TEST_CASE("where a run stops at a split the loops and the saddle to blame are sh
   REQUIRE(stop_shown(session) != nullptr);
   const auto& stopped = std::get<knit::Stopped>(stop_shown(session)->what);
   REQUIRE(stopped.reason == knit::StopReason::splits);
-  const auto& criticals = session.timeline->state().timing->criticals;
-  const auto& place = session.timeline->input().mesh.positions[stopped.vertex];
+  const auto& criticals = session.document->timeline.state().timing->criticals;
+  const auto& place = session.document->timeline.input().mesh.positions[stopped.vertex];
   Scene scene = scene_of(session);
   CHECK(captions_of(scene) == Texts{"saddle"});
   CHECK(scene.captions[0].position == glm::vec3(place));

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
@@ -22,14 +24,14 @@ namespace {
 Scene scene_of(const Session& session) { return Describer().describe(session); }
 
 glm::vec3 vertex_place(const Session& session, knit::VertexId vertex) {
-  return glm::vec3(session.timeline->input().mesh.positions[vertex]);
+  return glm::vec3(session.document->timeline.input().mesh.positions[vertex]);
 }
 
 // Moves to the first step from the position on that is of the kind and passes the test; returns it.
 template <class Kind, class Test>
 Kind seek_to_step(Session& session, Test test) {
-  for (std::size_t i = session.timeline->position(); i < session.timeline->known(); ++i) {
-    const auto* what = std::get_if<Kind>(&session.timeline->step(i).what);
+  for (std::size_t i = session.document->timeline.position(); i < session.document->timeline.known(); ++i) {
+    const auto* what = std::get_if<Kind>(&session.document->timeline.step(i).what);
     if (what == nullptr || !test(*what)) continue;
     apply(session, SeekTo{i + 1});
     return *what;
@@ -71,12 +73,12 @@ std::size_t count_triangles(const Scene& scene, std::optional<Colour> colour = s
   return triangles;
 }
 
-void set_all_layers(Session& session, bool on) { session.layers.fill(on); }
+void set_all_layers(Session& session, bool on) { session.view->layers.fill(on); }
 
 // A run with stalls that are mended, so that every kind of step is there.
 Session uneven_session() {
   Session session = small_session();
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.epsilon = 0.01;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
@@ -95,7 +97,7 @@ TEST_CASE("with nothing open there is a background and no mesh") {
 TEST_CASE("the mesh: every vertex with its normal outward, and times up to the vertex timed last") {
   Session session = small_session();
   Scene scene = scene_of(session);
-  const knit::Mesh& mesh = session.timeline->input().mesh;
+  const knit::Mesh& mesh = session.document->timeline.input().mesh;
   REQUIRE(scene.mesh);
   REQUIRE(scene.mesh->positions.size() == mesh.positions.size());
   REQUIRE(scene.mesh->normals.size() == mesh.positions.size());
@@ -124,7 +126,7 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
 TEST_CASE("a seam does not show in the normals") {
   const Session session = small_session(true);
   const Scene scene = scene_of(session);
-  const auto& twin = session.timeline->input().twin;
+  const auto& twin = session.document->timeline.input().twin;
   std::size_t twins = 0;
   for (std::size_t v = 0; v < twin.size(); ++v) {
     if (twin[v] != v) ++twins;
@@ -188,7 +190,7 @@ TEST_CASE("while a row is walked: anchor, band, candidates, and the distance as 
     const Colour colour = verdict == knit::Verdict::accepted ? dark_theme.accepted : dark_theme.ring;
     CHECK(has_point(scene, to, colour));
     // The whole cycle is there: measured or not yet.
-    const auto ring = std::get<knit::RowWork>(session.timeline->state().work).ring;
+    const auto ring = std::get<knit::RowWork>(session.document->timeline.state().work).ring;
     CHECK(count_points(scene, dark_theme.ring) + count_points(scene, dark_theme.too_near) >=
           ring->vertices.size());
   }
@@ -207,13 +209,13 @@ TEST_CASE("who guesses sees the band that the next verdict falls by") {
 
 TEST_CASE("finished faces cover the surface from the first row to the last that they reach") {
   Session session = finished_small_session();
-  const auto& rows = session.timeline->furthest().rows;
+  const auto& rows = session.document->timeline.furthest().rows;
   Scene scene = scene_of(session);
   REQUIRE(scene.covered);
   CHECK(scene.covered->from == static_cast<float>(rows.front()->time));
   CHECK(scene.covered->to == static_cast<float>(rows.back()->time));
   apply(session, SeekPlace{{Stage::faces, 4, 1}});
-  REQUIRE(session.timeline->state().strips.size() == 2);
+  REQUIRE(session.document->timeline.state().strips.size() == 2);
   scene = scene_of(session);
   REQUIRE(scene.covered);
   CHECK(scene.covered->to == static_cast<float>(rows[2]->time));
@@ -249,7 +251,7 @@ TEST_CASE("a stall that was mended shows as a problem, with its distance") {
 TEST_CASE("finished rows: an edge and a point a stitch, first and last row in the colour of the cast on") {
   Session session = finished_small_session();
   const Scene scene = scene_of(session);
-  const auto& rows = session.timeline->state().rows;
+  const auto& rows = session.document->timeline.state().rows;
   std::size_t stitches = 0;
   for (const auto& row : rows) stitches += row->stitches.size();
   const std::size_t ends = rows.front()->stitches.size() + rows.back()->stitches.size();
@@ -258,7 +260,7 @@ TEST_CASE("finished rows: an edge and a point a stitch, first and last row in th
   CHECK(count_lines(scene, dark_theme.of(knit::Label::cast)) == ends);
   CHECK(count_lines(scene, dark_theme.row_edge) == stitches - ends);
   std::size_t columns = 0;
-  for (const auto& strip : session.timeline->state().strips) columns += strip->column_edges.size();
+  for (const auto& strip : session.document->timeline.state().strips) columns += strip->column_edges.size();
   CHECK(count_lines(scene, dark_theme.column_edge) == columns);
 }
 
@@ -267,7 +269,7 @@ TEST_CASE("labels are placed as coloured stitches, each with its name as it is p
   apply(session, SeekPlace{{Stage::stitches, 2, 0}});
   std::set<std::string> seen;
   std::size_t wrong = 0;
-  while (session.timeline->place().stage == Stage::stitches) {
+  while (session.document->timeline.place().stage == Stage::stitches) {
     const auto* shaping = std::get_if<knit::ShapingPlaced>(&last_step(session)->what);
     const bool main = std::holds_alternative<knit::MainPlaced>(last_step(session)->what);
     const Scene scene = scene_of(session);
@@ -294,7 +296,7 @@ TEST_CASE("faces carry the palette's colour of their label") {
   const Scene scene = scene_of(session);
   std::array<std::size_t, 7> triangles{};
   std::set<int> labels;
-  for (const auto& strip : session.timeline->state().strips) {
+  for (const auto& strip : session.document->timeline.state().strips) {
     for (const knit::Face& face : strip->faces) {
       triangles.at(static_cast<std::size_t>(face.label)) += face.corner_count == 4 ? 2U : 1U;
       labels.insert(static_cast<int>(face.label));
@@ -329,7 +331,7 @@ TEST_CASE("faces appear one by one, the newest outlined, the last of a row too")
     before = count_triangles(scene);
   }
   CHECK(wrong == 0);
-  CHECK(session.timeline->place().row > 4);
+  CHECK(session.document->timeline.place().row > 4);
 }
 
 TEST_CASE("the four shaping colours, knit, main and cast on differ clearly from each other") {
@@ -348,7 +350,8 @@ TEST_CASE("with all layers off nothing is left, at any step") {
     set_all_layers(session, false);
     Describer describer;
     std::set<std::string> drawn;
-    for (std::size_t position = 0; position <= session.timeline->known(); position += position < 4 ? 1 : 7) {
+    for (std::size_t position = 0; position <= session.document->timeline.known();
+         position += position < 4 ? 1 : 7) {
       apply(session, SeekTo{position});
       const Scene scene = describer.describe(session);
       const bool empty = scene.points.empty() && scene.lines.empty() && scene.captions.empty() &&
@@ -380,9 +383,9 @@ TEST_CASE("each layer takes away its own and nothing else") {
     const Scene all = scene_of(session);
     std::size_t taken = 0;
     for (std::size_t i = 0; i < layer_count; ++i) {
-      session.layers[i] = false;
+      session.view->layers[i] = false;
       const Scene less = scene_of(session);
-      session.layers[i] = true;
+      session.view->layers[i] = true;
       CHECK(amount(less) <= amount(all));
       taken += amount(all) - amount(less);
     }
@@ -393,7 +396,7 @@ TEST_CASE("each layer takes away its own and nothing else") {
 TEST_CASE("layers by name: surface, times, mesh edges, faces, edges, stitches, band") {
   Session session = finished_small_session();
   const auto without = [&](Layer layer) {
-    session.layers.fill(true);
+    session.view->layers.fill(true);
     apply(session, SetLayer{layer, false});
     return scene_of(session);
   };
@@ -474,13 +477,13 @@ TEST_CASE("what is shown never depends on what was shown before") {
     REQUIRE((a.times == nullptr) == (b.times == nullptr));
     if (a.times != nullptr) CHECK(*a.times == *b.times);
   };
-  const std::size_t all = session.timeline->known();
+  const std::size_t all = session.document->timeline.known();
   for (const std::size_t position :
        {all, std::size_t{900}, all - 30, std::size_t{10}, std::size_t{1200}, all}) {
     apply(session, SeekTo{position});
     check_same();
   }
-  knit::Parameters tuned = session.timeline->parameters();
+  knit::Parameters tuned = session.document->timeline.parameters();
   for (const double epsilon : {0.1, 0.15}) {
     tuned.epsilon = epsilon;
     apply(session, Tune{tuned});

@@ -7,6 +7,8 @@
 
 #include "app/describe/describe.h"
 #include "app/explain/code_variables.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -24,13 +26,13 @@ Scene pointed(Session& session, const std::string& name) {
 }
 
 glm::vec3 place_of(const Session& session, knit::VertexId vertex) {
-  return glm::vec3(session.timeline->input().mesh.positions[vertex]);
+  return glm::vec3(session.document->timeline.input().mesh.positions[vertex]);
 }
 
 template <class Kind, class Test>
 Kind seek_to(Session& session, Test test) {
-  for (std::size_t i = 0; i < session.timeline->known(); ++i) {
-    const auto* what = std::get_if<Kind>(&session.timeline->step(i).what);
+  for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
+    const auto* what = std::get_if<Kind>(&session.document->timeline.step(i).what);
     if (what == nullptr || !test(*what)) continue;
     apply(session, SeekTo{i + 1});
     return *what;
@@ -101,9 +103,9 @@ TEST_CASE("w and epsilon are the band round the anchor of the step, though the n
 TEST_CASE("the row below, the ring and the gap are lit") {
   Session session = test_support::finished_small_session();
   seek_to_accepted(session);
-  const auto& rows = session.timeline->state().rows;
+  const auto& rows = session.document->timeline.state().rows;
   CHECK(lit(pointed(session, "below")) == 2 * rows.back()->stitches.size());
-  const auto& ring = *std::get<knit::RowWork>(session.timeline->state().work).ring;
+  const auto& ring = *std::get<knit::RowWork>(session.document->timeline.state().work).ring;
   CHECK(lit(pointed(session, "cycle")) == ring.points.size());
   CHECK(says(pointed(session, "length"), "L = " + knit::short_number(ring.length)));
   CHECK(lit(pointed(session, "gap")) == 0);  // not before the row closes
@@ -128,9 +130,9 @@ TEST_CASE("every variable may be pointed at anywhere, and one that has a place s
   for (Session& session : runs) {
     Describer describer;
     std::set<std::size_t> seen;
-    for (std::size_t position = 1; position <= session.timeline->known(); ++position) {
-      const bool news = seen.insert(session.timeline->step(position - 1).what.index()).second;
-      if (!news && position % 11 != 0 && position != session.timeline->known()) continue;
+    for (std::size_t position = 1; position <= session.document->timeline.known(); ++position) {
+      const bool news = seen.insert(session.document->timeline.step(position - 1).what.index()).second;
+      if (!news && position % 11 != 0 && position != session.document->timeline.known()) continue;
       apply(session, SeekTo{position});
       apply(session, PointAt{""});
       const bool band = describer.describe(session).band.has_value();
@@ -183,7 +185,7 @@ TEST_CASE("a cast-on stitch shows the arc to it, a row that closes the arc of it
   CHECK(length == Approx(cast_on.arc).epsilon(0.02));
 
   seek_to<knit::RowClosed>(session, [](const auto& closed) { return closed.stitches > 8; });
-  const auto& closed = std::get<knit::RowWork>(session.timeline->state().work).closed;
+  const auto& closed = std::get<knit::RowWork>(session.document->timeline.state().work).closed;
   const auto soft = [](const Scene& scene) {
     std::vector<Line> lines;
     for (const Line& line : scene.lines) {
@@ -206,7 +208,7 @@ TEST_CASE("a gap that is shared shows by how much each stitch moved") {
   Session session = test_support::finished_small_session();
   const auto shared = seek_to<knit::GapShared>(
       session, [](const auto& s) { return s.shared && !s.resampled && s.stitches > 8; });
-  const auto row = session.timeline->state().rows.back();
+  const auto row = session.document->timeline.state().rows.back();
   const Scene scene = scene_of(session);
   std::size_t moves = 0;
   for (const knit::Stitch& stitch : row->stitches) {

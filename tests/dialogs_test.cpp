@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -16,7 +17,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   Desk desk;
   desk.open();
   desk.ui.open.folder = folder;
-  desk.session.open_dialog_open = true;
+  desk.session.view->dialogs.open_dialog_open = true;
   desk.settle();
   CHECK(desk.ui.controls.count("open/ball.OBJ") == 1);
   CHECK(desk.ui.controls.count("open/inner") == 1);
@@ -51,12 +52,12 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   }
   SECTION("Escape closes") {
     CHECK_FALSE(only<ShowOpenDialog>(desk.press({Key::Escape, {}, 0})).open);
-    desk.session.open_dialog_open = false;
+    desk.session.view->dialogs.open_dialog_open = false;
     desk.settle();
     only<SetPlaying>(desk.press({Key::Space, {}, 0}));
   }
   SECTION("closed by another hand") {
-    desk.session.open_dialog_open = false;
+    desk.session.view->dialogs.open_dialog_open = false;
     desk.settle();
     CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
   }

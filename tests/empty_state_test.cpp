@@ -1,6 +1,10 @@
 // With nothing open: how one comes there, by hand and from the command line, and that nothing can be asked then.
 #include "app/files/export.h"
 #include "app/script/command_line.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -15,17 +19,13 @@ TEST_CASE("closing the mesh puts away all that belongs to it, and another can be
   apply(session, PinRun{});
   apply(session, Select{knit::VertexThing{3}});
   apply(session, SetPredicting{true});
-  const Preferences preferences = session.preferences;
+  const Preferences preferences = session.program->preferences;
   apply(session, CloseMesh{});
-  CHECK_FALSE(session.timeline);
-  CHECK_FALSE(session.original);
-  CHECK_FALSE(session.pinned);
-  CHECK_FALSE(session.travel.selected);
-  CHECK_FALSE(session.prediction);
-  CHECK(session.source.example.empty());
-  CHECK(session.notices.empty());
-  CHECK(session.preferences.recent == preferences.recent);  // so that it is one click away
-  REQUIRE(!session.preferences.recent.empty());
+  CHECK_FALSE(session.document);
+  CHECK_FALSE(session.learning->prediction);
+  CHECK(session.outbox->notices.empty());
+  CHECK(session.program->preferences.recent == preferences.recent);  // so that it is one click away
+  REQUIRE(!session.program->preferences.recent.empty());
   // With nothing open these do nothing, and exports say so.
   for (const Action& action : Actions{CloseMesh{}, ToLast{}, PassTime{0.1}, Undo{}, GoBack{}, FrameAll{}})
     apply(session, action);
@@ -33,16 +33,16 @@ TEST_CASE("closing the mesh puts away all that belongs to it, and another can be
   REQUIRE(refused);
   CHECK(refused->find("nothing is open") != std::string::npos);
   apply(session, OpenExample{"sphere"});
-  CHECK(session.timeline);
+  CHECK(session.document);
 }
 
 TEST_CASE("closing the mesh leaves a lesson too") {
   Session session = example_session("sphere");
   apply(session, StartLesson{"what-it-does"});
-  REQUIRE(session.lesson);
+  REQUIRE(session.learning->lesson);
   apply(session, CloseMesh{});
-  CHECK_FALSE(session.lesson);
-  CHECK_FALSE(session.timeline);
+  CHECK_FALSE(session.learning->lesson);
+  CHECK_FALSE(session.document);
 }
 
 TEST_CASE("with --empty nothing is opened, and nothing can be asked of it") {
@@ -50,9 +50,9 @@ TEST_CASE("with --empty nothing is opened, and nothing can be asked of it") {
       parse_command_line({"--empty", "--headless", "--screenshot", "start.png"}, KNIT_ASSETS_DIR);
   REQUIRE(std::holds_alternative<CommandLine>(parsed));
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   CHECK_FALSE(open_as_asked(session, std::get<CommandLine>(parsed)));
-  CHECK_FALSE(session.timeline);
+  CHECK_FALSE(session.document);
   for (const std::vector<std::string>& more :
        std::vector<std::vector<std::string>>{{"mesh.obj"},
                                              {"--example", "sphere"},

@@ -14,6 +14,7 @@
 #include "app/files/card.h"
 #include "app/script/command_line.h"
 #include "app/script/subcommands.h"
+#include "app/session/document.h"
 #include "knit/import/obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -135,7 +136,7 @@ TEST_CASE("thesis sphere: the mesh has a vertex a stitch along the knitting path
   const Session session = finished_example("thesis-sphere");
   const Obj obj = parse_obj(mesh_text(session));
   std::vector<glm::dvec3> path;
-  for (const auto& row : session.timeline->state().rows) {
+  for (const auto& row : session.document->timeline.state().rows) {
     for (const knit::Stitch& stitch : row->stitches) path.push_back(stitch.position);
   }
   CHECK(path.size() == 3372);
@@ -181,9 +182,9 @@ TEST_CASE("every example that finishes gives a tube with two ends, and its mesh 
   for (const char* name : {"sphere", "stretched-sphere", "egg", "capsule", "cone", "vase"}) {
     CAPTURE(name);
     const Session session = finished_example(name);
-    REQUIRE(session.timeline->state().finished());
+    REQUIRE(session.document->timeline.state().finished());
     const std::string text = mesh_text(session);
-    const auto& rows = session.timeline->state().rows;
+    const auto& rows = session.document->timeline.state().rows;
     auto loops = loop_sizes(boundary_of(parse_obj(text)));
     CHECK(loops == std::vector<std::size_t>{rows.front()->stitches.size(), rows.back()->stitches.size()});
 
@@ -209,7 +210,7 @@ TEST_CASE("every example that finishes gives a tube with two ends, and its mesh 
 TEST_CASE("before faces are made, rows are closed lines") {
   Session session = test_support::small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
-  const auto& rows = session.timeline->state().rows;
+  const auto& rows = session.document->timeline.state().rows;
   REQUIRE(rows.size() == 4);
   const Obj obj = parse_obj(mesh_text(session));
   CHECK(obj.faces.empty());
@@ -242,7 +243,7 @@ TEST_CASE(
   parameters.stitch_width = 0.25;
   parameters.epsilon = 0.125;
   parameters.cast_on = 12;
-  session.timeline.emplace(knit::make_input(knit::sphere(40, 4)), parameters);
+  session.document->timeline = knit::Timeline(knit::make_input(knit::sphere(40, 4)), parameters);
   apply(session, ToLast{});
   const Json report = Json::parse(report_text(session));
   const std::vector<int> rows = report["rows"];
@@ -277,7 +278,7 @@ TEST_CASE("thesis sphere: the report's every field") {
   CHECK(parameters["close"] == "thesis");
   CHECK(parameters["start"] == "auto");
 
-  CHECK(report["steps"] == session.timeline->known());
+  CHECK(report["steps"] == session.document->timeline.known());
   CHECK(report["rows"] == Json(golden_rows()));
   CHECK(report["faces"] == Json({{"quads", 3307}, {"triangles", 118}}));
   CHECK(report["euler"] == 0);
@@ -311,7 +312,7 @@ TEST_CASE("a report shows the position, at the start too") {
 
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
   const Json middle = Json::parse(report_text(session));
-  CHECK(middle["steps"] == session.timeline->position());
+  CHECK(middle["steps"] == session.document->timeline.position());
   CHECK(middle["rows"].size() == 4);
   CHECK(middle["faces"]["quads"] == 0);
 }
@@ -321,7 +322,7 @@ TEST_CASE("a stop is the last problem, and the last line of the steps") {
   const Json report = Json::parse(report_text(torus));
   REQUIRE(report["problems"].size() == 1);
   const Json& problem = report["problems"][0];
-  CHECK(problem["step"] == torus.timeline->known() + 1);
+  CHECK(problem["step"] == torus.document->timeline.known() + 1);
   for (const char* field : {"stage", "row", "item"}) CHECK(problem.contains(field));
   CHECK(contains(problem["what"], "split"));
   const Json last = Json::parse(lines_of(steps_text(torus)).back());
@@ -331,7 +332,7 @@ TEST_CASE("a stop is the last problem, and the last line of the steps") {
 
 TEST_CASE("a mended stall is a problem with its place") {
   Session session = test_support::small_session();
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.epsilon = 0.01;
   parameters.resample = knit::Resample::on;
   apply(session, Tune{parameters});
@@ -340,7 +341,7 @@ TEST_CASE("a mended stall is a problem with its place") {
   REQUIRE_FALSE(report["problems"].empty());
   for (const Json& problem : report["problems"]) {
     const std::size_t step = problem["step"];
-    const knit::Place& place = session.timeline->step(step - 1).place;
+    const knit::Place& place = session.document->timeline.step(step - 1).place;
     CHECK(problem["stage"] == std::string(knit::name_of(place.stage)));
     CHECK(problem["row"] == place.row);
     CHECK(problem["item"] == place.item);
@@ -352,7 +353,7 @@ TEST_CASE("the steps are one JSON object a line, as many as steps were taken") {
   Session session = test_support::finished_small_session();
   std::set<std::string> stages;
   const std::vector<std::string> lines = lines_of(steps_text(session));
-  REQUIRE(lines.size() == session.timeline->known());
+  REQUIRE(lines.size() == session.document->timeline.known());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Json step = Json::parse(lines[i]);
     CHECK(step["step"] == i + 1);
@@ -368,9 +369,9 @@ TEST_CASE("the steps are one JSON object a line, as many as steps were taken") {
 
 TEST_CASE("a mesh whose name is no valid text still gives a report") {
   Session session = test_support::small_session();
-  knit::Mesh mesh = *session.original;
+  knit::Mesh mesh = *session.document->original;
   mesh.name = "caf\xE9";  // a file name in Latin-1
-  session.timeline.emplace(knit::make_input(mesh), test_support::small_parameters());
+  session.document->timeline = knit::Timeline(knit::make_input(mesh), test_support::small_parameters());
   const Json report = Json::parse(report_text(session));
   CHECK(report["mesh"]["name"].get<std::string>().substr(0, 3) == "caf");
 }

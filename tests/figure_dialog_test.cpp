@@ -2,6 +2,8 @@
 #include <imgui.h>
 
 #include "app/files/figures.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -70,11 +72,11 @@ TEST_CASE("the picture dialog offers sizes, panels and no ground") {
 TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   Desk desk;
   desk.open();
-  desk.act({SeekTo{desk.session.timeline->known() / 2}});
+  desk.act({SeekTo{desk.session.document->timeline.known() / 2}});
   desk.ui.figure.wanted = FigureDialog::Kind::animation;
   desk.settle();
   SaveAnimation wish = only<SaveAnimation>(desk.click("figure/save"));
-  CHECK(wish.stretch == Stretch{0, desk.session.timeline->known()});
+  CHECK(wish.stretch == Stretch{0, desk.session.document->timeline.known()});
   CHECK(wish.frames == 120);
   CHECK(wish.frames_per_second == 20.0);
   CHECK(wish.path.extension() == ".gif");
@@ -83,10 +85,10 @@ TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   desk.ui.figure.of = FigureDialog::Of::row;
   desk.settle();
   wish = only<SaveAnimation>(desk.press({Key::Enter, {}, 0}));
-  CHECK(wish.stretch.begin < desk.session.timeline->position());
-  CHECK(wish.stretch.end >= desk.session.timeline->position());
-  const knit::Place first = desk.session.timeline->step(wish.stretch.begin).place;
-  const knit::Place last = desk.session.timeline->step(wish.stretch.end - 1).place;
+  CHECK(wish.stretch.begin < desk.session.document->timeline.position());
+  CHECK(wish.stretch.end >= desk.session.document->timeline.position());
+  const knit::Place first = desk.session.document->timeline.step(wish.stretch.begin).place;
+  const knit::Place last = desk.session.document->timeline.step(wish.stretch.end - 1).place;
   CHECK(first.row == last.row);
   CHECK(first.stage == last.stage);
 
@@ -112,7 +114,7 @@ TEST_CASE("an animation in the making shows how far it has come and can be cance
   run.wish.path = "a.gif";
   run.frames = 100;
   run.done = 30;
-  desk.session.animation = std::make_shared<const AnimationRun>(run);
+  desk.session.jobs->animation = std::make_shared<const AnimationRun>(run);
   desk.settle();
   only<CancelAnimation>(desk.click("animation/cancel"));
 }

@@ -1,5 +1,6 @@
 // The command line's part about pictures and animations.
 #include "app/script/figure_words.h"
+#include "app/session/document.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -71,15 +72,15 @@ TEST_CASE("what is wrong about figures on the command line is said in a sentence
 
 TEST_CASE("from and to are places of the run, and looking them up moves nothing") {
   Session session = test_support::finished_small_session();
-  session.timeline->seek(77);
+  session.document->timeline.seek(77);
   const AskedStretch whole = asked_stretch(session, line_of({}));
-  CHECK(whole.stretch == Stretch{0, session.timeline->known()});
+  CHECK(whole.stretch == Stretch{0, session.document->timeline.known()});
   CHECK(whole.notes.empty());
-  CHECK(session.timeline->position() == 77);
+  CHECK(session.document->timeline.position() == 77);
   const CommandLine some = line_of({"--save-animation", "a.gif", "--from", "rows:3", "--to", "99999999"});
   const AskedStretch asked = asked_stretch(session, some);
-  session.timeline->seek(asked.stretch.begin);
-  CHECK(session.timeline->place() == knit::Place{knit::Stage::rows, 3, 0});
-  CHECK(asked.stretch.end == session.timeline->known());
+  session.document->timeline.seek(asked.stretch.begin);
+  CHECK(session.document->timeline.place() == knit::Place{knit::Stage::rows, 3, 0});
+  CHECK(asked.stretch.end == session.document->timeline.known());
   CHECK(asked.notes.size() == 1);
 }

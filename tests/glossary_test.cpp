@@ -1,5 +1,6 @@
 // The glossary: its terms, where they are found in a text, and the window that shows them.
 #include "app/explain/glossary.h"
+#include "app/session/view.h"
 
 #include <algorithm>
 #include <set>
@@ -139,7 +140,7 @@ TEST_CASE("the glossary opens by F2, leads on by its links and closes by Escape"
   Desk desk(1280, 720);
   desk.open();
   desk.act(desk.press({Key::F2, {}, 0}));
-  REQUIRE(desk.session.glossary_open);
+  REQUIRE(desk.session.view->dialogs.glossary_open);
   desk.settle();
   desk.type("saddle");
   desk.settle();
@@ -147,10 +148,10 @@ TEST_CASE("the glossary opens by F2, leads on by its links and closes by Escape"
   desk.act(desk.click("glossary/saddle"));
   desk.settle();
   desk.act(desk.click("glossary/see/critical point"));
-  CHECK(desk.session.glossary_term == "critical point");
+  CHECK(desk.session.view->dialogs.glossary_term == "critical point");
   // The link's words count, though they are not what is searched for.
   desk.act(desk.press({Key::Escape, {}, 0}));
-  CHECK_FALSE(desk.session.glossary_open);
+  CHECK_FALSE(desk.session.view->dialogs.glossary_open);
   desk.settle();
   CHECK(desk.ui.controls.count("glossary/search") == 0);
   only<SetPlaying>(desk.press({Key::Space, {}, 0}));
@@ -159,10 +160,10 @@ TEST_CASE("the glossary opens by F2, leads on by its links and closes by Escape"
 TEST_CASE("the arrow keys go through what the glossary's search finds") {
   Desk desk(1280, 720);
   desk.open();
-  desk.session.glossary_open = true;
+  desk.session.view->dialogs.glossary_open = true;
   desk.settle();
   CHECK(only<ShowGlossary>(desk.press({Key::Down, {}, 0})).term == glossary()[1].word);
-  desk.session.glossary_term = glossary()[1].word;
+  desk.session.view->dialogs.glossary_term = glossary()[1].word;
   CHECK(only<ShowGlossary>(desk.press({Key::Up, {}, 0})).term == glossary()[0].word);
   CHECK_FALSE(only<ShowGlossary>(desk.press({Key::F2, {}, 0})).open);
 }

@@ -8,6 +8,7 @@
 
 #include "app/describe/describe_step.h"
 #include "app/files/export.h"
+#include "app/session/document.h"
 #include "knit/model/gauge.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -145,7 +146,7 @@ std::size_t triangles_in(const knit::State& state) {
 
 TEST_CASE("glTF holds the faces in their colours with normals outward") {
   const Session session = test_support::finished_small_session();
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const Gltf gltf = read_binary(gltf_file(session, GltfFormat::binary));
   CHECK(gltf.json["asset"]["version"] == "2.0");
   CHECK(gltf.json["buffers"][0]["byteLength"] == gltf.buffer.size());
@@ -184,7 +185,7 @@ TEST_CASE("glTF holds the faces in their colours with normals outward") {
 
 TEST_CASE("glTF holds row edges and column edges as lines, and metres by the gauge") {
   const Session session = test_support::finished_small_session();
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const Gltf gltf = read_text(gltf_file(session, GltfFormat::text));
   std::size_t stitches = 0, columns = 0;
   for (const auto& row : state.rows) stitches += row->stitches.size();
@@ -202,8 +203,9 @@ TEST_CASE("glTF holds row edges and column edges as lines, and metres by the gau
   for (const auto* ends : {&row_ends, &column_ends}) {
     for (const auto& end : *ends) CHECK(end[0] < static_cast<double>(stitches));
   }
-  const double metres =
-      knit::centimetres_per_unit(session.timeline->parameters(), session.timeline->input()) / 100.0;
+  const double metres = knit::centimetres_per_unit(session.document->timeline.parameters(),
+                                                   session.document->timeline.input()) /
+                        100.0;
   CHECK(gltf.json["nodes"][0]["scale"] == Json({metres, metres, metres}));
   CHECK(gltf.json["asset"]["extras"]["metres_per_mesh_unit"] == metres);
 }

@@ -1,5 +1,7 @@
 // Tuning keeps one's place, and says when the place is gone.
 #include "app/actions/navigate.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 #include "tests/support/beside.h"
 
@@ -11,8 +13,8 @@ namespace {
 
 void settle(Session& session) {
   apply(session, PassTime{0.0});
-  for (int i = 0; i < 1000 && session.timeline->sought(); ++i) apply(session, PassTime{0.0});
-  REQUIRE_FALSE(session.timeline->sought());
+  for (int i = 0; i < 1000 && session.document->timeline.sought(); ++i) apply(session, PassTime{0.0});
+  REQUIRE_FALSE(session.document->timeline.sought());
 }
 
 knit::Parameters with_width(double width) {
@@ -50,74 +52,75 @@ TEST_CASE("the words for a place that is gone", "[place]") {
 
 TEST_CASE("a place that is gone is told, and comes back with the parameters", "[place]") {
   Session session = contour_session();
-  const auto last_row = static_cast<std::int32_t>(session.timeline->state().rows.size());
+  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().rows.size());
   const Place place{Stage::rows, last_row, 2};
   apply(session, SeekPlace{place});
-  REQUIRE(session.timeline->place() == place);
+  REQUIRE(session.document->timeline.place() == place);
 
   for (const double width : {0.3, 0.5, 0.4}) {  // a hand on the knob
     apply(session, Tune{with_width(width)});
     settle(session);
-    CHECK(session.timeline->place().stage == Stage::rows);
-    CHECK(session.timeline->place().row < last_row);
-    CHECK(session.timeline->state().next.stage == Stage::stitches);  // the nearest before it
-    CHECK(test_support::contains(session.place_note, "Row " + std::to_string(last_row) + ", item 2, is not"));
+    CHECK(session.document->timeline.place().stage == Stage::rows);
+    CHECK(session.document->timeline.place().row < last_row);
+    CHECK(session.document->timeline.state().next.stage == Stage::stitches);  // the nearest before it
+    CHECK(test_support::contains(session.document->place_note,
+                                 "Row " + std::to_string(last_row) + ", item 2, is not"));
   }
   apply(session, Tune{with_width(0.2)});
   settle(session);
-  CHECK(session.timeline->place() == place);
-  CHECK(session.place_note.empty());
+  CHECK(session.document->timeline.place() == place);
+  CHECK(session.document->place_note.empty());
 }
 
 TEST_CASE("the next move ends what is said about the place, and what is come back to", "[place]") {
   Session session = contour_session();
-  const auto last_row = static_cast<std::int32_t>(session.timeline->state().rows.size());
+  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().rows.size());
   for (const Action& move : std::vector<Action>{StepBy{Unit::item, -1}, SeekTo{500},
                                                 SeekPlace{{Stage::rows, 3, 1}}, StepDeep{Depth::into, -1}}) {
     apply(session, Tune{with_width(0.2)});
     apply(session, SeekPlace{{Stage::rows, last_row, 2}});
     apply(session, Tune{with_width(0.4)});
     settle(session);
-    REQUIRE_FALSE(session.place_note.empty());
+    REQUIRE_FALSE(session.document->place_note.empty());
     apply(session, PassTime{0.1});
-    REQUIRE_FALSE(session.place_note.empty());  // time alone is no move
+    REQUIRE_FALSE(session.document->place_note.empty());  // time alone is no move
     apply(session, move);
-    CHECK(session.place_note.empty());
-    const Place here = session.timeline->place();
+    CHECK(session.document->place_note.empty());
+    const Place here = session.document->timeline.place();
     apply(session, Tune{with_width(0.2)});
     settle(session);
-    CHECK(session.timeline->place().row == here.row);
+    CHECK(session.document->timeline.place().row == here.row);
   }
 }
 
 TEST_CASE("playing on from another place says nothing more about it", "[place]") {
   Session session = contour_session();
-  apply(session,
-        SeekPlace{{Stage::rows, static_cast<std::int32_t>(session.timeline->state().rows.size()), 2}});
+  apply(session, SeekPlace{{Stage::rows,
+                            static_cast<std::int32_t>(session.document->timeline.state().rows.size()), 2}});
   apply(session, Tune{with_width(0.4)});
   settle(session);
-  REQUIRE_FALSE(session.place_note.empty());
-  session.playback.playing = true;
+  REQUIRE_FALSE(session.document->place_note.empty());
+  session.view->playback.playing = true;
   apply(session, PassTime{0.2});
-  CHECK(session.place_note.empty());
+  CHECK(session.document->place_note.empty());
 }
 
 TEST_CASE("in a window the place is told once the run has come back", "[place]") {
   Session session = test_support::beside_session(test_support::large_parameters());
   test_support::tick_until(session, test_support::run_is_complete);
-  const auto rows = static_cast<std::int32_t>(session.timeline->furthest().rows.size());
+  const auto rows = static_cast<std::int32_t>(session.document->timeline.furthest().rows.size());
   apply(session, SeekPlace{{Stage::rows, rows, 2}});
   apply(session, PassTime{0.0});
-  REQUIRE(session.timeline->place().row == rows);
+  REQUIRE(session.document->timeline.place().row == rows);
   knit::Parameters wider = test_support::large_parameters(knit::TimingKind::arc_length);
   wider.stitch_width = 0.4;
   wider.epsilon = 0.2;
   apply(session, Tune{wider});
-  CHECK(session.place_note.empty());
-  REQUIRE(session.timeline->sought().has_value());
-  test_support::tick_until(session, [](const Session& s) { return !s.timeline->sought(); });
-  CHECK(test_support::contains(session.place_note, "is not in this run"));
-  CHECK(session.timeline->place().stage == Stage::rows);
+  CHECK(session.document->place_note.empty());
+  REQUIRE(session.document->timeline.sought().has_value());
+  test_support::tick_until(session, [](const Session& s) { return !s.document->timeline.sought(); });
+  CHECK(test_support::contains(session.document->place_note, "is not in this run"));
+  CHECK(session.document->timeline.place().stage == Stage::rows);
 }
 
 TEST_CASE("the start stays the start, and an edit from here keeps the step shown", "[place]") {
@@ -125,12 +128,12 @@ TEST_CASE("the start stays the start, and an edit from here keeps the step shown
   apply(session, ToFirst{});
   apply(session, Tune{with_width(0.4)});
   settle(session);
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.place_note.empty());
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->place_note.empty());
   apply(session, SeekPlace{{Stage::rows, 3, 1}});
-  const std::size_t position = session.timeline->position();
+  const std::size_t position = session.document->timeline.position();
   apply(session, EditFromHere{with_width(0.2)});
   settle(session);
-  CHECK(session.timeline->position() == position);
-  CHECK(session.place_note.empty());
+  CHECK(session.document->timeline.position() == position);
+  CHECK(session.document->place_note.empty());
 }

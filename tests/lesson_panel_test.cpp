@@ -1,5 +1,10 @@
 // The strip of a lesson and the card that asks for a guess: what is clicked becomes answers.
 #include "app/lessons/predict.h"
+#include "app/scene/scene.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/lesson.h"
 
@@ -11,13 +16,13 @@ namespace {
 
 // A page of a lesson on the desk, the run worked out, with the strip laid out.
 void lay_out(Desk& desk, const std::string& key, std::int32_t page) {
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   apply(desk.session, StartLesson{key});
-  REQUIRE(desk.session.lesson);
+  REQUIRE(desk.session.learning->lesson);
   REQUIRE(!go_to_lesson_page(desk.session, page));
-  desk.session.timeline->extend_to_end();
+  desk.session.document->timeline.extend_to_end();
   desk.layout = layout_of(1280, 720, 1, layout_wish(desk.session));
-  desk.session.aspect = desk.layout.view_aspect();
+  desk.session.view->aspect = desk.layout.view_aspect();
   go_to_lesson_page(desk.session, page);
   desk.settle();
 }
@@ -25,9 +30,9 @@ void lay_out(Desk& desk, const std::string& key, std::int32_t page) {
 // The place of a vertex in the view, as part of it.
 MouseMove over_vertex(const Desk& desk, knit::VertexId vertex) {
   const Session& session = desk.session;
-  const View view = session.camera.view(session.aspect);
+  const Sight view = session.view->gaze.camera.view(session.view->aspect);
   const glm::vec4 at = view.projection * view.view *
-                       glm::vec4(glm::vec3(session.timeline->input().mesh.positions[vertex]), 1.0f);
+                       glm::vec4(glm::vec3(session.document->timeline.input().mesh.positions[vertex]), 1.0f);
   const Box& box = desk.layout.view;
   return {box.x + (0.5f + 0.5f * at.x / at.w) * box.width, box.y + (0.5f - 0.5f * at.y / at.w) * box.height};
 }
@@ -122,7 +127,7 @@ TEST_CASE("the end of a lesson offers the next one") {
 
 TEST_CASE("the menu Learn lists the lessons") {
   Desk desk(1280, 720);
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.open();
   CHECK(desk.click("menu/learn").empty());
   desk.settle();

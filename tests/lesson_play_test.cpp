@@ -1,5 +1,9 @@
 // Each shipped lesson, played to its end: what its pages wait for is done, and each question is answered by what its
 // judge holds to be right, once at the first try and once after a wrong answer.
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "tests/support/lesson.h"
 
 using namespace app;
@@ -31,8 +35,8 @@ void answer(Session& session, const Question& question, Style style) {
 void do_page(Session& session, Style style) {
   const LessonPage& page = *lesson_of(session).shown();
   INFO("page " << lesson_of(session).page + 1 << ", " << page.title);
-  CHECK(session.notices.empty());
-  session.timeline->extend_to_end();
+  CHECK(session.outbox->notices.empty());
+  session.document->timeline.extend_to_end();
   const bool asks = page.wait || page.question;
   CHECK((lesson_of(session).outcome() == PageOutcome::open) == asks);
   const std::size_t number = lesson_of(session).page;
@@ -49,15 +53,15 @@ void do_page(Session& session, Style style) {
 
 void play(const std::string& key, Style style) {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   apply(session, StartLesson{key});
   INFO(key);
-  REQUIRE(session.lesson);
-  const std::shared_ptr<const Lesson> lesson = session.lesson->lesson;
+  REQUIRE(session.learning->lesson);
+  const std::shared_ptr<const Lesson> lesson = session.learning->lesson->lesson;
   while (!lesson_of(session).at_end()) do_page(session, style);
   const std::int32_t right = style == Style::first_try ? lesson->questions() : 0;
   CHECK(lesson_of(session).score() == LessonScore{right, lesson->questions()});
-  CHECK(session.preferences.lessons.at(key) == LessonScore{right, lesson->questions()});
+  CHECK(session.program->preferences.lessons.at(key) == LessonScore{right, lesson->questions()});
 }
 
 void play_both(const std::string& key) {
@@ -97,11 +101,11 @@ TEST_CASE("the shipped lessons can be read, are short, and ask") {
 
 TEST_CASE("a lesson answers for what the person has made of the run, not for what its author saw") {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   apply(session, StartLesson{"increases-and-decreases"});
   set_by_text(session, "stitch-width", "0.2");
   set_by_text(session, "epsilon", "0.1");
-  const auto& rows = session.timeline->furthest().rows;
+  const auto& rows = session.document->timeline.furthest().rows;
   const std::size_t now = rows[4]->stitches.size() - rows[3]->stitches.size();
   apply(session, AnswerLesson{"4"});
   const bool still = now == 4;

@@ -3,6 +3,10 @@
 
 #include "app/files/session_file.h"
 #include "app/script/command_line.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -12,7 +16,7 @@ using namespace test_support;
 namespace {
 
 void tune(Session& session, const char* key, const std::string& value) {
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   REQUIRE_FALSE(knit::set_value(*knit::find_parameter(key), parameters, value));
   knit::give_size_by(key, parameters);
   apply(session, Tune{parameters});
@@ -37,11 +41,12 @@ std::vector<std::string> words_of(const std::string& line) {
 }
 
 std::string copied(Session& session) {
-  session.clipboard_wanted.reset();
-  const std::size_t told = session.notices.size();
+  session.outbox->clipboard.reset();
+  const std::size_t told = session.outbox->notices.size();
   apply(session, CopyLink{});
-  for (std::size_t i = told; i < session.notices.size(); ++i) UNSCOPED_INFO(session.notices[i].text);
-  return session.clipboard_wanted.value_or("");
+  for (std::size_t i = told; i < session.outbox->notices.size(); ++i)
+    UNSCOPED_INFO(session.outbox->notices[i].text);
+  return session.outbox->clipboard.value_or("");
 }
 
 Session opened_by(const std::string& link) {
@@ -53,19 +58,19 @@ Session opened_by(const std::string& link) {
   REQUIRE(std::holds_alternative<CommandLine>(parsed));
   const auto& line = std::get<CommandLine>(parsed);
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   CHECK(open_as_asked(session, line) == std::nullopt);
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   if (line.at) CHECK(go_to(session, *line.at) == std::nullopt);
   return session;
 }
 
 void check_same(const Session& session, const Session& other) {
-  CHECK(knobs_of(*other.timeline) == knobs_of(*session.timeline));
-  CHECK(other.timeline->position() == session.timeline->position());
-  CHECK(knit::hash_of(other.timeline->state()) == knit::hash_of(session.timeline->state()));
-  CHECK(other.side == session.side);
-  CHECK(other.centre == session.centre);
+  CHECK(knobs_of(other.document->timeline) == knobs_of(session.document->timeline));
+  CHECK(other.document->timeline.position() == session.document->timeline.position());
+  CHECK(knit::hash_of(other.document->timeline.state()) == knit::hash_of(session.document->timeline.state()));
+  CHECK(other.view->side == session.view->side);
+  CHECK(other.view->centre == session.view->centre);
 }
 
 }  // namespace
@@ -105,9 +110,9 @@ TEST_CASE("a link says what is shown, and quotes what a shell would take apart")
   const auto mesh = folder.path() / "it's a $ball & more.obj";
   std::filesystem::copy_file(std::filesystem::path(KNIT_ASSETS_DIR) / "sphere" / "mesh.obj", mesh);
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   apply(session, OpenFile{mesh});
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   apply(session, ShowSide{SidePanel::report});
   apply(session, ShowCentre{CentrePanel::chart});
   apply(session, KnitAlong{5});
@@ -120,10 +125,10 @@ TEST_CASE("a link says what is shown, and quotes what a shell would take apart")
   CHECK(contains(link, "--at 0"));
   const Session other = opened_by(link);
   check_same(session, other);
-  CHECK(other.knit_along == 5);
-  CHECK(other.pattern.title == options.title);
-  CHECK(other.pattern.needle_mm == 3.5);
-  CHECK(other.pattern.markers);
+  CHECK(other.view->gaze.knit_along == 5);
+  CHECK(other.view->pattern.title == options.title);
+  CHECK(other.view->pattern.needle_mm == 3.5);
+  CHECK(other.view->pattern.markers);
   CHECK(shell_quoted("") == "''");
   CHECK(shell_quoted("a'b") == "'a'\\''b'");
   CHECK(shell_quoted("--at=rows:1:2") == "--at=rows:1:2");
@@ -133,12 +138,12 @@ TEST_CASE("with edits the link names the session file, while that says what is s
   const Folder folder;
   Session session = example_session("sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 9, 4}});
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.close = parameters.close == knit::Closing::arc ? knit::Closing::thesis : knit::Closing::arc;
   apply(session, EditFromHere{parameters});
   CHECK(copied(session) == "");
-  REQUIRE_FALSE(session.notices.empty());
-  CHECK(contains(session.notices.back().text, "save the session first"));
+  REQUIRE_FALSE(session.outbox->notices.empty());
+  CHECK(contains(session.outbox->notices.back().text, "save the session first"));
 
   const auto path = folder.path() / "my session.json";
   apply(session, Export{ExportKind::session, path});
@@ -146,7 +151,7 @@ TEST_CASE("with edits the link names the session file, while that says what is s
   CHECK(link == "knit-mesh --session '" + path.string() + "'");
   Session other = opened_by(link);
   check_same(session, other);
-  CHECK(other.camera == session.camera);
+  CHECK(other.view->gaze.camera == session.view->gaze.camera);
   CHECK(copied(other) == link);
 
   apply(session, Orbit{0.3, 0.0});
@@ -166,10 +171,10 @@ TEST_CASE("a parameter, a place and a side beside --session go over what it says
   const Session plain = opened_by("knit-mesh " + path);
   check_same(session, plain);
   const Session tuned = opened_by("knit-mesh --session " + path + " --close none --at rows:5:1 --side step");
-  CHECK(tuned.timeline->base_parameters().close == knit::Closing::none);
-  CHECK(tuned.timeline->place() == knit::Place{knit::Stage::rows, 5, 1});
-  CHECK(tuned.side == SidePanel::step);
-  CHECK(tuned.changes.undo.empty());
+  CHECK(tuned.document->timeline.base_parameters().close == knit::Closing::none);
+  CHECK(tuned.document->timeline.place() == knit::Place{knit::Stage::rows, 5, 1});
+  CHECK(tuned.view->side == SidePanel::step);
+  CHECK(tuned.document->changes.undo.empty());
   const auto both = parse_command_line({"--session", path, "--example", "sphere"}, KNIT_ASSETS_DIR);
   CHECK(std::holds_alternative<Answer>(both));
 }

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "app/session/every_panel.h"
+#include "app/session/program.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -133,19 +134,19 @@ TEST_CASE("one key puts all panels away and brings them back, others change size
   CHECK(desk.layout.view.width == 1280.0f);
   CHECK(desk.layout.view.bottom() == 720.0f);
   desk.act(desk.press(f9));
-  CHECK(desk.session.preferences == Preferences{});
+  CHECK(desk.session.program->preferences == Preferences{});
   desk.act(desk.press({Key::F8, {}, 0}));
-  CHECK(desk.session.preferences.theme == ThemeKind::light);
+  CHECK(desk.session.program->preferences.theme == ThemeKind::light);
   const Mods ctrl{.ctrl = true};
   desk.act(desk.press({Key::Equal, ctrl, 0}));
-  CHECK(desk.session.preferences.scale > 1.0);
+  CHECK(desk.session.program->preferences.scale > 1.0);
   for (int i = 0; i < 20; ++i) desk.act(desk.press({Key::Equal, {.shift = true, .ctrl = true}, 0}));
-  CHECK(desk.session.preferences.scale == largest_scale);
+  CHECK(desk.session.program->preferences.scale == largest_scale);
   CHECK(desk.press({Key::Equal, ctrl, 0}).empty());
   for (int i = 0; i < 20; ++i) desk.act(desk.press({Key::Minus, ctrl, 0}));
-  CHECK(desk.session.preferences.scale == smallest_scale);
+  CHECK(desk.session.program->preferences.scale == smallest_scale);
   desk.act(desk.press({Key::Digit0, ctrl, 0}));
-  CHECK(desk.session.preferences.scale == 1.0);
+  CHECK(desk.session.program->preferences.scale == 1.0);
 }
 
 TEST_CASE("the crosses stand clear of their neighbours, in the narrowest panels too") {
@@ -153,7 +154,7 @@ TEST_CASE("the crosses stand clear of their neighbours, in the narrowest panels 
     for (const bool narrow : {false, true}) {
       Desk desk(1280 * scale, 720 * scale, scale, KNIT_ASSETS_DIR "/fonts");
       desk.open();
-      if (narrow) desk.session.preferences.splits = {1.0, 1.0, 1.0};
+      if (narrow) desk.session.program->preferences.splits = {1.0, 1.0, 1.0};
       lay_out(desk);
       const auto& at = desk.ui.controls;
       for (const char* tool : {"undo", "redo", "copy", "paste"})
@@ -205,7 +206,7 @@ TEST_CASE("the row of play buttons fits its window: words go first, then the spe
 TEST_CASE("the recent files are in the File menu") {
   Desk desk(1280, 720);
   desk.open();
-  desk.session.preferences.recent = {"/tmp/a.obj", "example:vase", "/tmp/s.json"};
+  desk.session.program->preferences.recent = {"/tmp/a.obj", "example:vase", "/tmp/s.json"};
   CHECK(desk.click("menu/file").empty());
   CHECK(desk.click("menu/Open recent").empty());
   desk.settle();
@@ -248,8 +249,8 @@ TEST_CASE("the View menu has panels, theme, size, motion and a way back") {
 
 TEST_CASE("with nothing open the view says what to do") {
   Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
-  desk.session.assets = KNIT_ASSETS_DIR;
-  desk.session.preferences.recent = {"/tmp/a.obj", "example:vase"};
+  desk.session.program->assets = KNIT_ASSETS_DIR;
+  desk.session.program->preferences.recent = {"/tmp/a.obj", "example:vase"};
   desk.settle();
   for (const auto& [name, box] : desk.ui.controls) {
     INFO(name);

@@ -1,5 +1,8 @@
 // What makes a large mesh anew is done beside the window: welding it otherwise, going back to how it was welded.
 #include "app/actions/opening.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -10,29 +13,32 @@ namespace {
 // With a seam, so that welding makes it another.
 struct Window {
   Window() {
-    session.assets = KNIT_ASSETS_DIR;
-    session.original = std::make_shared<const knit::Mesh>(knit::sphere(160, 70, true));
-    session.source.example = "ball";
-    session.timeline.emplace(knit::make_input(*session.original), large_parameters());
-    session.timeline->extend_to_end();
-    session.beside = true;
+    session.program->assets = KNIT_ASSETS_DIR;
+    session.document->original = std::make_shared<const knit::Mesh>(knit::sphere(160, 70, true));
+    session.document->source.example = "ball";
+    session.document->timeline =
+        knit::Timeline(knit::make_input(*session.document->original), large_parameters());
+    session.document->timeline.extend_to_end();
+    session.jobs->beside = true;
     apply(session, SeekTo{5000});
   }
   void weld(knit::Weld weld) {
-    knit::Parameters parameters = session.timeline->parameters();
+    knit::Parameters parameters = session.document->timeline.parameters();
     parameters.weld = weld;
     apply(session, Tune{parameters});
   }
   void wait() {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(3);
-    while (session.opening) {
+    while (session.jobs->opening) {
       apply(session, PassTime{0.001});
       REQUIRE(std::chrono::steady_clock::now() < give_up);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  [[nodiscard]] std::size_t vertices() const { return session.timeline->input().mesh.positions.size(); }
-  [[nodiscard]] bool is_welded() const { return vertices() < session.original->positions.size(); }
+  [[nodiscard]] std::size_t vertices() const {
+    return session.document->timeline.input().mesh.positions.size();
+  }
+  [[nodiscard]] bool is_welded() const { return vertices() < session.document->original->positions.size(); }
 
   Session session;
 };
@@ -41,64 +47,65 @@ struct Window {
 
 TEST_CASE("making: welding a large mesh is done beside the window, and undone and done again so") {
   Window window;
-  const knit::Place place = window.session.timeline->place();
+  const knit::Place place = window.session.document->timeline.place();
   window.weld(knit::Weld::on);
-  REQUIRE(window.session.opening);
+  REQUIRE(window.session.jobs->opening);
   CHECK_FALSE(window.is_welded());
-  CHECK(window.session.timeline->parameters().weld == knit::Weld::off);
+  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::off);
   apply(window.session, StepBy{});  // what is shown goes on
-  CHECK(window.session.timeline->position() == 5001);
+  CHECK(window.session.document->timeline.position() == 5001);
   apply(window.session, StepBy{Unit::item, -1});
   window.wait();
   CHECK(window.is_welded());
-  CHECK(window.session.timeline->parameters().weld == knit::Weld::on);
-  CHECK(window.session.timeline->sought().value_or(window.session.timeline->place()) == place);
-  REQUIRE(window.session.changes.undo.size() == 1);
+  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::on);
+  CHECK(window.session.document->timeline.sought().value_or(window.session.document->timeline.place()) ==
+        place);
+  REQUIRE(window.session.document->changes.undo.size() == 1);
 
   apply(window.session, Undo{});
-  REQUIRE(window.session.opening);
-  CHECK(window.session.changes.undo.size() == 1);
+  REQUIRE(window.session.jobs->opening);
+  CHECK(window.session.document->changes.undo.size() == 1);
   window.wait();
   CHECK_FALSE(window.is_welded());
-  CHECK(window.session.changes.undo.empty());
-  REQUIRE(window.session.changes.redo.size() == 1);
+  CHECK(window.session.document->changes.undo.empty());
+  REQUIRE(window.session.document->changes.redo.size() == 1);
   apply(window.session, Redo{});
   window.wait();
   CHECK(window.is_welded());
-  CHECK(window.session.made_mesh == nullptr);
+  CHECK(window.session.jobs->made_mesh == nullptr);
 }
 
 TEST_CASE("making: another change gives it up, and so does cancelling") {
   Window window;
   window.weld(knit::Weld::on);
-  const auto work = window.session.opening;
-  knit::Parameters other = window.session.timeline->parameters();
+  const auto work = window.session.jobs->opening;
+  knit::Parameters other = window.session.document->timeline.parameters();
   other.epsilon *= 1.1;
   apply(window.session, Tune{other});
-  CHECK_FALSE(window.session.opening);
+  CHECK_FALSE(window.session.jobs->opening);
   CHECK(work->progress->stopped());
-  CHECK(window.session.timeline->parameters().epsilon == other.epsilon);
+  CHECK(window.session.document->timeline.parameters().epsilon == other.epsilon);
   CHECK_FALSE(window.is_welded());
   window.weld(knit::Weld::on);
-  REQUIRE(window.session.opening);
+  REQUIRE(window.session.jobs->opening);
   apply(window.session, CancelWork{});
-  CHECK_FALSE(window.session.opening);
+  CHECK_FALSE(window.session.jobs->opening);
   CHECK_FALSE(window.is_welded());
-  CHECK(window.session.timeline->parameters().weld == knit::Weld::off);
+  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::off);
 }
 
 TEST_CASE("making: without a window, and for a small mesh, it is done at once") {
   Window window;
-  window.session.beside = false;
+  window.session.jobs->beside = false;
   window.weld(knit::Weld::on);
-  CHECK_FALSE(window.session.opening);
+  CHECK_FALSE(window.session.jobs->opening);
   CHECK(window.is_welded());
 
   Session small = example_session("thesis-sphere");
-  small.beside = true;
-  knit::Parameters welded = small.timeline->parameters();
+  small.jobs->beside = true;
+  knit::Parameters welded = small.document->timeline.parameters();
   welded.weld = knit::Weld::on;
   apply(small, Tune{welded});
-  CHECK_FALSE(small.opening);
-  CHECK(small.timeline->parameters().weld == knit::Weld::on);
+  CHECK_FALSE(small.jobs->opening);
+  CHECK(small.document->timeline.parameters().weld == knit::Weld::on);
 }

@@ -7,6 +7,11 @@
 #include "app/files/report.h"
 #include "app/files/session_file.h"
 #include "app/script/command_line.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/corpus.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
@@ -33,7 +38,7 @@ std::variant<CommandLine, Answer> parsed(const std::vector<std::string>& words) 
 std::optional<std::string> open_with(Session& session, const std::vector<std::string>& words) {
   const auto line = parsed(words);
   REQUIRE(std::holds_alternative<CommandLine>(line));
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   return open_as_asked(session, std::get<CommandLine>(line));
 }
 
@@ -54,22 +59,22 @@ TEST_CASE("mends are offered where they would do and what is open stays") {
   apply(session, SeekTo{500});
   const std::string before = saved(session);
   apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
-  REQUIRE(session.mend_offer);
-  CHECK(contains(session.mend_offer->finding, "2 pieces"));
-  REQUIRE(session.mend_offer->plan->steps.size() == 1);
-  CHECK(session.notices.empty());
+  REQUIRE(session.jobs->mend_offer);
+  CHECK(contains(session.jobs->mend_offer->finding, "2 pieces"));
+  REQUIRE(session.jobs->mend_offer->plan->steps.size() == 1);
+  CHECK(session.outbox->notices.empty());
   CHECK(saved(session) == before);
   apply(session, DropMendOffer{});
-  CHECK_FALSE(session.mend_offer);
+  CHECK_FALSE(session.jobs->mend_offer);
   CHECK(saved(session) == before);
 
   apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
   apply(session, OpenFile{bad_file(folder, "open-bowl.obj")});  // no mends would do
-  CHECK_FALSE(session.mend_offer);
-  REQUIRE(session.notices.size() == 1);
+  CHECK_FALSE(session.jobs->mend_offer);
+  REQUIRE(session.outbox->notices.size() == 1);
   apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
   apply(session, OpenExample{"egg"});  // opened something else
-  CHECK_FALSE(session.mend_offer);
+  CHECK_FALSE(session.jobs->mend_offer);
 }
 
 TEST_CASE("mends are carried out with one click and undone with one") {
@@ -77,33 +82,33 @@ TEST_CASE("mends are carried out with one click and undone with one") {
   Session session = test_support::example_session("sphere");
   apply(session, SeekTo{500});
   const std::string before = saved(session);
-  const std::uint64_t state = hash_of(session.timeline->state());
+  const std::uint64_t state = hash_of(session.document->timeline.state());
   const auto path = bad_file(folder, "two-holes-and-a-flipped-face.obj");
   apply(session, OpenFile{path});
   apply(session, MendAndOpen{});
-  CHECK(session.source.file == path);
-  CHECK(session.source.mends == std::vector{knit::MendKind::reorient, knit::MendKind::holes});
-  CHECK(session.timeline->input().mesh.triangles.size() == 528);
-  CHECK(session.findings.empty());
-  CHECK(session.list == RunList::problems);
-  REQUIRE(session.notices.size() == 2);
-  CHECK(session.notices[0].kind == Notice::Kind::info);
-  CHECK(session.notices[0].text == session.mended[0].did);
-  CHECK(contains(session.notices[1].text, "filled 2 holes of 7 edges with 3 triangles"));
+  CHECK(session.document->source.file == path);
+  CHECK(session.document->source.mends == std::vector{knit::MendKind::reorient, knit::MendKind::holes});
+  CHECK(session.document->timeline.input().mesh.triangles.size() == 528);
+  CHECK(session.document->findings.empty());
+  CHECK(session.view->list == RunList::problems);
+  REQUIRE(session.outbox->notices.size() == 2);
+  CHECK(session.outbox->notices[0].kind == Notice::Kind::info);
+  CHECK(session.outbox->notices[0].text == session.document->mended[0].did);
+  CHECK(contains(session.outbox->notices[1].text, "filled 2 holes of 7 edges with 3 triangles"));
   CHECK(report_json(session)["mesh"]["mended"].size() == 2);
   apply(session, ToLast{});
-  CHECK(session.timeline->state().finished());
+  CHECK(session.document->timeline.state().finished());
 
   apply(session, SetTheme{ThemeKind::light});
   apply(session, UndoMend{});
   CHECK(saved(session) == before);
-  CHECK(hash_of(session.timeline->state()) == state);
-  CHECK(session.preferences.theme == ThemeKind::light);  // what was set for the program stays
-  CHECK(session.mended.empty());
-  CHECK_FALSE(session.before_mend);
-  REQUIRE(session.mend_offer);  // as it was before the click
+  CHECK(hash_of(session.document->timeline.state()) == state);
+  CHECK(session.program->preferences.theme == ThemeKind::light);  // what was set for the program stays
+  CHECK(session.document->mended.empty());
+  CHECK_FALSE(session.document->before_mend);
+  REQUIRE(session.jobs->mend_offer);  // as it was before the click
   apply(session, MendAndOpen{});
-  CHECK(session.source.file == path);
+  CHECK(session.document->source.file == path);
 }
 
 TEST_CASE("mends undone with nothing open before leave nothing open") {
@@ -111,13 +116,13 @@ TEST_CASE("mends undone with nothing open before leave nothing open") {
   Session session;
   apply(session, OpenFile{bad_file(folder, "fin.obj")});
   apply(session, MendAndOpen{});
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   apply(session, UndoMend{});
-  CHECK_FALSE(session.timeline);
+  CHECK_FALSE(session.document);
   apply(session, DropMendOffer{});
   apply(session, MendAndOpen{});
   apply(session, UndoMend{});
-  CHECK_FALSE(session.timeline);
+  CHECK_FALSE(session.document);
 }
 
 TEST_CASE("mends are undone no more once something else is open") {
@@ -126,11 +131,11 @@ TEST_CASE("mends are undone no more once something else is open") {
   apply(session, OpenFile{bad_file(folder, "fin.obj")});
   apply(session, MendAndOpen{});
   apply(session, OpenExample{"egg"});
-  CHECK_FALSE(session.before_mend);
-  CHECK(session.mended.empty());
-  CHECK(session.source.mends.empty());
+  CHECK_FALSE(session.document->before_mend);
+  CHECK(session.document->mended.empty());
+  CHECK(session.document->source.mends.empty());
   apply(session, UndoMend{});
-  CHECK(session.source.example == "egg");
+  CHECK(session.document->source.example == "egg");
 }
 
 TEST_CASE("mends are saved with the session and carried out when it is opened") {
@@ -145,15 +150,15 @@ TEST_CASE("mends are saved with the session and carried out when it is opened") 
   CHECK(contains(test_support::read_text(file), "\"mends\": [\n      \"reorient\",\n      \"holes\"\n    ]"));
   Session again;
   REQUIRE_FALSE(open_session(again, file));
-  CHECK(again.mended.size() == 2);
-  CHECK(again.source.mends == session.source.mends);
+  CHECK(again.document->mended.size() == 2);
+  CHECK(again.document->source.mends == session.document->source.mends);
   CHECK(saved(again) == saved(session));
-  CHECK(hash_of(again.timeline->state()) == hash_of(session.timeline->state()));
+  CHECK(hash_of(again.document->timeline.state()) == hash_of(session.document->timeline.state()));
   // Welding on the way is of the mended mesh.
-  knit::Parameters parameters = again.timeline->parameters();
+  knit::Parameters parameters = again.document->timeline.parameters();
   parameters.weld = knit::Weld::on;
   apply(again, Tune{parameters});
-  CHECK(again.timeline->input().mesh.triangles.size() == 528);
+  CHECK(again.document->timeline.input().mesh.triangles.size() == 528);
 
   std::string text = test_support::read_text(file);
   text.replace(text.find("\"holes\""), 7, "\"darning\"");
@@ -179,25 +184,25 @@ TEST_CASE("mends by the command line") {
   {
     Session session;  // a window shows the offer
     CHECK_FALSE(open_with(session, {path}));
-    CHECK(session.mend_offer);
-    CHECK_FALSE(session.timeline);
+    CHECK(session.jobs->mend_offer);
+    CHECK_FALSE(session.document);
   }
   for (const char* wish : {"all", "largest-piece", "holes,largest-piece,holes"}) {
     CAPTURE(wish);
     Session session;
     CHECK_FALSE(open_with(session, {path, "--headless", "--mend", wish}));
-    REQUIRE(session.timeline);
-    CHECK(session.source.mends == std::vector{knit::MendKind::largest_piece});
-    CHECK(contains(session.notices.at(0).text, "dropped 1 piece of 4 triangles"));
+    REQUIRE(session.document);
+    CHECK(session.document->source.mends == std::vector{knit::MendKind::largest_piece});
+    CHECK(contains(session.outbox->notices.at(0).text, "dropped 1 piece of 4 triangles"));
     // What was asked for and not needed is said too.
-    CHECK(session.notices.size() == (contains(wish, "holes") ? 2 : 1));
+    CHECK(session.outbox->notices.size() == (contains(wish, "holes") ? 2 : 1));
     const auto link = link_by_options(session);
     REQUIRE(link);
     CHECK(contains(*link, " --mend largest-piece "));
   }
   Session session;
   CHECK(open_with(session, {path, "--headless", "--mend", "holes"}));
-  CHECK_FALSE(session.timeline);
+  CHECK_FALSE(session.document);
 }
 
 TEST_CASE("mends that cannot be asked for") {
@@ -223,14 +228,14 @@ TEST_CASE("mends have a card with what is wrong and what each would do") {
   desk.settle();
   only<DropMendOffer>(desk.click("mend/not-now"));
   desk.act(desk.click("mend/open"));
-  CHECK(desk.session.source.mends.size() == 2);
+  CHECK(desk.session.document->source.mends.size() == 2);
   desk.settle();
   CHECK(desk.ui.controls.count("mend/open") == 0);
   REQUIRE(desk.ui.controls.count("problem/1") == 1);  // both are in the list
   only<UndoMend>(desk.click("mend/undo-here"));
   desk.act(desk.click("mend/undo"));
   desk.settle();
-  CHECK(desk.session.source.mends.empty());
+  CHECK(desk.session.document->source.mends.empty());
   CHECK(desk.ui.controls.count("mend/undo") == 0);
 }
 
@@ -243,18 +248,18 @@ TEST_CASE("mends are offered in the list for what is only warned of too") {
     CAPTURE(name);
     Desk desk;
     apply(desk.session, OpenFile{bad_file(folder, name)});
-    REQUIRE(desk.session.findings.size() == 1);
-    CHECK_FALSE(desk.session.before_mend);
-    desk.session.list = RunList::problems;
+    REQUIRE(desk.session.document->findings.size() == 1);
+    CHECK_FALSE(desk.session.document->before_mend);
+    desk.session.view->list = RunList::problems;
     apply(desk.session, SeekTo{20});
     desk.settle();
     desk.act(desk.click(control));
-    CHECK(desk.session.findings.empty());
-    CHECK(desk.session.source.mends == std::vector{kind});
+    CHECK(desk.session.document->findings.empty());
+    CHECK(desk.session.document->source.mends == std::vector{kind});
     desk.settle();
     desk.act(desk.click("mend/undo-here"));
-    CHECK(desk.session.findings.size() == 1);
-    CHECK(desk.session.source.mends.empty());
-    CHECK(desk.session.timeline->position() == 20);
+    CHECK(desk.session.document->findings.size() == 1);
+    CHECK(desk.session.document->source.mends.empty());
+    CHECK(desk.session.document->timeline.position() == 20);
   }
 }

@@ -7,7 +7,10 @@
 #include <span>
 
 #include "app/describe/describe.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
 #include "app/session/presets.h"
+#include "app/session/view.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -20,7 +23,7 @@ class Monkey {
   explicit Monkey(unsigned seed, std::filesystem::path folder) : random_(seed), folder_(std::move(folder)) {}
 
   Action next(const Session& session) {
-    const knit::Timeline& timeline = *session.timeline;
+    const knit::Timeline& timeline = session.document->timeline;
     switch (below(40)) {
       case 0:
       case 1:
@@ -44,9 +47,9 @@ class Monkey {
       case 13:
         return PassTime{uniform(0.0, 0.3)};
       case 14:
-        return Tune{tuned(timeline.parameters(), session.defaults)};
+        return Tune{tuned(timeline.parameters(), session.document->defaults)};
       case 15:
-        return EditFromHere{tuned(timeline.parameters(), session.defaults)};
+        return EditFromHere{tuned(timeline.parameters(), session.document->defaults)};
       case 16:
         return RemoveEdit{below(4)};
       case 17:
@@ -59,7 +62,7 @@ class Monkey {
       case 20:
         return CopyParameters{};
       case 21:
-        return PasteParameters{below(3) == 0 ? "nonsense" : session.clipboard_wanted.value_or("")};
+        return PasteParameters{below(3) == 0 ? "nonsense" : session.outbox->clipboard.value_or("")};
       case 22:
       case 23:
         return ShowWhy{thing(session)};
@@ -136,7 +139,7 @@ class Monkey {
   }
 
   knit::Thing thing(const Session& session) {
-    const auto row = static_cast<std::int32_t>(below(session.timeline->furthest().rows.size() + 3));
+    const auto row = static_cast<std::int32_t>(below(session.document->timeline.furthest().rows.size() + 3));
     const std::int32_t item = small(90);
     switch (below(6)) {
       case 0:
@@ -151,7 +154,7 @@ class Monkey {
         return knit::LabelThing{row, item};
       default:
         return knit::VertexThing{
-            static_cast<knit::VertexId>(below(session.timeline->input().mesh.positions.size() + 2))};
+            static_cast<knit::VertexId>(below(session.document->timeline.input().mesh.positions.size() + 2))};
     }
   }
 
@@ -182,7 +185,7 @@ class Monkey {
 
   Action swept(const Session& session) {
     if (below(6) > 0) return below(2) == 0 ? Action(CancelSweep{}) : Action(TakeSweepValue{below(4)});
-    const double width = session.defaults.stitch_width;
+    const double width = session.document->defaults.stitch_width;
     return StartSweep{{{"epsilon", 0.2 * width, 0.9 * width, 3}, std::nullopt}};
   }
 
@@ -203,7 +206,7 @@ class Monkey {
       case 5:
         return TakeRescued{};
       default:
-        return DismissNotice{session.notices.empty() ? 0 : below(session.notices.size())};
+        return DismissNotice{session.outbox->notices.empty() ? 0 : below(session.outbox->notices.size())};
     }
   }
 
@@ -221,7 +224,7 @@ class Monkey {
         return SetPicking{static_cast<Picking>(below(3))};
       default:
         return PickVertex{
-            static_cast<knit::VertexId>(below(session.timeline->input().mesh.positions.size() + 2))};
+            static_cast<knit::VertexId>(below(session.document->timeline.input().mesh.positions.size() + 2))};
     }
   }
 
@@ -264,12 +267,12 @@ struct Fingerprint {
 };
 
 Fingerprint fingerprint_of(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   return {knit::hash_of(timeline.state()),
           knit::hash_of(timeline.furthest()),
           timeline.position(),
           timeline.known(),
-          session.notices.size(),
+          session.outbox->notices.size(),
           timeline.base_parameters(),
           timeline.edits()};
 }

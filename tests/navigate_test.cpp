@@ -1,5 +1,6 @@
 // Forward and back by item, row and stage, from everywhere in a small run.
 #include "app/actions/navigate.h"
+#include "app/session/document.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -107,9 +108,9 @@ TEST_CASE("forward works a run out as far as needed, and no further than a slice
 TEST_CASE("from the end of an unfinished run nothing moves, by any unit") {
   Session torus = test_support::example_session("torus");
   apply(torus, ToLast{});
-  REQUIRE(torus.timeline->stop() != nullptr);
+  REQUIRE(torus.document->timeline.stop() != nullptr);
   for (const Unit unit : {Unit::item, Unit::row, Unit::stage}) {
-    CHECK(position_after(*torus.timeline, unit, 1) == torus.timeline->known());
+    CHECK(position_after(torus.document->timeline, unit, 1) == torus.document->timeline.known());
   }
 }
 

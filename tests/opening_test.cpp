@@ -5,6 +5,10 @@
 #include <thread>
 
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "knit/import/obj.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
@@ -37,13 +41,13 @@ struct Files {
 
 Session window_session() {
   Session session = example_session("egg");
-  session.beside = true;
+  session.jobs->beside = true;
   return session;
 }
 
 void tick_to_end_of_opening(Session& session) {
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(3);
-  while (session.opening) {
+  while (session.jobs->opening) {
     apply(session, PassTime{0.001});
     REQUIRE(std::chrono::steady_clock::now() < give_up);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -51,8 +55,8 @@ void tick_to_end_of_opening(Session& session) {
 }
 
 void check_untouched(const Session& session, const knit::Input* input) {
-  CHECK(session.source.example == "egg");
-  CHECK(&session.timeline->input() == input);
+  CHECK(session.document->source.example == "egg");
+  CHECK(&session.document->timeline.input() == input);
 }
 
 }  // namespace
@@ -60,93 +64,93 @@ void check_untouched(const Session& session, const knit::Input* input) {
 TEST_CASE("in a window a large file is opened beside it and what is open stays until then") {
   const Files files;
   Session session = window_session();
-  const knit::Input* egg = &session.timeline->input();
+  const knit::Input* egg = &session.document->timeline.input();
   apply(session, ToLast{});
   apply(session, OpenFile{files.large});
-  REQUIRE(session.opening);
+  REQUIRE(session.jobs->opening);
   check_untouched(session, egg);
-  CHECK(session.timeline->position() > 0);
+  CHECK(session.document->timeline.position() > 0);
   apply(session, SeekTo{5});  // it can be worked with meanwhile
-  CHECK(session.timeline->position() == 5);
+  CHECK(session.document->timeline.position() == 5);
   tick_to_end_of_opening(session);
 
   Session plain;
-  plain.assets = KNIT_ASSETS_DIR;
+  plain.program->assets = KNIT_ASSETS_DIR;
   apply(plain, OpenFile{files.large});
-  REQUIRE(plain.timeline);
-  CHECK_FALSE(plain.opening);
-  CHECK(session.source.file == files.large);
-  CHECK(session.source.example.empty());
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.timeline->parameters() == plain.timeline->parameters());
-  CHECK(session.timeline->input().mesh.positions == plain.timeline->input().mesh.positions);
-  CHECK(session.timeline->input().mesh.triangles == plain.timeline->input().mesh.triangles);
-  CHECK(session.mesh_hash == plain.mesh_hash);
-  CHECK(session.mesh_hash == hash_text(*session.original));
-  CHECK(session.notices.empty());
-  CHECK(session.load_ms > 0.0);
-  CHECK_FALSE(session.timeline->sought());  // no place of the egg's is looked for
+  REQUIRE(plain.document);
+  CHECK_FALSE(plain.jobs->opening);
+  CHECK(session.document->source.file == files.large);
+  CHECK(session.document->source.example.empty());
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->timeline.parameters() == plain.document->timeline.parameters());
+  CHECK(session.document->timeline.input().mesh.positions == plain.document->timeline.input().mesh.positions);
+  CHECK(session.document->timeline.input().mesh.triangles == plain.document->timeline.input().mesh.triangles);
+  CHECK(session.document->mesh_hash == plain.document->mesh_hash);
+  CHECK(session.document->mesh_hash == hash_text(*session.document->original));
+  CHECK(session.outbox->notices.empty());
+  CHECK(session.document->load_ms > 0.0);
+  CHECK_FALSE(session.document->timeline.sought());  // no place of the egg's is looked for
 }
 
 TEST_CASE("what is small is opened at once and so is everything without a window") {
   const Files files;
   Session session = window_session();
   apply(session, OpenFile{files.small});
-  CHECK_FALSE(session.opening);
-  CHECK(session.source.file == files.small);
-  session.beside = false;
+  CHECK_FALSE(session.jobs->opening);
+  CHECK(session.document->source.file == files.small);
+  session.jobs->beside = false;
   apply(session, OpenFile{files.large});
-  CHECK_FALSE(session.opening);
-  CHECK(session.source.file == files.large);
-  session.beside = true;
+  CHECK_FALSE(session.jobs->opening);
+  CHECK(session.document->source.file == files.large);
+  session.jobs->beside = true;
   apply(session, OpenFile{files.folder.path() / "none.obj"});
-  CHECK_FALSE(session.opening);
-  REQUIRE_FALSE(session.notices.empty());
-  CHECK(contains(session.notices.back().text, "does not exist"));
+  CHECK_FALSE(session.jobs->opening);
+  REQUIRE_FALSE(session.outbox->notices.empty());
+  CHECK(contains(session.outbox->notices.back().text, "does not exist"));
 }
 
 TEST_CASE("opening is cancelled and nothing of it stays") {
   const Files files;
   Session session = window_session();
-  const knit::Input* egg = &session.timeline->input();
+  const knit::Input* egg = &session.document->timeline.input();
   apply(session, OpenFile{files.large});
-  const std::shared_ptr<Opening> opening = session.opening;
+  const std::shared_ptr<Opening> opening = session.jobs->opening;
   REQUIRE(opening);
-  const knit::Parameters before = session.timeline->parameters();
+  const knit::Parameters before = session.document->timeline.parameters();
   apply(session, CancelWork{});
-  CHECK_FALSE(session.opening);
+  CHECK_FALSE(session.jobs->opening);
   CHECK(opening->progress->stopped());
   while (!opening->work.ready()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   apply(session, PassTime{0.1});
   check_untouched(session, egg);
-  CHECK(session.timeline->parameters() == before);
-  CHECK(session.notices.empty());
+  CHECK(session.document->timeline.parameters() == before);
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("opening another thing cancels the first") {
   const Files files;
   Session session = window_session();
   apply(session, OpenFile{files.large});
-  const std::shared_ptr<Opening> first = session.opening;
+  const std::shared_ptr<Opening> first = session.jobs->opening;
   REQUIRE(first);
   SECTION("another file") {
     apply(session, OpenFile{files.other});
-    REQUIRE(session.opening);
-    CHECK(session.opening != first);
+    REQUIRE(session.jobs->opening);
+    CHECK(session.jobs->opening != first);
     tick_to_end_of_opening(session);
-    CHECK(session.source.file == files.other);
+    CHECK(session.document->source.file == files.other);
   }
   SECTION("a small one") {
     apply(session, OpenFile{files.small});
-    CHECK_FALSE(session.opening);
+    CHECK_FALSE(session.jobs->opening);
     apply(session, PassTime{0.1});
-    CHECK(session.source.file == files.small);
+    CHECK(session.document->source.file == files.small);
   }
   SECTION("an example") {
     apply(session, OpenExample{"sphere"});
-    CHECK_FALSE(session.opening);
+    CHECK_FALSE(session.jobs->opening);
     apply(session, PassTime{0.1});
-    CHECK(session.source.example == "sphere");
+    CHECK(session.document->source.example == "sphere");
   }
   CHECK(first->progress->stopped());
 }
@@ -154,39 +158,39 @@ TEST_CASE("opening another thing cancels the first") {
 TEST_CASE("a large file that is not fit leaves the session as it was, says why, and offers mends") {
   const Files files;
   Session session = window_session();
-  const knit::Input* egg = &session.timeline->input();
+  const knit::Input* egg = &session.document->timeline.input();
   apply(session, OpenFile{files.holed});
-  REQUIRE(session.opening);
+  REQUIRE(session.jobs->opening);
   tick_to_end_of_opening(session);
   check_untouched(session, egg);
-  REQUIRE(session.mend_offer);
-  CHECK(contains(session.mend_offer->finding, "hole"));
+  REQUIRE(session.jobs->mend_offer);
+  CHECK(contains(session.jobs->mend_offer->finding, "hole"));
   apply(session, MendAndOpen{});
   check_untouched(session, egg);
   tick_to_end_of_opening(session);
-  CHECK(session.source.file == files.holed);
-  CHECK(session.mended.size() == 1);
+  CHECK(session.document->source.file == files.holed);
+  CHECK(session.document->mended.size() == 1);
 }
 
 TEST_CASE("a session with a large mesh is opened beside the window too") {
   const Files files;
   Session saved;
-  saved.assets = KNIT_ASSETS_DIR;
+  saved.program->assets = KNIT_ASSETS_DIR;
   apply(saved, OpenFile{files.large});
   apply(saved, SeekTo{300});
   const auto path = files.folder.path() / "a.json";
   REQUIRE_FALSE(save_session(saved, path));
   Session session = window_session();
   apply(session, OpenSession{path});
-  REQUIRE(session.opening);
-  CHECK(session.source.example == "egg");
+  REQUIRE(session.jobs->opening);
+  CHECK(session.document->source.example == "egg");
   tick_to_end_of_opening(session);
   for (int i = 0; i < 3; ++i) apply(session, PassTime{0.01});
-  CHECK(session.source.file == files.large);
-  CHECK(session.timeline->place() == saved.timeline->place());
-  CHECK(session.saved);
-  CHECK(session.preferences.recent.front() == path.string());
-  CHECK(session.notices.empty());
+  CHECK(session.document->source.file == files.large);
+  CHECK(session.document->timeline.place() == saved.document->timeline.place());
+  CHECK(session.document->saved);
+  CHECK(session.program->preferences.recent.front() == path.string());
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("reading and checking tell how far they are and stop when that is wished") {
@@ -220,8 +224,8 @@ TEST_CASE("a part of a task tells its share of the whole") {
 
 TEST_CASE("the card of an opening comes after a moment and cancels it") {
   desk::Desk desk;
-  desk.session.opening = std::make_shared<Opening>();
-  Opening& opening = *desk.session.opening;
+  desk.session.jobs->opening = std::make_shared<Opening>();
+  Opening& opening = *desk.session.jobs->opening;
   opening.path = "/meshes/big.obj";
   opening.progress = std::make_shared<knit::Progress>();
   opening.progress->begin(knit::Progress::Task::checking);
@@ -234,5 +238,5 @@ TEST_CASE("the card of an opening comes after a moment and cancels it") {
   const Actions wishes = desk.click("waiting/cancel");
   CHECK(desk::count_of<CancelWork>(wishes) == 1);
   desk.act(wishes);
-  CHECK_FALSE(desk.session.opening);
+  CHECK_FALSE(desk.session.jobs->opening);
 }

@@ -1,5 +1,9 @@
 // The panels without a display: drawn at every stage, clicked and dragged; each act gives its one wish.
 #include "app/panels/ui.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 #include <imgui.h>
 
@@ -58,12 +62,12 @@ TEST_CASE("every panel is drawn at every stage, with everything open, and contro
   for (const Size& size : sizes) {
     Desk desk(size.width, size.height, size.scale, KNIT_ASSETS_DIR "/fonts");
     CHECK(desk.frame().empty());
-    desk.session.assets = KNIT_ASSETS_DIR;
+    desk.session.program->assets = KNIT_ASSETS_DIR;
     CHECK(desk.frame().empty());
     desk.open();
     for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
       for (const std::size_t position : {stage.begin, (stage.begin + stage.end) / 2, stage.end}) {
-        desk.session.timeline->seek(position);
+        desk.session.document->timeline.seek(position);
         CHECK(desk.frame().empty());
       }
     }
@@ -85,14 +89,15 @@ TEST_CASE("every panel is drawn at every stage, with everything open, and contro
 TEST_CASE("overlays are drawn without a wish of their own") {
   Desk desk;
   desk.open();
-  desk.session.help_open = true;
-  desk.session.picking = Picking::end;
-  desk.session.notices = {{Notice::Kind::info, "Saved."}, {Notice::Kind::error, "Something is wrong."}};
-  desk.session.list = RunList::problems;
+  desk.session.view->dialogs.help_open = true;
+  desk.session.view->gaze.picking = Picking::end;
+  desk.session.outbox->notices = {{Notice::Kind::info, "Saved."},
+                                  {Notice::Kind::error, "Something is wrong."}};
+  desk.session.view->list = RunList::problems;
   for (int i = 0; i < 3; ++i) CHECK(desk.frame().empty());
   CHECK(desk.ui.controls.count("notice/0") == 1);
   CHECK(only<DismissNotice>(desk.click("notice/1")).index == 1);
-  desk.session.help_open = false;
+  desk.session.view->dialogs.help_open = false;
   desk.settle();
   CHECK(only<SetPicking>(desk.click("picking/cancel")).picking == Picking::nothing);
 }
@@ -100,9 +105,9 @@ TEST_CASE("overlays are drawn without a wish of their own") {
 TEST_CASE("a click on a button of the timeline gives its one action") {
   Desk desk;
   desk.open();
-  desk.session.timeline->seek(20);
+  desk.session.document->timeline.seek(20);
   CHECK(only<SetPlaying>(desk.click("play")).playing);
-  desk.session.playback.playing = true;
+  desk.session.view->playback.playing = true;
   CHECK_FALSE(only<SetPlaying>(desk.click("play")).playing);
   only<ToFirst>(desk.click("first"));
   only<ToLast>(desk.click("last"));
@@ -117,9 +122,9 @@ TEST_CASE("a click on a button of the timeline gives its one action") {
 TEST_CASE("dragging the scrubber seeks, and only when it moves") {
   Desk desk;
   desk.open();
-  desk.session.timeline->seek(0);
+  desk.session.document->timeline.seek(0);
   desk.settle();
-  const std::size_t known = desk.session.timeline->known();
+  const std::size_t known = desk.session.document->timeline.known();
   const Box track = desk.ui.controls.at("track");
   CHECK(desk.frames({desk.over("scrubber")}).empty());
   desk.act(desk.frames({MouseClick{MouseButton::Left, true}}));
@@ -129,7 +134,7 @@ TEST_CASE("dragging the scrubber seeks, and only when it moves") {
   desk.act(moved);
   CHECK(desk.frame().empty());
   CHECK(only<SeekTo>(desk.frames({MouseMove{2000, 700}})).position == known);
-  desk.session.timeline->seek(known);
+  desk.session.document->timeline.seek(known);
   CHECK(desk.frames({MouseClick{MouseButton::Left, false}, MouseMove{300, 700}}).empty());
 }
 
@@ -137,7 +142,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
   for (const bool from_here : {false, true}) {
     Desk desk(1280, 1400);
     desk.open();
-    desk.session.timeline->seek(desk.session.timeline->known() / 2);
+    desk.session.document->timeline.seek(desk.session.document->timeline.known() / 2);
     if (from_here) CHECK(desk.click("mode", 0.9f).empty());
     desk.settle();
     const MouseMove at = desk.over("knob/epsilon");
@@ -151,15 +156,15 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.act(moved);
     }
     CHECK(wishes > 5);
-    CHECK(desk.session.timeline->parameters().epsilon > wide_band().epsilon);
-    CHECK(desk.session.timeline->edits().size() == (from_here ? 1 : 0));
+    CHECK(desk.session.document->timeline.parameters().epsilon > wide_band().epsilon);
+    CHECK(desk.session.document->timeline.edits().size() == (from_here ? 1 : 0));
     desk.frames({MouseClick{MouseButton::Left, false}});
     if (from_here) {
       desk.settle();
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
       CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
-            knit::agreed(wide_band(), desk.session.timeline->input()));
+            knit::agreed(wide_band(), desk.session.document->timeline.input()));
     }
   }
 }
@@ -210,8 +215,8 @@ TEST_CASE("drags, wheel and clicks in the view") {
 TEST_CASE("a click picks a vertex when one is asked for, and a drag still turns") {
   Desk desk;
   desk.open();
-  desk.session.picking = Picking::start;
-  const auto& mesh = desk.session.timeline->input().mesh;
+  desk.session.view->gaze.picking = Picking::start;
+  const auto& mesh = desk.session.document->timeline.input().mesh;
   CHECK(only<PickVertex>(desk.click("view")).vertex < mesh.positions.size());
   const MouseMove centre = desk.over("view");
   const Actions dragged =
@@ -226,19 +231,19 @@ TEST_CASE("a click picks a vertex when one is asked for, and a drag still turns"
 TEST_CASE("layers, rows and problems are clicked") {
   Desk desk;
   desk.open();
-  desk.session.timeline->seek(desk.session.timeline->known());
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
   desk.settle();
   const SetLayer hidden = only<SetLayer>(desk.click("layer/faces", 0.1f));
   CHECK(hidden.layer == Layer::faces);
   CHECK_FALSE(hidden.on);
-  const std::string last = "row/" + std::to_string(desk.session.timeline->state().rows.size());
+  const std::string last = "row/" + std::to_string(desk.session.document->timeline.state().rows.size());
   CHECK(only<SeekPlace>(desk.click(last, 0.1f)).place.row ==
-        static_cast<int>(desk.session.timeline->state().rows.size()));
+        static_cast<int>(desk.session.document->timeline.state().rows.size()));
 
   knit::Parameters narrow = wide_band();
   narrow.epsilon = 0.001;
   desk.open(narrow);
-  desk.session.list = RunList::problems;
+  desk.session.view->list = RunList::problems;
   desk.settle();
   REQUIRE_FALSE(desk.ui.run.problems().empty());
   CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.ranked()[0].step + 1);
@@ -246,7 +251,7 @@ TEST_CASE("layers, rows and problems are clicked") {
 
 TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing else") {
   Desk desk;
-  desk.session.assets = KNIT_ASSETS_DIR;
+  desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.open();
   for (const char* menu : {"menu/file", "menu/go", "menu/view", "menu/help"}) {
     INFO(menu);

@@ -2,6 +2,8 @@
 #include "app/files/pattern_export.h"
 #include "app/panels/kit/track.h"
 #include "app/panels/pattern/pattern_lines.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -109,12 +111,13 @@ TEST_CASE("a line under the pointer lights its rounds in the view, and a click g
   const Actions hovered = desk.frames({desk.over(line)});
   REQUIRE(count_of<HoverRounds>(hovered) == 1);
   desk.act(hovered);
-  REQUIRE(desk.session.hovered_rounds);
-  const RoundSpan rounds = *desk.session.hovered_rounds;
+  REQUIRE(desk.session.view->gaze.hovered_rounds);
+  const RoundSpan rounds = *desk.session.view->gaze.hovered_rounds;
   CHECK(rounds.first == round);
   std::size_t stitches = 0;
   for (std::int32_t r = rounds.first; r <= rounds.last; ++r)
-    stitches += desk.session.timeline->state().rows[static_cast<std::size_t>(r) - 1]->stitches.size();
+    stitches +=
+        desk.session.document->timeline.state().rows[static_cast<std::size_t>(r) - 1]->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   const Actions clicked = desk.click(line);
   REQUIRE(count_of<SeekPlace>(clicked) == 1);
@@ -122,16 +125,16 @@ TEST_CASE("a line under the pointer lights its rounds in the view, and a click g
     if (const auto* seek = wish.get_if<SeekPlace>()) CHECK(seek->place.row == round);
   }
   desk.act(desk.frames({MouseLeave{}}));
-  CHECK_FALSE(desk.session.hovered_rounds);
+  CHECK_FALSE(desk.session.view->gaze.hovered_rounds);
 }
 
 TEST_CASE("rounds meant before they are made stand where they are going to be") {
   Desk desk;
   show_pattern(desk);
   desk.act({ToFirst{}, HoverRounds{RoundSpan{3, 4}}});
-  REQUIRE(desk.session.timeline->state().rows.empty());
+  REQUIRE(desk.session.document->timeline.state().rows.empty());
   Describer describer;
-  const auto& rows = desk.session.timeline->furthest().rows;
+  const auto& rows = desk.session.document->timeline.furthest().rows;
   const std::size_t lit = describer.describe(desk.session).lines.size();
   desk.act({HoverRounds{std::nullopt}});
   CHECK(lit ==
@@ -165,16 +168,16 @@ TEST_CASE("another side leaves no round lit") {
   desk.act({ToLast{}});
   desk.settle();
   desk.act(desk.frames({desk.over("pattern/round/" + std::to_string(seen_round(desk)))}));
-  REQUIRE(desk.session.hovered_rounds);
+  REQUIRE(desk.session.view->gaze.hovered_rounds);
   desk.act({ShowSide{SidePanel::step}});
   desk.act(desk.frame());
-  CHECK_FALSE(desk.session.hovered_rounds);
+  CHECK_FALSE(desk.session.view->gaze.hovered_rounds);
 }
 
 TEST_CASE("the round under the pointer on the timeline is meant everywhere") {
   Desk desk;
   show_pattern(desk);
-  const knit::Timeline& timeline = *desk.session.timeline;
+  const knit::Timeline& timeline = desk.session.document->timeline;
   const knit::Place wanted{knit::Stage::stitches, desk.ui.chart.rounds() / 2, INT32_MAX};
   const Box box = desk.ui.controls.at("track");
   const float margin = desk.layout.scale * 6.0f;
@@ -188,7 +191,7 @@ TEST_CASE("the round under the pointer on the timeline is meant everywhere") {
   desk.settle();
   CHECK(is_seen(desk, row));
   desk.act(desk.frames({MouseMove{track.x_of(1), box.y + 0.5f * box.height}}));
-  CHECK_FALSE(desk.session.hovered_rounds);  // no rows there
+  CHECK_FALSE(desk.session.view->gaze.hovered_rounds);  // no rows there
 }
 
 TEST_CASE("who knits along goes on from the line that is clicked") {
@@ -207,18 +210,18 @@ TEST_CASE("the pattern's own words are folded away, and taken as they are typed"
   CHECK(desk.ui.controls.count("pattern/Title") == 0);
   open_fields(desk);
   CHECK(count_of<SetPatternOptions>(type_into(desk, "pattern/Title", "My ball")) == 7);
-  CHECK(desk.session.pattern.title == "My ball");
+  CHECK(desk.session.view->pattern.title == "My ball");
   type_into(desk, "pattern/Yarn", "Wool");
   type_into(desk, "pattern/Colour", "moss");
   leave_field(desk);
-  CHECK(desk.session.pattern.title == "My ball");
-  CHECK(desk.session.pattern.yarn == "Wool");
-  CHECK(desk.session.pattern.colour == "moss");
+  CHECK(desk.session.view->pattern.title == "My ball");
+  CHECK(desk.session.view->pattern.yarn == "Wool");
+  CHECK(desk.session.view->pattern.colour == "moss");
   CHECK(desk.ui.chart.pattern().title == "My ball");
   CHECK(desk.ui.chart.pattern().materials.front().find("Wool, in moss") != std::string::npos);
   for (const char* box : {"pattern/markers", "pattern/stars"}) desk.act(desk.click(box, 0.1f));
-  CHECK(desk.session.pattern.markers);
-  CHECK(desk.session.pattern.stars);
+  CHECK(desk.session.view->pattern.markers);
+  CHECK(desk.session.view->pattern.stars);
 }
 
 TEST_CASE("options that come from elsewhere fill the fields") {
@@ -241,12 +244,12 @@ TEST_CASE("a needle is a number from 0.5 to 50, another is refused with a senten
   show_pattern(desk);
   open_fields(desk);
   type_into(desk, "pattern/Needle", "3.5x");
-  CHECK(desk.session.pattern.needle_mm == 3.5);
+  CHECK(desk.session.view->pattern.needle_mm == 3.5);
   CHECK(desk.ui.pattern_fields.trouble.empty());  // not while it is typed
   leave_field(desk);
   CHECK(desk.ui.pattern_fields.trouble == "The needle cannot be \"3.5x\" mm; give a number from 0.5 to 50.");
   CHECK(desk.ui.pattern_fields.needle.text() == "3.5x");
-  CHECK(desk.session.pattern.needle_mm == 3.5);  // the last that could be
+  CHECK(desk.session.view->pattern.needle_mm == 3.5);  // the last that could be
   for (const char* bad : {"0", "0.4", "51", "nan", "3,5", "-2", "4 mm"}) CHECK_FALSE(needle_mm_of(bad));
   CHECK(needle_mm_of("0.5") == 0.5);
   CHECK(needle_mm_of("50") == 50.0);

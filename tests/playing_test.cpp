@@ -5,6 +5,8 @@
 #include <set>
 
 #include "app/actions/navigate.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -19,7 +21,7 @@ BreakHits hits_of(const Session& session, const std::vector<std::string>& texts)
   for (const std::string& text : texts)
     conditions.push_back(std::get<knit::BreakCondition>(knit::parse_break(text)));
   BreakHits hits;
-  hits.refresh(*session.timeline, conditions, BreakHits::all);
+  hits.refresh(session.document->timeline, conditions, BreakHits::all);
   return hits;
 }
 
@@ -54,7 +56,7 @@ TEST_CASE("playing goes as far as its steps, to a hit, and round its loop, both 
   REQUIRE(positions.size() > 20);
   const std::size_t first = *positions.begin();
   const std::size_t second = *std::next(positions.begin());
-  const std::size_t end = session.timeline->known();
+  const std::size_t end = session.document->timeline.known();
   std::size_t wrong = 0;
   for (const int direction : {1, -1}) {
     for (const auto& loop : {std::optional<Stretch>(), std::optional(Stretch{first - 5, first + 3}),
@@ -96,19 +98,19 @@ TEST_CASE("in slow motion the last step of a row stays for a while, however time
   Session session = finished_small_session();
   apply(session, SetSlowMotion{true});
   apply(session, SetSpeed{200.0});
-  const std::size_t closing = position_at(*session.timeline, {knit::Stage::rows, 5, INT32_MAX});
+  const std::size_t closing = position_at(session.document->timeline, {knit::Stage::rows, 5, INT32_MAX});
   for (const int direction : {1, -1}) {
     INFO(direction);
     seek(session, direction > 0 ? closing - 10 : closing + 10);
     apply(session, SetPlaying{true, direction});
     double at_closing = 0.0;
     double all = 0.0;
-    while (direction > 0 ? session.timeline->position() <= closing + 9
-                         : session.timeline->position() >= closing - 9) {
+    while (direction > 0 ? session.document->timeline.position() <= closing + 9
+                         : session.document->timeline.position() >= closing - 9) {
       apply(session, PassTime{0.005});
       all += 0.005;
       REQUIRE(all < 30.0);
-      if (session.timeline->position() == closing) at_closing += 0.005;
+      if (session.document->timeline.position() == closing) at_closing += 0.005;
     }
     CHECK(at_closing == Approx(1.0 / 3.0).margin(0.02));
     CHECK(all > 1.5);  // 20 steps at full speed take 0.1 s
@@ -118,42 +120,43 @@ TEST_CASE("in slow motion the last step of a row stays for a while, however time
   seek(session, closing - 10);
   apply(session, SetPlaying{});
   apply(session, PassTime{0.1});
-  CHECK(session.timeline->position() == closing + 10);
+  CHECK(session.document->timeline.position() == closing + 10);
 }
 
 TEST_CASE("as fast as it goes is as many steps as a tick works out", "[playing]") {
   Session session = test_support::small_session();
-  session.timeline.emplace(knit::make_input(knit::sphere(256, 129)), test_support::thesis_parameters());
+  session.document->timeline =
+      knit::Timeline(knit::make_input(knit::sphere(256, 129)), test_support::thesis_parameters());
   apply(session, SetSpeed{fastest_steps_per_second});
   apply(session, SetPlaying{});
   apply(session, PassTime{0.001});
-  CHECK(session.timeline->known() == steps_per_tick);
-  CHECK(session.timeline->position() == steps_per_tick);
+  CHECK(session.document->timeline.known() == steps_per_tick);
+  CHECK(session.document->timeline.position() == steps_per_tick);
   apply(session, SetSpeed{100.0});  // changed while it plays
   apply(session, PassTime{0.1});
-  CHECK(session.timeline->position() == steps_per_tick + 10);
-  CHECK(session.playback.playing);
+  CHECK(session.document->timeline.position() == steps_per_tick + 10);
+  CHECK(session.view->playback.playing);
 }
 
 TEST_CASE("playing stops at a hit, forwards and backwards, and goes on from it", "[playing]") {
   Session session = finished_small_session();
   apply(session, ToFirst{});
   apply(session, SetBreaks{{std::get<knit::BreakCondition>(knit::parse_break("row=4"))}});
-  const BreakHits hits = session.travel.hits;
+  const BreakHits hits = session.document->travel.hits;
   REQUIRE(hits.hits().size() == 4);
   const auto play_on = [&](int direction) {
     apply(session, SetPlaying{true, direction});
-    for (int i = 0; i < 10000 && session.playback.playing; ++i) apply(session, PassTime{0.25});
-    CHECK_FALSE(session.playback.playing);
-    return session.timeline->position();
+    for (int i = 0; i < 10000 && session.view->playback.playing; ++i) apply(session, PassTime{0.25});
+    CHECK_FALSE(session.view->playback.playing);
+    return session.document->timeline.position();
   };
   for (const knit::BreakHit& hit : hits.hits()) {
     CHECK(play_on(1) == hit.step + 1);
-    CHECK(session.timeline->place().row == 4);
-    CHECK(session.place_note == "Break: row 4 begins.");
+    CHECK(session.document->timeline.place().row == 4);
+    CHECK(session.document->place_note == "Break: row 4 begins.");
   }
-  CHECK(play_on(1) == session.timeline->known());
-  CHECK(session.place_note.empty());
+  CHECK(play_on(1) == session.document->timeline.known());
+  CHECK(session.document->place_note.empty());
   for (std::size_t i = 4; i-- > 0;) CHECK(play_on(-1) == hits.hits()[i].step + 1);
   CHECK(play_on(-1) == 0);
 }
@@ -166,38 +169,38 @@ TEST_CASE("the loop is played round and round, and follows its row when the run 
   apply(session, SetPlaying{});
   apply(session, SetSpeed{50.0});
   std::size_t turns = 0;
-  std::size_t last = session.timeline->position();
+  std::size_t last = session.document->timeline.position();
   for (int i = 0; i < 200; ++i) {
     apply(session, PassTime{0.05});
-    const std::size_t now = session.timeline->position();
+    const std::size_t now = session.document->timeline.position();
     CHECK((now >= row.begin && now <= row.end));
     turns += now < last ? 1U : 0U;
     last = now;
   }
   CHECK(turns >= 3);
-  knit::Parameters other = session.timeline->parameters();
+  knit::Parameters other = session.document->timeline.parameters();
   other.cast_on = 9;  // other rows before it
   apply(session, Tune{other});
   for (int i = 0; i < 3; ++i) apply(session, PassTime{0.0});
-  REQUIRE(session.travel.loop.has_value());
-  CHECK(session.timeline->step(session.travel.loop->begin).place.row == 6);
-  CHECK(session.timeline->step(session.travel.loop->begin - 1).place.row == 5);
-  CHECK(session.timeline->step(session.travel.loop->end - 1).place.row == 6);
-  CHECK(session.timeline->step(session.travel.loop->end).place.row == 7);
+  REQUIRE(session.document->travel.loop.has_value());
+  CHECK(session.document->timeline.step(session.document->travel.loop->begin).place.row == 6);
+  CHECK(session.document->timeline.step(session.document->travel.loop->begin - 1).place.row == 5);
+  CHECK(session.document->timeline.step(session.document->travel.loop->end - 1).place.row == 6);
+  CHECK(session.document->timeline.step(session.document->travel.loop->end).place.row == 7);
   apply(session, SetLoop{});
-  CHECK_FALSE(session.travel.loop);
+  CHECK_FALSE(session.document->travel.loop);
   for (int i = 0; i < 3; ++i) apply(session, PassTime{0.0});
-  CHECK_FALSE(session.travel.loop);
+  CHECK_FALSE(session.document->travel.loop);
 }
 
 TEST_CASE("a loop up to the end of the run goes round too", "[playing]") {
   Session session = finished_small_session();
-  const std::size_t end = session.timeline->known();
+  const std::size_t end = session.document->timeline.known();
   apply(session, SeekTo{end - 3});
   apply(session, SetLoop{Stretch{end - 5, end}});
   apply(session, SetPlaying{});
   apply(session, SetSpeed{20.0});
   for (int i = 0; i < 50; ++i) apply(session, PassTime{0.05});
-  CHECK(session.playback.playing);
-  CHECK(session.timeline->position() >= end - 5);
+  CHECK(session.view->playback.playing);
+  CHECK(session.document->timeline.position() >= end - 5);
 }

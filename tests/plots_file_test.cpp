@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/files/export.h"
+#include "app/session/document.h"
 #include "knit/quality/quality.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -43,7 +44,7 @@ double sum_of(const std::vector<Value>& values) {
 
 TEST_CASE("the plots as CSV hold the run's numbers") {
   const Session session = test_support::finished_small_session();
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   Series series = read_csv(plots_file_text(session, PlotsFormat::csv));
   const std::vector<int> sizes = test_support::row_sizes(state);
   const auto& made = series["stitches/made"];
@@ -55,9 +56,9 @@ TEST_CASE("the plots as CSV hold the run's numbers") {
   }
   CHECK(series["stitches/ideal"].size() == sizes.size());
   CHECK(series["course-length/made"].size() == sizes.size());
-  const knit::Parameters& parameters = session.timeline->parameters();
+  const knit::Parameters& parameters = session.document->timeline.parameters();
   const knit::Quality quality = knit::measure_quality(
-      session.timeline->input(), state, parameters.stitch_width, knit::stitch_height_of(parameters));
+      session.document->timeline.input(), state, parameters.stitch_width, knit::stitch_height_of(parameters));
   CHECK(sum_of(series["course/count"]) == static_cast<double>(quality.course.count));
   CHECK(sum_of(series["wale/count"]) == static_cast<double>(quality.wale.count));
   CHECK(sum_of(series["corner/count"]) == static_cast<double>(quality.corner.count));
@@ -92,7 +93,7 @@ TEST_CASE("plots of an unfinished run show what there is") {
   CHECK(plots_missing(session).has_value());
   apply(session, SeekPlace{{knit::Stage::cast_on, 1, 1000}});
   apply(session, StepBy{});
-  REQUIRE(session.timeline->state().rows.size() == 1);
+  REQUIRE(session.document->timeline.state().rows.size() == 1);
   CHECK_FALSE(plots_missing(session).has_value());
   const std::string svg = plots_file_text(session, PlotsFormat::svg);
   CHECK(test_support::xml_fault(svg) == "");

@@ -6,6 +6,8 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/session/every_panel.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -125,7 +127,7 @@ TEST_CASE("the keeper writes what has changed, not more often than every few sec
 
   Session next;
   const PreferencesKeeper again(next, file);
-  CHECK(next.preferences == session.preferences);
+  CHECK(next.program->preferences == session.program->preferences);
 }
 
 TEST_CASE("what the command line says counts for one start, unless it is changed by hand") {
@@ -133,11 +135,11 @@ TEST_CASE("what the command line says counts for one start, unless it is changed
   const auto file = folder.path() / "preferences.json";
   write_text(file, preferences_text(all_changed()));
   Session session;
-  session.preferences.theme = ThemeKind::dark;  // as --theme dark has left it
+  session.program->preferences.theme = ThemeKind::dark;  // as --theme dark has left it
   PreferencesKeeper keeper(session, file, {ThemeKind::dark, 2.0});
-  CHECK(session.preferences.theme == ThemeKind::dark);
-  CHECK(session.preferences.scale == 2.0);
-  CHECK_FALSE(session.preferences.motion);
+  CHECK(session.program->preferences.theme == ThemeKind::dark);
+  CHECK(session.program->preferences.scale == 2.0);
+  CHECK_FALSE(session.program->preferences.motion);
   apply(session, SetMotion{true});
   keeper.pass(session, 10.0);
   CHECK(in_file(file).theme == ThemeKind::light);
@@ -159,13 +161,13 @@ TEST_CASE(
   const std::string before = read_text(file);
   Session session;
   PreferencesKeeper keeper(session, file);
-  REQUIRE(session.notices.size() == 1);
-  const Notice& notice = session.notices.front();
+  REQUIRE(session.outbox->notices.size() == 1);
+  const Notice& notice = session.outbox->notices.front();
   CHECK(notice.kind == Notice::Kind::warning);
   CHECK(is_one_sentence(notice.text));
   CHECK(contains(notice.text, file.string()));
   CHECK(contains(notice.text, "\"scale\""));
-  CHECK(session.preferences == Preferences{});
+  CHECK(session.program->preferences == Preferences{});
   keeper.pass(session, 100.0);
   keeper.end(session);
   CHECK(read_text(file) == before);
@@ -175,7 +177,7 @@ TEST_CASE(
   CHECK(read_text(folder.path() / "preferences.json.old") == before);
   CHECK(in_file(file).scale == 1.25);
   CHECK(folder.files() == 2);
-  CHECK(session.notices.size() == 1);
+  CHECK(session.outbox->notices.size() == 1);
 }
 
 TEST_CASE("preferences that cannot be written are told of once") {
@@ -187,8 +189,8 @@ TEST_CASE("preferences that cannot be written are told of once") {
   keeper.pass(session, 10.0);
   apply(session, SetScale{1.5});
   keeper.pass(session, 10.0);
-  REQUIRE(session.notices.size() == 1);
-  CHECK(is_one_sentence(session.notices.front().text));
+  REQUIRE(session.outbox->notices.size() == 1);
+  CHECK(is_one_sentence(session.outbox->notices.front().text));
 }
 
 TEST_CASE("without a place for preferences nothing is read or written") {
@@ -197,8 +199,8 @@ TEST_CASE("without a place for preferences nothing is read or written") {
   PreferencesKeeper keeper(session, std::nullopt);
   keeper.pass(session, 100.0);
   keeper.end(session);
-  CHECK(session.preferences.theme == ThemeKind::light);
-  CHECK(session.notices.empty());
+  CHECK(session.program->preferences.theme == ThemeKind::light);
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("what was opened at the start comes before what the file remembers, an example does not count") {
@@ -206,9 +208,9 @@ TEST_CASE("what was opened at the start comes before what the file remembers, an
   const auto file = folder.path() / "preferences.json";
   write_text(file, preferences_text(all_changed()));
   Session session;
-  session.preferences.recent = {"/tmp/new.obj", "example:thesis-sphere"};
+  session.program->preferences.recent = {"/tmp/new.obj", "example:thesis-sphere"};
   const PreferencesKeeper keeper(session, file);
-  CHECK(session.preferences.recent ==
+  CHECK(session.program->preferences.recent ==
         std::vector<std::string>{"/tmp/new.obj", "/tmp/a \"b\".obj", "example:vase"});
 }
 
@@ -222,14 +224,14 @@ TEST_CASE("what is opened comes first among the recent ones, each once, at most 
   CHECK(std::count(preferences.recent.begin(), preferences.recent.end(), "/tmp/5.obj") == 1);
 
   Session session = example_session("thesis-sphere");
-  CHECK(session.preferences.recent == std::vector<std::string>{"example:thesis-sphere"});
+  CHECK(session.program->preferences.recent == std::vector<std::string>{"example:thesis-sphere"});
   CHECK(opening_of_recent("example:thesis-sphere").get<OpenExample>().name == "thesis-sphere");
   CHECK(opening_of_recent("/tmp/a.obj").get<OpenFile>().path == "/tmp/a.obj");
   CHECK(opening_of_recent("/tmp/a.json").is<OpenSession>());
   CHECK(words_of_recent("/tmp/a.obj").what == "a.obj");
   CHECK(words_of_recent("/tmp/a.obj").where == "/tmp");
   apply(session, ForgetRecent{});
-  CHECK(session.preferences.recent.empty());
+  CHECK(session.program->preferences.recent.empty());
 }
 
 TEST_CASE("a session is remembered as itself, not as its mesh, when it is saved and when it is opened") {
@@ -238,9 +240,9 @@ TEST_CASE("a session is remembered as itself, not as its mesh, when it is saved 
   Session session = example_session("thesis-sphere");
   apply(session, Export{ExportKind::session, path});
   const std::vector<std::string> both{path.string(), "example:thesis-sphere"};
-  CHECK(session.preferences.recent == both);
+  CHECK(session.program->preferences.recent == both);
   apply(session, OpenSession{path});
-  CHECK(session.preferences.recent == both);
+  CHECK(session.program->preferences.recent == both);
 }
 
 TEST_CASE("a file that has gone says so in one sentence when it is chosen, and is not offered again") {
@@ -248,32 +250,32 @@ TEST_CASE("a file that has gone says so in one sentence when it is chosen, and i
   for (const char* name : {"gone.obj", "gone.json"}) {
     Session session = example_session("thesis-sphere");
     const std::string gone = recent_name(folder.path() / name);
-    note_recent(session.preferences, gone);
-    session.notices.clear();
+    note_recent(session.program->preferences, gone);
+    session.outbox->notices.clear();
     app::apply(session, opening_of_recent(gone));
-    REQUIRE(session.notices.size() == 1);
-    CHECK(is_one_sentence(session.notices.front().text));
-    CHECK(session.preferences.recent == std::vector<std::string>{"example:thesis-sphere"});
+    REQUIRE(session.outbox->notices.size() == 1);
+    CHECK(is_one_sentence(session.outbox->notices.front().text));
+    CHECK(session.program->preferences.recent == std::vector<std::string>{"example:thesis-sphere"});
   }
   // One that is there and wrong stays: it may be mended.
   Session session = example_session("thesis-sphere");
   write_text(folder.path() / "bad.obj", "v 1 2\n");
   const std::string bad = recent_name(folder.path() / "bad.obj");
-  note_recent(session.preferences, bad);
+  note_recent(session.program->preferences, bad);
   app::apply(session, opening_of_recent(bad));
-  CHECK(session.preferences.recent.front() == bad);
+  CHECK(session.program->preferences.recent.front() == bad);
 }
 
 TEST_CASE("all panels go and come back at once, and resetting the layout brings everything back") {
   Session session;
   apply(session, ShowPanel{every_panel, false});
-  CHECK(session.preferences.panels == std::array{false, false, false});
+  CHECK(session.program->preferences.panels == std::array{false, false, false});
   apply(session, SetSplit{Split::left, 300.0});
   apply(session, SetSplit{Split::left, -5.0});  // is none
-  CHECK(session.preferences.splits[0] == 300.0);
+  CHECK(session.program->preferences.splits[0] == 300.0);
   apply(session, ResetLayout{});
-  CHECK(session.preferences == Preferences{});
+  CHECK(session.program->preferences == Preferences{});
   apply(session, ShowPanel{every_panel, false});
   apply(session, ShowPanel{every_panel, true});
-  CHECK(session.preferences == Preferences{});
+  CHECK(session.program->preferences == Preferences{});
 }

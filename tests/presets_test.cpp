@@ -1,5 +1,7 @@
 // Presets: settings that the table takes, that run, and that say what they are for.
 #include "app/session/presets.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
 
 #include <set>
 
@@ -82,35 +84,35 @@ TEST_CASE("each preset runs to the end on the sphere, the egg and the vase") {
     CAPTURE(name, p.key);
     apply(session, ApplyPreset{std::string(p.key)});
     apply(session, ToLast{});
-    CHECK(session.notices.empty());
-    CHECK(session.timeline->stop() == nullptr);
-    CHECK(session.timeline->state().finished());
-    CHECK(knit::euler_characteristic(session.timeline->state()) == 0);
+    CHECK(session.outbox->notices.empty());
+    CHECK(session.document->timeline.stop() == nullptr);
+    CHECK(session.document->timeline.state().finished());
+    CHECK(knit::euler_characteristic(session.document->timeline.state()) == 0);
   }
 }
 
 TEST_CASE("the thesis's preset gives the thesis's sphere its golden counts, from wherever one comes") {
   Session session = example_session("thesis-sphere");
   apply(session, ApplyPreset{"best-rows"});
-  knit::Parameters other = session.timeline->parameters();
+  knit::Parameters other = session.document->timeline.parameters();
   other.start_direction = glm::dvec3(1.0, 0.0, 0.0);
   other.cast_on = 9;
   other.last_anchor = knit::LastAnchor::drop;
   apply(session, Tune{other});
   apply(session, ToLast{});
-  CHECK(knit::count_stitches(session.timeline->state()) != 3372);
+  CHECK(knit::count_stitches(session.document->timeline.state()) != 3372);
   apply(session, ApplyPreset{"thesis"});
   apply(session, ToLast{});
-  CHECK(session.notices.empty());
-  CHECK(knit::count_stitches(session.timeline->state()) == 3372);
-  CHECK(knit::count_faces(session.timeline->state()).quads == 3307);
-  CHECK(knit::count_faces(session.timeline->state()).triangles == 118);
+  CHECK(session.outbox->notices.empty());
+  CHECK(knit::count_stitches(session.document->timeline.state()) == 3372);
+  CHECK(knit::count_faces(session.document->timeline.state()).quads == 3307);
+  CHECK(knit::count_faces(session.document->timeline.state()).triangles == 118);
 }
 
 TEST_CASE("the knitter's gauge makes an object of 12 cm from 22 stitches and 32 rounds in 10 cm") {
   Session session = example_session("sphere");
   apply(session, ApplyPreset{"knitters-gauge"});
-  const knit::Parameters& p = session.timeline->parameters();
+  const knit::Parameters& p = session.document->timeline.parameters();
   CHECK(p.stitch_width == Approx(10.0 / 22.0 / 6.0));
   CHECK(p.stitch_height == Approx(10.0 / 32.0 / 6.0));
   CHECK(p.epsilon == 0.025);
@@ -123,33 +125,33 @@ TEST_CASE("a preset is a change for the whole run: the place is kept, and twice 
   apply(session, SeekPlace{place});
   apply(session, ApplyPreset{"best-rows"});
   apply(session, PassTime{0.0});
-  CHECK(session.timeline->place() == place);
-  CHECK(session.timeline->edits().empty());
-  CHECK(session.timeline->base_parameters() ==
-        with_preset(preset("best-rows"), session.timeline->base_parameters()));
+  CHECK(session.document->timeline.place() == place);
+  CHECK(session.document->timeline.edits().empty());
+  CHECK(session.document->timeline.base_parameters() ==
+        with_preset(preset("best-rows"), session.document->timeline.base_parameters()));
 
-  const knit::Parameters once = session.timeline->parameters();
-  const std::uint64_t end = knit::hash_of(session.timeline->furthest());
-  const std::size_t known = session.timeline->known();
+  const knit::Parameters once = session.document->timeline.parameters();
+  const std::uint64_t end = knit::hash_of(session.document->timeline.furthest());
+  const std::size_t known = session.document->timeline.known();
   apply(session, ApplyPreset{"best-rows"});
-  CHECK(session.timeline->parameters() == once);
-  CHECK(session.timeline->known() == known);  // nothing to run anew
-  CHECK(knit::hash_of(session.timeline->furthest()) == end);
-  CHECK(session.timeline->place() == place);
+  CHECK(session.document->timeline.parameters() == once);
+  CHECK(session.document->timeline.known() == known);  // nothing to run anew
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == end);
+  CHECK(session.document->timeline.place() == place);
 }
 
 TEST_CASE("an unknown preset is a notice and nothing else, with or without a mesh") {
   Session empty;
   apply(empty, ApplyPreset{"thesis"});
-  CHECK(empty.notices.empty());
+  CHECK(empty.outbox->notices.empty());
   for (Session session : {Session{}, test_support::finished_small_session()}) {
-    const std::size_t known = session.timeline ? session.timeline->known() : 0;
+    const std::size_t known = session.document ? session.document->timeline.known() : 0;
     apply(session, ApplyPreset{"fluffy"});
-    REQUIRE(session.notices.size() == 1);
-    CHECK(session.notices[0].kind == Notice::Kind::error);
-    CHECK(is_one_sentence(session.notices[0].text));
-    CHECK(contains(session.notices[0].text, "fluffy"));
-    CHECK(contains(session.notices[0].text, preset_keys()));
-    CHECK((session.timeline ? session.timeline->known() : 0) == known);
+    REQUIRE(session.outbox->notices.size() == 1);
+    CHECK(session.outbox->notices[0].kind == Notice::Kind::error);
+    CHECK(is_one_sentence(session.outbox->notices[0].text));
+    CHECK(contains(session.outbox->notices[0].text, "fluffy"));
+    CHECK(contains(session.outbox->notices[0].text, preset_keys()));
+    CHECK((session.document ? session.document->timeline.known() : 0) == known);
   }
 }

@@ -2,6 +2,9 @@
 #include <set>
 
 #include "app/explain/code_variables.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -11,7 +14,8 @@ using namespace desk;
 bool begins(const std::string& name, const std::string& with) { return name.rfind(with, 0) == 0; }
 
 void seek_to_candidate(Desk& desk) {
-  desk.session.timeline->seek(desk.session.timeline->position_of({knit::Stage::rows, 4, 6}));
+  desk.session.document->timeline.seek(
+      desk.session.document->timeline.position_of({knit::Stage::rows, 4, 6}));
   REQUIRE(std::holds_alternative<knit::CandidateMeasured>(last_step(desk.session)->what));
   desk.settle();
 }
@@ -32,7 +36,7 @@ TEST_CASE("pointing at a variable wishes it once, leaving it wishes none") {
   const Actions left = desk.frames({desk.over("view")});
   CHECK(count_of<PointAt>(left) == 1);
   desk.act(left);
-  CHECK(desk.session.pointed_variable.empty());
+  CHECK(desk.session.learning->pointed_variable.empty());
   CHECK(count_of<PointAt>(desk.frame()) == 0);
 }
 
@@ -42,7 +46,7 @@ TEST_CASE("what a script points at stays until a person points, and goes with th
   seek_to_candidate(desk);
   apply(desk.session, PointAt{"epsilon"});
   CHECK(desk.frame().empty());
-  desk.session.side = SidePanel::report;
+  desk.session.view->side = SidePanel::report;
   CHECK(only<PointAt>(desk.frame()).variable.empty());
 }
 
@@ -52,7 +56,7 @@ TEST_CASE("every line and every value has its place in a low window, at every st
     desk.open();
     for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
       for (const std::size_t position : {stage.begin + 1, (stage.begin + stage.end) / 2, stage.end}) {
-        desk.session.timeline->seek(position);
+        desk.session.document->timeline.seek(position);
         desk.settle();
         const auto at = explained(desk.session);
         const std::size_t lines = code_of(at->listing).lines.size();

@@ -9,6 +9,9 @@
 #include "app/explain/code_variables.h"
 #include "app/explain/step_table.h"
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
 #include "knit/insight/narrate.h"
 #include "knit/run/machine.h"
 #include "tests/support/catch.h"
@@ -21,8 +24,8 @@ namespace {
 
 Session run_with(const knit::Parameters& parameters) {
   Session session = test_support::small_session();
-  session.timeline.emplace(session.timeline->input_pointer(), parameters);
-  session.timeline->extend_to_end();
+  session.document->timeline = knit::Timeline(session.document->timeline.input_pointer(), parameters);
+  session.document->timeline.extend_to_end();
   return session;
 }
 
@@ -35,7 +38,7 @@ Session run_changed(Change change) {
 
 Session example_with(const std::string& name) {
   Session session = test_support::example_session(name);
-  session.timeline->extend_to_end();
+  session.document->timeline.extend_to_end();
   return session;
 }
 
@@ -65,12 +68,12 @@ std::vector<Session> all_ways() {
   add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_width = 9.0; });
   runs.push_back(example_with("torus"));
   runs.push_back(example_with("thesis-sphere"));
-  knit::Parameters contours = runs.back().timeline->parameters();
+  knit::Parameters contours = runs.back().document->timeline.parameters();
   contours.rows = knit::RowSource::contours;
   contours.stitch_width = 0.15;
   contours.stitch_height = 0.09;
-  runs.back().timeline->tune(contours);
-  runs.back().timeline->extend_to_end();
+  runs.back().document->timeline.tune(contours);
+  runs.back().document->timeline.extend_to_end();
   runs.push_back(example_with("thesis-sphere"));
   return runs;
 }
@@ -134,7 +137,7 @@ std::vector<std::string> places_in_docs(const std::string& source) {
 
 TEST_CASE("every kind of step has its line, and every line that is no mere head is some step's") {
   Reached reached;
-  for (const Session& session : all_ways()) reached.take(*session.timeline);
+  for (const Session& session : all_ways()) reached.take(session.document->timeline);
   take_crowded_rows(reached);
   CHECK(reached.wrong == 0);
   CHECK(reached.kinds.size() == std::variant_size_v<knit::Happening>);
@@ -224,10 +227,10 @@ TEST_CASE("every variable has a symbol and a meaning, and stands in the table on
 TEST_CASE("every number of a step is the value of a variable") {
   std::set<std::string> missing;
   for (Session& session : all_ways()) {
-    const std::size_t known = session.timeline->known();
+    const std::size_t known = session.document->timeline.known();
     const std::size_t stride = known > 6000 ? 31 : 1;
     for (std::size_t position = 1; position <= known; position += stride) {
-      session.timeline->seek(position);
+      session.document->timeline.seek(position);
       const knit::Step* step = last_step(session);
       if (std::holds_alternative<knit::FieldSolved>(step->what)) continue;
       const std::vector<Variable> variables = variables_of(session);
@@ -264,7 +267,7 @@ TEST_CASE("the variables of a measured candidate are those of its step, by the t
 
 TEST_CASE("before the first step the listing is that of what comes, and no line is lit") {
   Session session = run_changed([](knit::Parameters& p) { p.timing = knit::TimingKind::harmonic; });
-  session.timeline->seek(0);
+  session.document->timeline.seek(0);
   const auto at = explained(session);
   REQUIRE(at);
   CHECK(at->step == nullptr);
@@ -301,9 +304,9 @@ TEST_CASE("the command line asks to explain and to point, and refuses what is no
   REQUIRE(std::holds_alternative<CommandLine>(parsed));
   CHECK(std::get<CommandLine>(parsed).explain);
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   CHECK_FALSE(open_as_asked(session, std::get<CommandLine>(parsed)));
-  CHECK(session.pointed_variable == "d");
+  CHECK(session.learning->pointed_variable == "d");
   const auto refused = parse_command_line({"--point", "speed"}, KNIT_ASSETS_DIR);
   REQUIRE(std::holds_alternative<Answer>(refused));
   CHECK(std::get<Answer>(refused).exit_code == exit_usage);

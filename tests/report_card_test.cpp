@@ -4,6 +4,9 @@
 
 #include "app/files/card.h"
 #include "app/panels/report/card_cache.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -113,17 +116,17 @@ knit::Quality fine_quality() {
 TEST_CASE("a click on a tab shows its side, once, and R shows the next") {
   Desk desk;
   desk.open();
-  CHECK(desk.session.side == SidePanel::step);
+  CHECK(desk.session.view->side == SidePanel::step);
   CHECK(desk.click("side/step").empty());
   const Actions wishes = desk.click("side/report");
   CHECK(only<ShowSide>(wishes).side == SidePanel::report);
   desk.act(wishes);
-  CHECK(desk.session.side == SidePanel::report);
+  CHECK(desk.session.view->side == SidePanel::report);
   desk.settle();
   CHECK(desk.click("side/report").empty());
   CHECK(desk.ui.controls.count("layer/faces") == 0);
   CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::pattern);
-  desk.session.side = SidePanel::sweep;
+  desk.session.view->side = SidePanel::sweep;
   CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::step);
   desk.act(desk.click("side/step"));
   desk.settle();
@@ -134,10 +137,10 @@ TEST_CASE("a click on a tab shows its side, once, and R shows the next") {
 TEST_CASE("a click on a row of the plot goes to that row, hovering only tells") {
   Desk desk;
   desk.open();
-  desk.session.side = SidePanel::report;
-  desk.session.timeline->seek(desk.session.timeline->known());
+  desk.session.view->side = SidePanel::report;
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
   desk.settle();
-  const auto last = static_cast<std::int32_t>(desk.session.timeline->state().rows.size());
+  const auto last = static_cast<std::int32_t>(desk.session.document->timeline.state().rows.size());
   CHECK(desk.frames({desk.over("plot/rows", 0.6f), MouseLeave{}}).empty());
   const knit::Place end = only<SeekPlace>(desk.click("plot/rows", 0.995f)).place;
   CHECK(end.row == last);
@@ -147,7 +150,7 @@ TEST_CASE("a click on a row of the plot goes to that row, hovering only tells") 
   CHECK(middle.row > 1);
   CHECK(middle.row < last);
   desk.act(wishes);
-  CHECK(desk.session.timeline->place().row == middle.row);
+  CHECK(desk.session.document->timeline.place().row == middle.row);
   CHECK(desk.click("plot/course").empty());
 }
 
@@ -159,21 +162,21 @@ TEST_CASE("the card keeps to its column and nothing on it overlaps, at every sta
        {Size{1280, 720, 1}, Size{1440, 900, 1}, Size{3840, 2160, 2}, Size{2560, 1440, 2}}) {
     CAPTURE(size.width, size.height, size.scale);
     Desk desk(size.width, size.height, size.scale, KNIT_ASSETS_DIR "/fonts");
-    desk.session.side = SidePanel::report;
+    desk.session.view->side = SidePanel::report;
     desk.settle();
     check_places(desk);
     desk.open();
     for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
       for (const std::size_t position : {stage.begin, (stage.begin + stage.end) / 2, stage.end}) {
         CAPTURE(position);
-        desk.session.timeline->seek(position);
-        desk.session.measuring = position % 2 == 0;
-        desk.session.closeness = position % 3 == 0 ? some_closeness() : nullptr;
+        desk.session.document->timeline.seek(position);
+        desk.session.jobs->run.measuring = position % 2 == 0 ? std::optional(Measuring{}) : std::nullopt;
+        desk.session.document->closeness = position % 3 == 0 ? some_closeness() : nullptr;
         CHECK(desk.frame().empty());
         check_places(desk);
       }
     }
-    desk.session.closeness = some_closeness();
+    desk.session.document->closeness = some_closeness();
     CHECK(desk.frame().empty());
     check_places(desk);
     for (const char* figure : figures) {
@@ -202,7 +205,7 @@ TEST_CASE("every figure has words of its own, and the card of a small window scr
   }
   CHECK(helps.size() == figures.size());
   Desk desk(640, 400, 1);
-  desk.session.side = SidePanel::report;
+  desk.session.view->side = SidePanel::report;
   desk.open();
   CHECK(desk.frame().empty());
 }

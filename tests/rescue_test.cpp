@@ -9,6 +9,9 @@
 #include "app/actions/show_session.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -77,7 +80,7 @@ TEST_CASE("only real changes are written, some seconds after them, and a clean e
   REQUIRE(std::filesystem::exists(file));
   Session opened = example_session("egg");
   CHECK(open_session(opened, file) == std::nullopt);
-  CHECK(opened.timeline->place() == session.timeline->place());
+  CHECK(opened.document->timeline.place() == session.document->timeline.place());
   CHECK_FALSE(find_rescued(place));  // it is of a program that runs: this one
   keeper.end();
   CHECK_FALSE(std::filesystem::exists(file));
@@ -102,36 +105,36 @@ TEST_CASE("what a process left behind is found, newest first, opened or forgotte
   write_text(folder.path() / "notes.txt", "mine");
 
   Session fresh = example_session("egg");
-  fresh.rescued = find_rescued(folder.path());
-  REQUIRE(fresh.rescued);
-  CHECK(fresh.rescued->path == rescue_file(folder.path(), new_one));
-  CHECK(fresh.rescued->words == "sphere, row 12");
+  fresh.program->rescued = find_rescued(folder.path());
+  REQUIRE(fresh.program->rescued);
+  CHECK(fresh.program->rescued->path == rescue_file(folder.path(), new_one));
+  CHECK(fresh.program->rescued->words == "sphere, row 12");
 
   SECTION("opened, it is this program's own from then on") {
     apply(fresh, TakeRescued{});
-    CHECK(fresh.source.example == "sphere");
-    CHECK(fresh.timeline->place() == session.timeline->place());
-    CHECK_FALSE(fresh.rescued);
-    CHECK_FALSE(fresh.saved);
+    CHECK(fresh.document->source.example == "sphere");
+    CHECK(fresh.document->timeline.place() == session.document->timeline.place());
+    CHECK_FALSE(fresh.program->rescued);
+    CHECK_FALSE(fresh.document->saved);
     CHECK_FALSE(std::filesystem::exists(rescue_file(folder.path(), new_one)));
     CHECK(std::filesystem::exists(rescue_file(folder.path(), this_process())));
   }
   SECTION("forgotten, the one before it is offered") {
     apply(fresh, DropRescued{});
-    CHECK(fresh.source.example == "egg");
+    CHECK(fresh.document->source.example == "egg");
     CHECK_FALSE(std::filesystem::exists(rescue_file(folder.path(), new_one)));
-    REQUIRE(fresh.rescued);
-    CHECK(fresh.rescued->words == "sphere, row 9");
+    REQUIRE(fresh.program->rescued);
+    CHECK(fresh.program->rescued->words == "sphere, row 9");
     apply(fresh, DropRescued{});
-    CHECK_FALSE(fresh.rescued);
+    CHECK_FALSE(fresh.program->rescued);
     CHECK(std::filesystem::exists(rescue_file(folder.path(), this_process())));
   }
   SECTION("where its mesh is gone it says so and stays on offer") {
-    fresh.assets = folder.path();
+    fresh.program->assets = folder.path();
     apply(fresh, TakeRescued{});
-    CHECK(fresh.rescued);
-    REQUIRE(fresh.notices.size() == 1);
-    CHECK(fresh.notices[0].kind == Notice::Kind::error);
+    CHECK(fresh.program->rescued);
+    REQUIRE(fresh.outbox->notices.size() == 1);
+    CHECK(fresh.outbox->notices[0].kind == Notice::Kind::error);
   }
 }
 
@@ -153,7 +156,7 @@ TEST_CASE("a number used again is another process, and where nothing can be writ
   blocked.pass(session, 10.0);
   nowhere.end();
   blocked.end();
-  CHECK(session.notices.empty());
+  CHECK(session.outbox->notices.empty());
   CHECK_FALSE(find_rescued(folder.path() / "file"));
   CHECK_FALSE(find_rescued(folder.path() / "none"));
 }

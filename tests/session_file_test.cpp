@@ -4,6 +4,10 @@
 
 #include "app/describe/describe.h"
 #include "app/files/session_json.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -21,16 +25,16 @@ knit::Parameters with(knit::Parameters parameters, const char* key, const std::s
 
 Session empty_session() {
   Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   return session;
 }
 
 // With something of everything that a session remembers.
 Session rich_session() {
   Session session = example_session("sphere");
-  apply(session, Tune{with(session.timeline->parameters(), "epsilon", "0.061")});
+  apply(session, Tune{with(session.document->timeline.parameters(), "epsilon", "0.061")});
   apply(session, SeekPlace{{knit::Stage::rows, 12, 5}});
-  apply(session, EditFromHere{with(session.timeline->parameters(), "close", "thesis")});
+  apply(session, EditFromHere{with(session.document->timeline.parameters(), "close", "thesis")});
   apply(session, SeekPlace{{knit::Stage::rows, 14, 7}});
   apply(session, Orbit{0.4, -0.1});
   apply(session, Zoom{0.7, {0.2, 0.1}});
@@ -45,8 +49,8 @@ Session rich_session() {
   options.needle_mm = 3.25;
   options.stars = true;
   apply(session, SetPatternOptions{options});
-  session.travel.loop = Stretch{10, 40};
-  session.travel.slow_motion = true;
+  session.document->travel.loop = Stretch{10, 40};
+  session.view->slow_motion = true;
   return session;
 }
 
@@ -77,25 +81,27 @@ TEST_CASE("a session opened again is the same: bytes, camera, position, state an
 
   Session opened = empty_session();
   REQUIRE(open_session(opened, folder.path() / "a.json") == std::nullopt);
-  CHECK(opened.notices.empty());
+  CHECK(opened.outbox->notices.empty());
   CHECK(saved_text(opened, folder.path() / "b.json") == text);
-  CHECK(opened.camera == session.camera);
-  CHECK(opened.layers == session.layers);
-  CHECK(opened.timeline->position() == session.timeline->position());
-  CHECK(knit::hash_of(opened.timeline->state()) == knit::hash_of(session.timeline->state()));
-  CHECK(knobs_of(*opened.timeline) == knobs_of(*session.timeline));
-  CHECK(opened.knit_along == 7);
-  CHECK(opened.pattern.title == session.pattern.title);
-  CHECK(opened.travel.loop == session.travel.loop);
-  CHECK(opened.defaults == session.defaults);
-  opened.aspect = session.aspect;
+  CHECK(opened.view->gaze.camera == session.view->gaze.camera);
+  CHECK(opened.view->layers == session.view->layers);
+  CHECK(opened.document->timeline.position() == session.document->timeline.position());
+  CHECK(knit::hash_of(opened.document->timeline.state()) ==
+        knit::hash_of(session.document->timeline.state()));
+  CHECK(knobs_of(opened.document->timeline) == knobs_of(session.document->timeline));
+  CHECK(opened.view->gaze.knit_along == 7);
+  CHECK(opened.view->pattern.title == session.view->pattern.title);
+  CHECK(opened.document->travel.loop == session.document->travel.loop);
+  CHECK(opened.document->defaults == session.document->defaults);
+  opened.view->aspect = session.view->aspect;
   const Scene before = Describer().describe(session);
   const Scene after = Describer().describe(opened);
   CHECK(same_view(before, after));
-  opened.timeline->extend_to_end();
+  opened.document->timeline.extend_to_end();
   Session whole = session;
-  whole.timeline->extend_to_end();
-  CHECK(knit::hash_of(opened.timeline->furthest()) == knit::hash_of(whole.timeline->furthest()));
+  whole.document->timeline.extend_to_end();
+  CHECK(knit::hash_of(opened.document->timeline.furthest()) ==
+        knit::hash_of(whole.document->timeline.furthest()));
 }
 
 TEST_CASE("the start of a run, its end and the middle are come back to") {
@@ -108,7 +114,7 @@ TEST_CASE("the start of a run, its end and the middle are come back to") {
     const std::string text = saved_text(session, folder.path() / "a.json");
     Session opened = empty_session();
     REQUIRE_FALSE(open_session(opened, folder.path() / "a.json"));
-    CHECK(opened.timeline->position() == session.timeline->position());
+    CHECK(opened.document->timeline.position() == session.document->timeline.position());
     CHECK(saved_text(opened, folder.path() / "a.json") == text);
   }
 }
@@ -120,7 +126,7 @@ TEST_CASE("a mesh below the session's folder is named from there, another by its
   std::filesystem::copy_file(mesh, folder.path() / "one" / "meshes" / "ball.obj");
   Session session = empty_session();
   apply(session, OpenFile{folder.path() / "one" / "meshes" / "ball.obj"});
-  REQUIRE(session.timeline);
+  REQUIRE(session.document);
   const std::string text = saved_text(session, folder.path() / "one" / "s.json");
   CHECK(Json::parse(text)["source"]["file"] == "meshes/ball.obj");
   CHECK(Json::parse(saved_text(session, folder.path() / "far.json"))["source"]["file"] ==
@@ -133,7 +139,7 @@ TEST_CASE("a mesh below the session's folder is named from there, another by its
     std::filesystem::rename(folder.path() / "one", folder.path() / "three");
     Session opened = empty_session();
     CHECK(open_session(opened, folder.path() / "three" / "s.json") == std::nullopt);
-    CHECK(opened.notices.empty());
+    CHECK(opened.outbox->notices.empty());
     CHECK(saved_text(opened, folder.path() / "three" / "t.json") == text);
   }
   SECTION("without its mesh it says where it looked") {
@@ -143,17 +149,17 @@ TEST_CASE("a mesh below the session's folder is named from there, another by its
     REQUIRE(error);
     CHECK(contains(*error, (folder.path() / "one" / "meshes" / "ball.obj").string()));
     CHECK(is_one_sentence(*error));
-    CHECK_FALSE(opened.timeline);
+    CHECK_FALSE(opened.document);
   }
   SECTION("a mesh that has changed is a warning") {
     write_text(folder.path() / "one" / "meshes" / "ball.obj",
                "# other\n" + read_text(std::filesystem::path(KNIT_ASSETS_DIR) / "egg" / "mesh.obj"));
     Session opened = empty_session();
     CHECK(open_session(opened, folder.path() / "one" / "s.json") == std::nullopt);
-    REQUIRE(opened.timeline);
-    REQUIRE_FALSE(opened.notices.empty());
-    CHECK(contains(opened.notices.back().text, "another mesh"));
-    CHECK(opened.notices.back().kind == Notice::Kind::warning);
+    REQUIRE(opened.document);
+    REQUIRE_FALSE(opened.outbox->notices.empty());
+    CHECK(contains(opened.outbox->notices.back().text, "another mesh"));
+    CHECK(opened.outbox->notices.back().kind == Notice::Kind::warning);
   }
 }
 
@@ -162,7 +168,7 @@ TEST_CASE("what is wrong with a session file is one sentence, and the session st
   const std::string good = saved_text(rich_session(), folder.path() / "good.json");
   Session session = example_session("egg");
   apply(session, SeekTo{100});
-  const std::uint64_t before = knit::hash_of(session.timeline->state());
+  const std::uint64_t before = knit::hash_of(session.document->timeline.state());
   struct Case {
     std::string pointer, value, says;
   };
@@ -238,9 +244,9 @@ TEST_CASE("what is wrong with a session file is one sentence, and the session st
     CAPTURE(error);
     CHECK(is_one_sentence(error));
   }
-  CHECK(knit::hash_of(session.timeline->state()) == before);
-  CHECK(session.source.example == "egg");
-  CHECK(session.notices.empty());
+  CHECK(knit::hash_of(session.document->timeline.state()) == before);
+  CHECK(session.document->source.example == "egg");
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("files that cannot be sessions: none, a folder, too large") {
@@ -256,8 +262,8 @@ TEST_CASE("files that cannot be sessions: none, a folder, too large") {
   REQUIRE(error);
   CHECK(contains(*error, "16 MB"));
   apply(session, OpenSession{folder.path() / "none.json"});
-  REQUIRE(session.notices.size() == 1);
-  CHECK(session.notices[0].kind == Notice::Kind::error);
+  REQUIRE(session.outbox->notices.size() == 1);
+  CHECK(session.outbox->notices[0].kind == Notice::Kind::error);
 }
 
 TEST_CASE("fields that are not known are left alone, parameters that are missing keep their value") {
@@ -269,33 +275,34 @@ TEST_CASE("fields that are not known are left alone, parameters that are missing
   json["source"].erase("hash");
   Session session = empty_session();
   CHECK(error_of(folder, json.dump(), session) == "");
-  CHECK(session.timeline);
-  CHECK(session.notices.empty());
+  CHECK(session.document);
+  CHECK(session.outbox->notices.empty());
 }
 
 TEST_CASE("a welded run and a pinned one come back with the session") {
   const Folder folder;
   Session session = example_session("sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 9, 2}});
-  const knit::Parameters base = session.timeline->base_parameters();
+  const knit::Parameters base = session.document->timeline.base_parameters();
   const bool welded = base.weld == knit::Weld::on;
   apply(session, Tune{with(base, "weld", welded ? "off" : "on")});
-  REQUIRE(session.timeline->base_parameters().weld != base.weld);
-  session.timeline->extend_to_end();  // and back to the place
-  knit::Timeline other(session.timeline->input_pointer(),
-                       with(session.timeline->base_parameters(), "close", "thesis"));
+  REQUIRE(session.document->timeline.base_parameters().weld != base.weld);
+  session.document->timeline.extend_to_end();  // and back to the place
+  knit::Timeline other(session.document->timeline.input_pointer(),
+                       with(session.document->timeline.base_parameters(), "close", "thesis"));
   other.extend_to_end();
-  session.pinned = Pin{other.input_pointer(), knobs_of(other), other.furthest()};
+  session.document->pinned = Pin{other.input_pointer(), knobs_of(other), other.furthest()};
   const std::string text = saved_text(session, folder.path() / "a.json");
   Session opened = empty_session();
   REQUIRE(open_session(opened, folder.path() / "a.json") == std::nullopt);
   CHECK(saved_text(opened, folder.path() / "a.json") == text);
-  CHECK(knit::hash_of(opened.timeline->state()) == knit::hash_of(session.timeline->state()));
-  REQUIRE(opened.pinned);
+  CHECK(knit::hash_of(opened.document->timeline.state()) ==
+        knit::hash_of(session.document->timeline.state()));
+  REQUIRE(opened.document->pinned);
   finish_pin(opened);
-  CHECK(knit::hash_of(opened.pinned->end) == knit::hash_of(session.pinned->end));
-  CHECK(opened.pinned->knobs == session.pinned->knobs);
-  CHECK(opened.changes.undo.empty());
+  CHECK(knit::hash_of(opened.document->pinned->end) == knit::hash_of(session.document->pinned->end));
+  CHECK(opened.document->pinned->knobs == session.document->pinned->knobs);
+  CHECK(opened.document->changes.undo.empty());
 }
 
 TEST_CASE("a saved run can be read without opening it") {
@@ -306,8 +313,8 @@ TEST_CASE("a saved run can be read without opening it") {
   REQUIRE(std::holds_alternative<SavedRun>(read));
   const auto& run = std::get<SavedRun>(read);
   CHECK(run.source.example == "sphere");
-  CHECK(run.base == session.timeline->base_parameters());
-  CHECK(run.edits == session.timeline->edits());
+  CHECK(run.base == session.document->timeline.base_parameters());
+  CHECK(run.edits == session.document->timeline.edits());
   const auto none = read_saved_run(folder.path() / "none.json");
   REQUIRE(std::holds_alternative<std::string>(none));
   CHECK(is_one_sentence(std::get<std::string>(none)));
@@ -321,7 +328,7 @@ TEST_CASE("a session without a mesh from a file cannot be saved, and says so") {
     CHECK(is_one_sentence(*error));
   }
   Session session = example_session("sphere");
-  session.pattern.title = "\xff\xfe";
+  session.view->pattern.title = "\xff\xfe";
   const auto error = save_session(session, folder.path() / "a.json");
   REQUIRE(error);
   CHECK(is_one_sentence(*error));

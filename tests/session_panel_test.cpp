@@ -1,6 +1,9 @@
 // Undo and redo by hand, the rescue banner, opening sessions, and the help with all its keys.
 #include <fstream>
 
+#include "app/session/document.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -18,7 +21,7 @@ bool inside(const Box& inner, const Box& outer) {
 TEST_CASE("a drag of a knob is one entry to undo, two drags are two") {
   Desk desk;
   desk.open();
-  const Knobs before = knobs_of(*desk.session.timeline);
+  const Knobs before = knobs_of(desk.session.document->timeline);
   for (int drag = 1; drag <= 2; ++drag) {
     // Apart, so that the second is no double click.
     const MouseMove at = desk.over("knob/epsilon", drag == 1 ? 0.3f : 0.6f);
@@ -31,17 +34,17 @@ TEST_CASE("a drag of a knob is one entry to undo, two drags are two") {
       desk.act(wishes);
     }
     CHECK(tunes > 2);
-    CHECK(desk.session.changes.open);
+    CHECK(desk.session.document->changes.open);
     desk.act(desk.frame({MouseClick{MouseButton::Left, false}}));
     desk.act(desk.frame({}));
-    CHECK_FALSE(desk.session.changes.open);
-    CHECK(desk.session.changes.undo.size() == static_cast<std::size_t>(drag));
+    CHECK_FALSE(desk.session.document->changes.open);
+    CHECK(desk.session.document->changes.undo.size() == static_cast<std::size_t>(drag));
   }
   desk.act(desk.click("undo"));
   desk.act(desk.click("undo"));
-  CHECK(knobs_of(*desk.session.timeline) == before);
+  CHECK(knobs_of(desk.session.document->timeline) == before);
   desk.act(desk.press({Key::Y, {.ctrl = true}, 0}));
-  CHECK(desk.session.changes.undo.size() == 1);
+  CHECK(desk.session.document->changes.undo.size() == 1);
 }
 
 TEST_CASE("a click on a choice is an entry of its own, also twice on the same knob") {
@@ -49,8 +52,8 @@ TEST_CASE("a click on a choice is an entry of its own, also twice on the same kn
   desk.open();
   desk.act(desk.click("knob/last-anchor", 0.9f));
   desk.act(desk.click("knob/last-anchor", 0.1f));
-  CHECK(desk.session.changes.undo.size() == 2);
-  CHECK_FALSE(desk.session.changes.open);
+  CHECK(desk.session.document->changes.undo.size() == 2);
+  CHECK_FALSE(desk.session.document->changes.open);
 }
 
 TEST_CASE("the buttons over the knobs: grey while there is nothing to undo, copy and paste") {
@@ -69,7 +72,7 @@ TEST_CASE("a session from before a crash is offered over the view") {
   Desk desk(1280, 720);
   desk.open();
   CHECK(desk.ui.controls.count("rescue/open") == 0);
-  desk.session.rescued = Rescued{"/nowhere/session-1-1.json", "thesis-sphere, row 14"};
+  desk.session.program->rescued = Rescued{"/nowhere/session-1-1.json", "thesis-sphere, row 14"};
   desk.settle();
   CHECK(inside(desk.ui.controls.at("rescue/open"), desk.layout.view));
   CHECK(inside(desk.ui.controls.at("rescue/forget"), desk.layout.view));
@@ -83,7 +86,7 @@ TEST_CASE("the open dialog shows sessions and opens them as such") {
   Desk desk;
   desk.open();
   desk.ui.open.folder = folder.path();
-  desk.session.open_dialog_open = true;
+  desk.session.view->dialogs.open_dialog_open = true;
   desk.settle();
   CHECK(desk.ui.controls.count("open/saved.json") == 1);
   desk.type("saved.json");
@@ -93,7 +96,7 @@ TEST_CASE("the open dialog shows sessions and opens them as such") {
 TEST_CASE("the help shows every key at 1280 x 720, without scrolling") {
   Desk desk(1280, 720);
   desk.open();
-  desk.session.help_open = true;
+  desk.session.view->dialogs.help_open = true;
   desk.settle();
   for (const CommandInfo& info : command_table()) {
     const std::string name = "help/" + words_of(info);

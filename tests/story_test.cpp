@@ -4,6 +4,7 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/compare/sweep_work.h"
+#include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/insight/candidates.h"
 #include "knit/insight/narrate.h"
@@ -38,13 +39,13 @@ std::size_t first_sound_run(const SweepWork& work) {
 TEST_CASE("the story: from a stall to an epsilon without one, at the same place") {
   Session session = test_support::example_session("thesis-sphere");
   const auto act = [&](const Action& action) { app::apply(session, action); };
-  knit::Parameters narrow = session.timeline->parameters();
+  knit::Parameters narrow = session.document->timeline.parameters();
   narrow.epsilon = 0.012;
   act(Tune{narrow});
   act(ToLast{});
 
   // Something is wrong: the list says what, worst first.
-  const knit::ProblemRanking problems = problems_of(*session.timeline);
+  const knit::ProblemRanking problems = problems_of(session.document->timeline);
   REQUIRE(problems.size() > 0);
   for (std::size_t i = 1; i < problems.size(); ++i) CHECK(problems[i - 1].kind <= problems[i].kind);
 
@@ -60,7 +61,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   INFO(sentence(session));
 
   // The candidates show the gap: the band lies between two neighbours.
-  const knit::CandidateTable table = knit::candidates_of(*session.timeline, place.row);
+  const knit::CandidateTable table = knit::candidates_of(session.document->timeline, place.row);
   CHECK(table.band.low == Approx(0.1 - 0.012));
   const auto& taken = table.candidates.at(static_cast<std::size_t>(stall->taken_order));
   CHECK(taken.verdict == knit::CandidateVerdict::taken);
@@ -72,41 +73,42 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
 
   // Why not the one on the other side of the band? What decided on it comes later; the step that touched it
   // before is the one that found it too far. And back again.
-  const knit::Step& before = session.timeline->step(session.timeline->position() - 2);
+  const knit::Step& before = session.document->timeline.step(session.document->timeline.position() - 2);
   const auto refused = std::get<knit::CandidateMeasured>(before.what);
   CHECK(refused.verdict == knit::Verdict::too_far);
   CHECK(refused.distance > table.band.high);
   act(ShowWhy{knit::VertexThing{refused.candidate}});
-  CHECK(session.timeline->place() > place);
+  CHECK(session.document->timeline.place() > place);
   act(ToTouch{-1});
-  while (session.timeline->place() > before.place) act(ToTouch{-1});
-  CHECK(session.timeline->place() == before.place);
-  while (session.timeline->place() != place && !session.travel.history.behind.empty()) act(GoBack{});
-  CHECK(session.timeline->place() == place);
+  while (session.document->timeline.place() > before.place) act(ToTouch{-1});
+  CHECK(session.document->timeline.place() == before.place);
+  while (session.document->timeline.place() != place && !session.document->travel.history.behind.empty())
+    act(GoBack{});
+  CHECK(session.document->timeline.place() == place);
 
   // From which epsilon on is there none?
   act(StartSweep{{{"epsilon", 0.005, 0.05, 46}, std::nullopt}});
-  REQUIRE(session.sweep);
-  session.sweep->work->wait();
-  const std::size_t sound = first_sound_run(*session.sweep->work);
+  REQUIRE(session.document->sweep);
+  session.document->sweep->work->wait();
+  const std::size_t sound = first_sound_run(*session.document->sweep->work);
   REQUIRE(sound > 0);
-  REQUIRE(sound < session.sweep->work->total());
-  const double epsilon = session.sweep->work->run(sound)->values.front();
+  REQUIRE(sound < session.document->sweep->work->total());
+  const double epsilon = session.document->sweep->work->run(sound)->values.front();
   CHECK(epsilon > 0.012);
-  CHECK(session.sweep->work->run(sound - 1)->figures.problems > 0);
+  CHECK(session.document->sweep->work->run(sound - 1)->figures.problems > 0);
 
   // Take it: the same place is shown, and no problem is left.
   act(TakeSweepValue{sound});
   act(PassTime{});
-  CHECK(session.timeline->parameters().epsilon == Approx(epsilon));
-  CHECK(session.timeline->place().row == place.row);
-  CHECK(session.timeline->place().stage == place.stage);
+  CHECK(session.document->timeline.parameters().epsilon == Approx(epsilon));
+  CHECK(session.document->timeline.place().row == place.row);
+  CHECK(session.document->timeline.place().stage == place.stage);
   act(ToLast{});
-  CHECK(session.timeline->furthest().finished());
-  CHECK(problems_of(*session.timeline).size() == 0);
+  CHECK(session.document->timeline.furthest().finished());
+  CHECK(problems_of(session.document->timeline).size() == 0);
   CHECK(stop_shown(session) == nullptr);
 
   // And back: undo leads to the run with the stall.
   act(Undo{});
-  CHECK(session.timeline->parameters().epsilon == 0.012);
+  CHECK(session.document->timeline.parameters().epsilon == 0.012);
 }

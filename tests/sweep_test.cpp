@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -23,7 +25,7 @@ SweepPlan plan_of(const std::string& key, double from, double to, int count) {
 
 // A run of its own, recorded, tuned where the sweep was begun.
 RunFigures fresh_figures(const Session& session, const SweepPlan& plan, const std::vector<double>& values) {
-  knit::Timeline timeline = *session.timeline;
+  knit::Timeline timeline = session.document->timeline;
   timeline.tune(with_values(timeline.parameters(), plan, values));
   // From nothing, so that nothing is shared with it.
   knit::Timeline anew(timeline.input_pointer(), timeline.base_parameters());
@@ -47,7 +49,7 @@ void check_same(const RunFigures& a, const RunFigures& b) {
 }
 
 void check_all(const Session& session, const SweepPlan& plan, unsigned threads) {
-  SweepWork work(sweep_base_of(*session.timeline), plan, threads);
+  SweepWork work(sweep_base_of(session.document->timeline), plan, threads);
   work.wait();
   REQUIRE(work.done() == work.total());
   for (std::size_t i = 0; i < work.total(); ++i) {
@@ -76,7 +78,7 @@ TEST_CASE("sweep: every run equals one of its own, whatever is shared and on how
 TEST_CASE("sweep: edits on the way are kept and changed as tuning would", "[sweep]") {
   Session session = small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
-  knit::Parameters edited = session.timeline->parameters();
+  knit::Parameters edited = session.document->timeline.parameters();
   edited.epsilon = 0.1;
   edited.close = knit::Closing::none;
   apply(session, EditFromHere{edited});
@@ -85,11 +87,11 @@ TEST_CASE("sweep: edits on the way are kept and changed as tuning would", "[swee
 
 TEST_CASE("sweep: a value that is refused is a result, and one that stops tells why", "[sweep]") {
   Session session = small_session();
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.on_stall = knit::OnStall::stop;
   apply(session, Tune{parameters});
   apply(session, StartSweep{plan_of("epsilon", 0.001, 0.4, 9)});
-  const SweepWork& work = *session.sweep->work;
+  const SweepWork& work = *session.document->sweep->work;
   REQUIRE(work.done() == 9);
   CHECK_FALSE(work.run(0)->figures.finished);
   CHECK(is_one_sentence(work.run(0)->figures.stop));
@@ -137,7 +139,7 @@ TEST_CASE("sweep: what cannot be swept is told in one sentence each", "[sweep]")
 
 TEST_CASE("sweep: cancelled work ends soon and keeps what is done", "[sweep]") {
   const Session session = test_support::example_session("thesis-sphere");
-  SweepWork work(sweep_base_of(*session.timeline), plan_of("epsilon", 0.02, 0.09, 10000), 2);
+  SweepWork work(sweep_base_of(session.document->timeline), plan_of("epsilon", 0.02, 0.09, 10000), 2);
   while (work.done() < 2) std::this_thread::yield();
   const auto start = std::chrono::steady_clock::now();
   work.cancel();
@@ -169,23 +171,23 @@ TEST_CASE("sweep: the table has a header and a line a run, whatever is in the ce
 TEST_CASE("sweep: a value is taken like a turned knob, and a fault is a notice", "[sweep]") {
   Session session = small_session();
   apply(session, StartSweep{plan_of("axis", 1, 2, 3)});
-  CHECK_FALSE(session.sweep);
-  REQUIRE(session.notices.size() == 1);
+  CHECK_FALSE(session.document->sweep);
+  REQUIRE(session.outbox->notices.size() == 1);
   apply(session, StartSweep{plan_of("epsilon", 0.05, 0.25, 5)});
-  REQUIRE(session.sweep);
-  CHECK_FALSE(swept_otherwise(*session.sweep->work, *session.timeline));
+  REQUIRE(session.document->sweep);
+  CHECK_FALSE(swept_otherwise(*session.document->sweep->work, session.document->timeline));
   apply(session, TakeSweepValue{1});
-  CHECK(session.timeline->parameters().epsilon == 0.1);
-  CHECK_FALSE(swept_otherwise(*session.sweep->work, *session.timeline));
-  session.timeline->extend_to_end();
-  check_same(session.sweep->work->run(1)->figures,
-             figures_of(tally_of(*session.timeline), knobs_of(*session.timeline)));
+  CHECK(session.document->timeline.parameters().epsilon == 0.1);
+  CHECK_FALSE(swept_otherwise(*session.document->sweep->work, session.document->timeline));
+  session.document->timeline.extend_to_end();
+  check_same(session.document->sweep->work->run(1)->figures,
+             figures_of(tally_of(session.document->timeline), knobs_of(session.document->timeline)));
   apply(session, TakeSweepValue{99});
-  CHECK(session.timeline->parameters().epsilon == 0.1);
-  knit::Parameters other = session.timeline->parameters();
+  CHECK(session.document->timeline.parameters().epsilon == 0.1);
+  knit::Parameters other = session.document->timeline.parameters();
   other.close = knit::Closing::none;
   apply(session, Tune{other});
-  CHECK(swept_otherwise(*session.sweep->work, *session.timeline));
+  CHECK(swept_otherwise(*session.document->sweep->work, session.document->timeline));
   apply(session, OpenExample{"thesis-sphere"});
-  CHECK_FALSE(session.sweep);
+  CHECK_FALSE(session.document->sweep);
 }

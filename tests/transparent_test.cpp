@@ -1,4 +1,6 @@
 // Pictures without a ground: what lies between the mesh and nothing is not dark.
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "tests/support/catch.h"
 #include "tests/support/pictures.h"
@@ -13,10 +15,10 @@ constexpr int width = 240, height = 180;
 
 Session bare_session(ThemeKind theme) {
   Session session = test_support::finished_small_session();
-  session.preferences.theme = theme;
-  session.layers.fill(false);
-  session.layers[static_cast<std::size_t>(Layer::faces)] = true;
-  session.layers[static_cast<std::size_t>(Layer::surface)] = true;
+  session.program->preferences.theme = theme;
+  session.view->layers.fill(false);
+  session.view->layers[static_cast<std::size_t>(Layer::faces)] = true;
+  session.view->layers[static_cast<std::size_t>(Layer::surface)] = true;
   return session;
 }
 
@@ -63,7 +65,7 @@ TEST_CASE("a transparent picture has nothing where the ground was, and the mesh 
 
 TEST_CASE("laid over a ground of one's own, a transparent picture equals one drawn on that ground") {
   Session session = bare_session(ThemeKind::light);
-  session.layers[static_cast<std::size_t>(Layer::faces)] = false;  // they bear dark symbols
+  session.view->layers[static_cast<std::size_t>(Layer::faces)] = false;  // they bear dark symbols
   const Image clear = picture_of(session, true);
   const Image full = picture_of(session, false);
   const Colour ground = theme_of(ThemeKind::light).background;

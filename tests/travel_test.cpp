@@ -2,6 +2,8 @@
 #include "app/actions/navigate.h"
 #include "app/script/queries.h"
 #include "app/session/break_hits.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -17,7 +19,7 @@ SetBreaks breaks(const std::vector<std::string>& texts) { return {breaks_of(text
 std::size_t after_deep(Session& session, std::size_t position, Depth depth, int direction) {
   apply(session, SeekTo{position});
   apply(session, StepDeep{depth, direction});
-  return session.timeline->position();
+  return session.document->timeline.position();
 }
 
 // What a debugger says, on a run's places: over and out as stretches between two steps' borders.
@@ -53,8 +55,8 @@ TEST_CASE("over, into and out go as a debugger's do, from everywhere, forwards a
   for (const Depth depth : {Depth::over, Depth::into, Depth::out}) {
     for (const int direction : {1, -1}) {
       std::size_t wrong = 0;
-      for (std::size_t position = 0; position <= session.timeline->known(); ++position) {
-        const std::size_t plain = plainly(*session.timeline, position, depth, direction);
+      for (std::size_t position = 0; position <= session.document->timeline.known(); ++position) {
+        const std::size_t plain = plainly(session.document->timeline, position, depth, direction);
         wrong += after_deep(session, position, depth, direction) == plain ? 0U : 1U;
       }
       CAPTURE(static_cast<int>(depth), direction);
@@ -65,7 +67,7 @@ TEST_CASE("over, into and out go as a debugger's do, from everywhere, forwards a
 
 TEST_CASE("over then over back returns where both ends are borders of the same kind", "[travel]") {
   Session session = finished_small_session();
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto kind = [&](std::size_t position) {
     return between(timeline, position, false) ? 2 : between(timeline, position, true) ? 1 : 0;
   };
@@ -129,15 +131,15 @@ TEST_CASE("run to next goes from hit to hit, works the run out for it, and says 
           "[travel]") {
   Session session = small_session();
   apply(session, RunToBreak{1});
-  CHECK(session.timeline->position() == 0);
-  CHECK_FALSE(session.place_note.empty());  // there is no condition
+  CHECK(session.document->timeline.position() == 0);
+  CHECK_FALSE(session.document->place_note.empty());  // there is no condition
   apply(session, breaks({"row=4", "row=4", "stage=faces"}));
-  CHECK(session.travel.breaks.size() == 2);
+  CHECK(session.view->breaks.size() == 2);
   std::vector<Place> places;
   for (int i = 0; i < 5; ++i) {
     apply(session, RunToBreak{1});
-    places.push_back(session.timeline->place());
-    CHECK(session.place_note.rfind("Break: ", 0) == 0);
+    places.push_back(session.document->timeline.place());
+    CHECK(session.document->place_note.rfind("Break: ", 0) == 0);
   }
   CHECK(places == std::vector<Place>{{Stage::rows, 4, 0},
                                      {Stage::stitches, 4, 0},
@@ -145,26 +147,26 @@ TEST_CASE("run to next goes from hit to hit, works the run out for it, and says 
                                      {Stage::faces, 4, 0},
                                      {Stage::pattern, 4, 0}});
   apply(session, RunToBreak{1});
-  CHECK(session.timeline->place() == places.back());
-  CHECK(test_support::contains(session.place_note, "to the end of the run"));
+  CHECK(session.document->timeline.place() == places.back());
+  CHECK(test_support::contains(session.document->place_note, "to the end of the run"));
   for (std::size_t i = 4; i-- > 0;) {
     apply(session, RunToBreak{-1});
-    CHECK(session.timeline->place() == places[i]);
+    CHECK(session.document->timeline.place() == places[i]);
   }
   apply(session, RunToBreak{-1});
-  CHECK(test_support::contains(session.place_note, "before"));
+  CHECK(test_support::contains(session.document->place_note, "before"));
   apply(session, StepBy{});
-  CHECK(session.place_note.empty());
+  CHECK(session.document->place_note.empty());
 }
 
 TEST_CASE("in a window run to next waits for the run, and any move calls it off", "[travel]") {
   Session session = test_support::beside_session(test_support::large_parameters());
   apply(session, breaks({"stage=pattern"}));
   apply(session, RunToBreak{1});
-  CHECK(session.timeline->position() == 0);
-  CHECK(session.travel.running_to == 1);
-  test_support::tick_until(session, [](const Session& s) { return s.travel.running_to == 0; });
-  CHECK(session.timeline->place().stage == Stage::pattern);
+  CHECK(session.document->timeline.position() == 0);
+  CHECK(session.document->travel.running_to == 1);
+  test_support::tick_until(session, [](const Session& s) { return s.document->travel.running_to == 0; });
+  CHECK(session.document->timeline.place().stage == Stage::pattern);
 
   Session other = test_support::beside_session(test_support::large_parameters());
   apply(other, breaks({"stage=pattern"}));
@@ -172,7 +174,7 @@ TEST_CASE("in a window run to next waits for the run, and any move calls it off"
   apply(other, ToFirst{});
   test_support::tick_until(other, test_support::run_is_complete);
   apply(other, PassTime{0.0});
-  CHECK(other.timeline->position() == 0);
+  CHECK(other.document->timeline.position() == 0);
 }
 
 TEST_CASE("the command line stops at the first hit from its place on", "[travel]") {
@@ -180,11 +182,11 @@ TEST_CASE("the command line stops at the first hit from its place on", "[travel]
   apply(session, breaks({"row=4", "stage=stitches"}));
   Answer answer = break_answer(session);
   CHECK(answer.exit_code == exit_done);
-  CHECK(session.timeline->place() == Place{Stage::rows, 4, 0});
+  CHECK(session.document->timeline.place() == Place{Stage::rows, 4, 0});
   CHECK(answer.error.rfind("break row=4: ", 0) == 0);
   CHECK(test_support::is_one_sentence(answer.error));
   answer = break_answer(session);  // it holds where it is
-  CHECK(session.timeline->place() == Place{Stage::rows, 4, 0});
+  CHECK(session.document->timeline.place() == Place{Stage::rows, 4, 0});
   apply(session, StepBy{});
   answer = break_answer(session);
   CHECK(answer.error.rfind("break stage=stitches: ", 0) == 0);
@@ -193,7 +195,7 @@ TEST_CASE("the command line stops at the first hit from its place on", "[travel]
   answer = break_answer(session);
   CHECK(answer.exit_code == exit_no_break);
   CHECK(test_support::is_one_sentence(answer.error));
-  CHECK(session.timeline->state().finished());
+  CHECK(session.document->timeline.state().finished());
   CHECK(fault_of_break("row=x").has_value());
   CHECK_FALSE(fault_of_break("row=4").has_value());
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "app/session/document.h"
 #include "knit/insight/candidates.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -67,8 +68,8 @@ void check_whys(Timeline& timeline) {
 
 Timeline example(const std::string& name) {
   app::Session session = test_support::example_session(name);
-  REQUIRE(session.timeline);
-  return std::move(*session.timeline);
+  REQUIRE(session.document);
+  return std::move(session.document->timeline);
 }
 
 Timeline small_run(const Parameters& parameters = test_support::small_parameters()) {

@@ -12,6 +12,8 @@
 #include <set>
 
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
@@ -191,7 +193,7 @@ bool looks_like(const Colour& seen, const Colour& wanted) {
 std::size_t steps_of_whole_run() {
   Session session = test_support::example_session("thesis-sphere");
   apply(session, ToLast{});
-  return session.timeline->known();
+  return session.document->timeline.known();
 }
 
 // "x y" of the middle of a control, for xdotool.
@@ -266,7 +268,7 @@ close
                                       StepBy{}, StepBy{Unit::item, -1}}) {
     apply(session, action);
   }
-  CHECK(steps_in(folder, "mixed.json") == session.timeline->position());
+  CHECK(steps_in(folder, "mixed.json") == session.document->timeline.position());
 }
 
 TEST_CASE("after a crash the real window offers the session, and a clean end leaves nothing") {
@@ -274,7 +276,7 @@ TEST_CASE("after a crash the real window offers the session, and a clean end lea
   const Folder folder;
   desk::Desk desk(width, height);
   desk.open();
-  desk.session.rescued = Rescued{"", "thesis-sphere, row 30"};
+  desk.session.program->rescued = Rescued{"", "thesis-sphere, row 30"};
   desk.settle();
   const MouseMove open = desk.over("rescue/open");
   const std::string at = std::to_string(std::lround(open.x)) + " " + std::to_string(std::lround(open.y));
@@ -315,7 +317,7 @@ close
   REQUIRE(trouble == "");
   Session session = test_support::example_session("thesis-sphere");
   for (const Action& action : Actions{StepBy{Unit::row, 1}, StepBy{}}) apply(session, action);
-  CHECK(steps_in(folder, "after.json") == session.timeline->position());
+  CHECK(steps_in(folder, "after.json") == session.document->timeline.position());
   const Picture picture = read_picture(folder, "after.png");
   CHECK(picture.width == width);
   CHECK(count_in_view(picture, [](const Colour& pixel) { return !(pixel == dark_theme.background); }) >
@@ -394,7 +396,7 @@ close
 
   Session session = test_support::example_session("thesis-sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 30, 0}});
-  CHECK(steps_in(folder, "turned.json") == session.timeline->position());  // dragging is no stepping
+  CHECK(steps_in(folder, "turned.json") == session.document->timeline.position());  // dragging is no stepping
 
   const Picture bare = read_picture(folder, "bare.png");
   const Colour main = dark_theme.of(knit::Label::main);

@@ -1,5 +1,7 @@
 // Long work beside the window: it comes to the same, nobody waits for it, and nothing stale counts.
 #include "app/actions/background_work.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
 
 #include <algorithm>
 
@@ -32,7 +34,7 @@ Session finished_beside(TimingKind timing = TimingKind::linear) {
 }
 
 void tune_timing(Session& session, TimingKind timing) {
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   parameters.timing = timing;
   apply(session, Tune{parameters});
 }
@@ -46,48 +48,48 @@ TEST_CASE(
   Session session = beside_session(large_parameters(timing));
   std::size_t in_call = 0;
   tick_until(session, [&](Session& s) {
-    const std::size_t known = s.timeline->known();
+    const std::size_t known = s.document->timeline.known();
     const bool had_work = is_working(s);
     apply(s, PassTime{0.001});
     // At most the step that the worker had, and never one that nobody worked on beside.
-    const std::size_t now = count_long(*s.timeline, known);
+    const std::size_t now = count_long(s.document->timeline, known);
     in_call += now > (had_work ? 1U : 0U) ? 1U : 0U;
-    return s.timeline->complete();
+    return s.document->timeline.complete();
   });
   CHECK(in_call == 0);
-  const std::size_t taken = count_long(*session.timeline, 0);
+  const std::size_t taken = count_long(session.document->timeline, 0);
   CHECK(taken == (timing == TimingKind::geodesic ? 6 : timing == TimingKind::arc_length ? 3 : 2));
-  CHECK(session.timeline->stop() == nullptr);
-  CHECK(session.timeline->furthest().finished());
-  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(timing)));
-  CHECK(session.run_ms > 0.0);
+  CHECK(session.document->timeline.stop() == nullptr);
+  CHECK(session.document->timeline.furthest().finished());
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == plain_hash(large_parameters(timing)));
+  CHECK(session.document->run_ms > 0.0);
   CHECK_FALSE(is_working(session));
 }
 
 TEST_CASE("where each step is dear, a tick works out fewer") {
   Session session = small_session();
-  session.beside = true;
-  knit::Parameters geodesic = session.timeline->parameters();
+  session.jobs->beside = true;
+  knit::Parameters geodesic = session.document->timeline.parameters();
   geodesic.metric = knit::Metric::geodesic;
   apply(session, Tune{geodesic});
-  CHECK(steps_of_slice(*session.timeline) < 200);
+  CHECK(steps_of_slice(session.document->timeline) < 200);
   apply(session, PassTime{});
-  CHECK(session.timeline->known() < 200);
+  CHECK(session.document->timeline.known() < 200);
   tick_until(session, run_is_complete);
-  CHECK(steps_of_slice(*session.timeline) > 10000);  // past the rows no step is
-  CHECK(session.timeline->furthest().finished());
+  CHECK(steps_of_slice(session.document->timeline) > 10000);  // past the rows no step is
+  CHECK(session.document->timeline.furthest().finished());
 }
 
 TEST_CASE("without a window nothing is left to a worker") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
-  session.beside = false;
+  session.jobs->beside = false;
   apply(session, ToLast{});
-  CHECK(session.timeline->state().finished());
+  CHECK(session.document->timeline.state().finished());
   work_beside(session, 1.0);
   CHECK_FALSE(is_working(session));
-  CHECK_FALSE(session.measuring_run);
+  CHECK_FALSE(session.jobs->run.measuring);
   Session empty;
-  empty.beside = true;
+  empty.jobs->beside = true;
   work_beside(empty, 1.0);
   CHECK_FALSE(is_working(empty));
 }
@@ -100,8 +102,8 @@ TEST_CASE("no action but the clock crosses a long step") {
   CAPTURE(action.index());
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   for (int i = 0; i < 3; ++i) apply(session, action);
-  CHECK(count_long(*session.timeline, 0) == 0);
-  CHECK(session.timeline->known() <= 1);  // the ends, before the first solve
+  CHECK(count_long(session.document->timeline, 0) == 0);
+  CHECK(session.document->timeline.known() <= 1);  // the ends, before the first solve
 }
 
 TEST_CASE("what leads past a long step leads there once it is done") {
@@ -117,51 +119,52 @@ TEST_CASE("what leads past a long step leads there once it is done") {
   CAPTURE(wish.action.index());
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   tick_until(session, is_working);
-  REQUIRE(session.timeline->known() == 1);
+  REQUIRE(session.document->timeline.known() == 1);
   apply(session, StepBy{Unit::item, 1});
-  REQUIRE(session.timeline->position() == 1);
+  REQUIRE(session.document->timeline.position() == 1);
   apply(session, wish.action);
-  CHECK(session.timeline->position() == 1);
-  CHECK(session.timeline->sought());
+  CHECK(session.document->timeline.position() == 1);
+  CHECK(session.document->timeline.sought());
   tick_until(session, run_is_complete);
-  CHECK(session.timeline->place() == wish.place);
-  CHECK_FALSE(session.timeline->sought());
+  CHECK(session.document->timeline.place() == wish.place);
+  CHECK_FALSE(session.document->timeline.sought());
 }
 
 TEST_CASE("to the last leads to the end once the work is done") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   apply(session, ToLast{});
   tick_until(session, run_is_complete);
-  CHECK(session.timeline->position() == session.timeline->known());
-  CHECK(session.timeline->state().finished());
+  CHECK(session.document->timeline.position() == session.document->timeline.known());
+  CHECK(session.document->timeline.state().finished());
 }
 
 TEST_CASE("cancelling goes back to the parameters before the change that asked for the work") {
   Session session = finished_beside(TimingKind::arc_length);
-  const knit::Parameters before = session.timeline->parameters();
-  const std::uint64_t end = knit::hash_of(session.timeline->furthest());
+  const knit::Parameters before = session.document->timeline.parameters();
+  const std::uint64_t end = knit::hash_of(session.document->timeline.furthest());
   apply(session, SeekPlace{{Stage::rows, 5, 2}});
   tune_timing(session, TimingKind::geodesic);
   tick_until(session, is_working);
   tune_timing(session, TimingKind::harmonic);  // changed again before the first was there
   apply(session, CancelWork{});
   CHECK_FALSE(is_working(session));
-  CHECK(session.timeline->parameters() == before);
+  CHECK(session.document->timeline.parameters() == before);
   tick_until(session, run_is_complete);
-  CHECK(session.timeline->place() == knit::Place{Stage::rows, 5, 2});
-  CHECK(knit::hash_of(session.timeline->furthest()) == end);
+  CHECK(session.document->timeline.place() == knit::Place{Stage::rows, 5, 2});
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == end);
   apply(session, CancelWork{});  // nothing to cancel
-  CHECK(session.timeline->parameters() == before);
-  CHECK(session.timeline->complete());
+  CHECK(session.document->timeline.parameters() == before);
+  CHECK(session.document->timeline.complete());
 }
 
 TEST_CASE("work that is cancelled before anything was changed leaves the solves away") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   tick_until(session, is_working);
   apply(session, CancelWork{});
-  CHECK(session.timeline->parameters().timing == TimingKind::linear);
+  CHECK(session.document->timeline.parameters().timing == TimingKind::linear);
   tick_until(session, run_is_complete);
-  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(TimingKind::linear)));
+  CHECK(knit::hash_of(session.document->timeline.furthest()) ==
+        plain_hash(large_parameters(TimingKind::linear)));
 }
 
 TEST_CASE("work that an edit asked for is cancelled back to before the edit") {
@@ -169,35 +172,38 @@ TEST_CASE("work that an edit asked for is cancelled back to before the edit") {
   tune_timing(session, TimingKind::arc_length);
   tick_until(session, run_is_complete);
   apply(session, SeekPlace{{Stage::timing, 0, 1}});
-  const knit::Parameters before = session.timeline->parameters();
+  const knit::Parameters before = session.document->timeline.parameters();
   knit::Parameters edited = before;
   edited.end = 17;
   apply(session, SeekTo{0});
   apply(session, EditFromHere{edited});
   tick_until(session, is_working);
   apply(session, CancelWork{});
-  CHECK(session.timeline->parameters() == before);
+  CHECK(session.document->timeline.parameters() == before);
 }
 
 TEST_CASE("a result that comes after a change does not count") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
-  tick_until(session, [](Session& s) { return is_working(s) && s.timeline->known() == 2; });
-  while (!session.long_step->work.ready()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  tick_until(session, [](Session& s) { return is_working(s) && s.document->timeline.known() == 2; });
+  while (!session.jobs->run.long_step->work.ready())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   tune_timing(session, TimingKind::harmonic);
   apply(session, PassTime{0.001});
-  CHECK(session.timeline->known() <= 1);
+  CHECK(session.document->timeline.known() <= 1);
   tick_until(session, run_is_complete);
-  CHECK(knit::hash_of(session.timeline->furthest()) == plain_hash(large_parameters(TimingKind::harmonic)));
+  CHECK(knit::hash_of(session.document->timeline.furthest()) ==
+        plain_hash(large_parameters(TimingKind::harmonic)));
 }
 
 TEST_CASE("another mesh opened meanwhile is not touched by the work on the first") {
   Session session = beside_session(large_parameters(TimingKind::geodesic));
-  tick_until(session, [](Session& s) { return is_working(s) && s.timeline->known() == 2; });
+  tick_until(session, [](Session& s) { return is_working(s) && s.document->timeline.known() == 2; });
   apply(session, OpenExample{"egg"});
   CHECK_FALSE(is_working(session));
   tick_until(session, is_measured);
   Session plain = example_session("egg");
   apply(plain, ToLast{});
-  CHECK(knit::hash_of(session.timeline->furthest()) == knit::hash_of(plain.timeline->state()));
-  CHECK(session.closeness->knit_area == closeness_now(plain)->knit_area);
+  CHECK(knit::hash_of(session.document->timeline.furthest()) ==
+        knit::hash_of(plain.document->timeline.state()));
+  CHECK(session.document->closeness->knit_area == closeness_now(*plain.document)->knit_area);
 }

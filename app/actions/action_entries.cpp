@@ -6,6 +6,7 @@
 #include "app/base/word_search.h"
 #include "app/files/session_file.h"
 #include "app/lessons/lesson.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -29,8 +30,9 @@ std::string without_dashes(const std::string& sentence) {
 }
 
 ActionSources read_action_sources(const Session& session) {
-  ActionSources sources{list_examples(session.assets), readable_lessons(session.assets), {}};
-  for (const std::string& path : session.preferences.recent) {
+  ActionSources sources{
+      list_examples(session.program->assets), readable_lessons(session.program->assets), {}};
+  for (const std::string& path : session.program->preferences.recent) {
     // Examples have entries of their own.
     if (path.rfind("example:", 0) != 0) sources.recent.emplace_back(path, opening_of(path));
   }

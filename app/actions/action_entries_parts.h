@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/actions/action_entries.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -24,7 +25,7 @@ struct EntryList {
   const Session& session;
   std::vector<ActionEntry> entries;
 
-  [[nodiscard]] std::string unless_open() const { return session.timeline ? "" : "Open a mesh first."; }
+  [[nodiscard]] std::string unless_open() const { return session.document ? "" : "Open a mesh first."; }
   void add(ActionEntry entry) { entries.push_back(std::move(entry)); }
 };
 

@@ -8,7 +8,11 @@
 #include "app/explain/glossary.h"
 #include "app/explain/why_words.h"
 #include "app/session/at.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
 #include "app/session/presets.h"
+#include "app/session/view.h"
 #include "knit/model/gauge.h"
 
 namespace app {
@@ -22,7 +26,7 @@ std::string quoted(const std::string& typed) { return "\"" + typed + "\""; }
 Read read_step(const Session& session, const std::string& typed) {
   const auto step = whole_number<std::size_t>(typed);
   if (!step) return "A step is a whole number, not " + quoted(typed) + ".";
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (timeline.complete() && *step > timeline.known())
     return "The run has only " + std::to_string(timeline.known()) + " steps.";
   return SeekTo{*step};
@@ -32,7 +36,7 @@ Read read_step(const Session& session, const std::string& typed) {
 Read read_row(const Session& session, const std::string& typed) {
   const auto row = whole_number<std::int32_t>(typed);
   if (!row || *row < 1) return "A row is a whole number from 1 on, not " + quoted(typed) + ".";
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto rows = static_cast<std::int32_t>(timeline.furthest().rows.size());
   if (timeline.complete() && *row > rows) return "The run has only " + std::to_string(rows) + " rows.";
   const knit::Stage at = timeline.state().stage();
@@ -61,7 +65,7 @@ Read read_speed(const Session& /*session*/, const std::string& typed) {
 Read read_break(const Session& session, const std::string& typed) {
   const auto parsed = knit::parse_break(typed);
   if (const auto* error = std::get_if<std::string>(&parsed)) return *error;
-  auto conditions = session.travel.breaks;
+  auto conditions = session.view->breaks;
   conditions.push_back(std::get<knit::BreakCondition>(parsed));
   return SetBreaks{std::move(conditions)};
 }
@@ -85,10 +89,10 @@ std::variant<knit::Thing, std::string> read_thing(const Session& session, const 
            "a vertex's number.";
   }
   const auto* mesh_vertex = std::get_if<knit::VertexThing>(&*thing);
-  const std::size_t count = session.timeline->input().mesh.positions.size();
+  const std::size_t count = session.document->timeline.input().mesh.positions.size();
   if (mesh_vertex != nullptr && mesh_vertex->vertex >= count)
     return "The mesh has only " + std::to_string(count) + " vertices, counted from 0.";
-  if (mesh_vertex == nullptr && !knit::exists(session.timeline->furthest(), *thing))
+  if (mesh_vertex == nullptr && !knit::exists(session.document->timeline.furthest(), *thing))
     return "The run has no " + words_of(*thing) + ", or not yet.";
   return *thing;
 }
@@ -111,7 +115,7 @@ void add_stages(EntryList& list) {
 }
 
 void add_breaks(EntryList& list) {
-  const bool none = list.session.travel.breaks.empty();
+  const bool none = list.session.view->breaks.empty();
   list.add(
       {"Break when...", group::finding,
        "Playing stops there: row=14, stage=rows, stall, gap, over-double, grows>4, label=m1l, wider>1.3...",
@@ -130,13 +134,14 @@ void add_things(EntryList& list) {
             "Goes to the step that made it, or decided on it; a number alone is a vertex.",
             ActionPrompt{"Thing", "stitch:2:0", read_about<ShowWhy>}, list.unless_open()});
   list.add({"Select nothing", group::finding, "", Select{},
-            list.session.travel.selected ? "" : "Nothing is selected."});
+            list.session.document && list.session.document->travel.selected ? "" : "Nothing is selected."});
 }
 
 void add_comparing(EntryList& list) {
   const Session& session = list.session;
-  const bool sweeping = session.sweep.has_value();
-  list.add({"Let the pinned run go", group::changes, "", Unpin{}, session.pinned ? "" : "No run is pinned."});
+  const bool sweeping = session.document && session.document->sweep;
+  const bool pinned = session.document && session.document->pinned;
+  list.add({"Let the pinned run go", group::changes, "", Unpin{}, pinned ? "" : "No run is pinned."});
   list.add({"Sweep a parameter...", group::changes, "Runs the whole pipeline for each of many values.",
             ActionPrompt{"Sweep", "epsilon=0.02:0.09:100", read_sweep}, list.unless_open()});
   list.add({"Cancel the sweep", group::changes, "", CancelSweep{}, sweeping ? "" : "No sweep is under way."});
@@ -164,9 +169,10 @@ void add_run_entries(EntryList& list) {
   add_stages(list);
   list.add({"Set the speed to...", group::the_run, "Of playing, in steps a second.",
             ActionPrompt{"Steps a second", "60", read_speed}});
-  list.add({"Cancel long work", group::the_run, "Back to how it was before the change that asked for it.",
-            CancelWork{},
-            list.session.long_step || list.session.opening ? "" : "No long work is under way."});
+  list.add(
+      {"Cancel long work", group::the_run, "Back to how it was before the change that asked for it.",
+       CancelWork{},
+       list.session.jobs->run.long_step || list.session.jobs->opening ? "" : "No long work is under way."});
   add_things(list);
   add_breaks(list);
   add_comparing(list);
@@ -179,12 +185,12 @@ namespace {
 using Read = std::variant<Action, std::string>;
 
 std::optional<std::string> fault_in(const Session& session, const knit::Parameters& changed) {
-  const knit::Input& input = session.timeline->input();
+  const knit::Input& input = session.document->timeline.input();
   return knit::fault_of(knit::agreed(changed, input), input.mesh);
 }
 
 Read tuned(const Session& session, const knit::ParameterInfo& info, const std::string& typed) {
-  knit::Parameters changed = session.timeline->parameters();
+  knit::Parameters changed = session.document->timeline.parameters();
   if (const auto error = knit::set_value(info, changed, typed)) return without_dashes(*error);
   knit::give_size_by(info.key, changed);
   if (const auto fault = fault_in(session, changed)) return without_dashes(*fault);
@@ -192,7 +198,7 @@ Read tuned(const Session& session, const knit::ParameterInfo& info, const std::s
 }
 
 Read edited(const Session& session, const std::string& typed) {
-  auto read = read_parameters_text(typed, session.timeline->parameters());
+  auto read = read_parameters_text(typed, session.document->timeline.parameters());
   if (const auto* error = std::get_if<std::string>(&read)) return *error;
   const auto& changed = std::get<knit::Parameters>(read);
   if (const auto fault = fault_in(session, changed)) return without_dashes(*fault);
@@ -209,8 +215,8 @@ std::string asking_for(const knit::ParameterInfo& info) {
 
 // Why it is of no use to set it now.
 std::string why_not(const EntryList& list, const knit::ParameterInfo& info) {
-  if (!list.session.timeline) return list.unless_open();
-  return knit::is_read(info, list.session.timeline->parameters())
+  if (!list.session.document) return list.unless_open();
+  return knit::is_read(info, list.session.document->timeline.parameters())
              ? ""
              : "With the parameters as they are nothing reads it.";
 }
@@ -218,8 +224,9 @@ std::string why_not(const EntryList& list, const knit::ParameterInfo& info) {
 void add_choices(EntryList& list, const knit::ParameterInfo& info, const knit::Choice& choice) {
   const Session& session = list.session;
   for (std::size_t i = 0; i < choice.names.size(); ++i) {
-    knit::Parameters changed = session.timeline ? session.timeline->parameters() : session.defaults;
-    const bool now = session.timeline && choice.get(changed) == static_cast<int>(i);
+    knit::Parameters changed =
+        session.document ? session.document->timeline.parameters() : knit::Parameters();
+    const bool now = session.document && choice.get(changed) == static_cast<int>(i);
     choice.set(changed, static_cast<int>(i));
     const std::string unused = why_not(list, info);
     list.add({std::string(info.label) + ": " + std::string(choice.names[i]), group::parameters,
@@ -232,7 +239,7 @@ void add_parameter(EntryList& list, const knit::ParameterInfo& info) {
   if (const auto* choice = std::get_if<knit::Choice>(&info.kind)) return add_choices(list, info, *choice);
   const Session& session = list.session;
   const std::string now =
-      knit::value_text(info, session.timeline ? session.timeline->parameters() : session.defaults);
+      knit::value_text(info, session.document ? session.document->timeline.parameters() : knit::Parameters());
   list.add({asking_for(info), group::parameters, std::string(info.help),
             ActionPrompt{std::string(info.label), now,
                          [&info](const Session& asked, const std::string& typed) {
@@ -243,7 +250,7 @@ void add_parameter(EntryList& list, const knit::ParameterInfo& info) {
 
 // Picking in the view, instead of typing a number.
 void add_picking(EntryList& list) {
-  const bool picking = list.session.picking != Picking::nothing;
+  const bool picking = list.session.view->gaze.picking != Picking::nothing;
   list.add({"Pick the start vertex in the view", group::parameters, "Then click it; the time is 0 there.",
             SetPicking{Picking::start}, list.unless_open()});
   list.add({"Pick the end vertex in the view", group::parameters, "Then click it; the time is 1 there.",
@@ -253,7 +260,7 @@ void add_picking(EntryList& list) {
   list.add({"Pick vertex number...", group::parameters, "Instead of a click in the view.",
             ActionPrompt{"Vertex", "12",
                          [](const Session& session, const std::string& typed) -> Read {
-                           const std::size_t count = session.timeline->input().mesh.positions.size();
+                           const std::size_t count = session.document->timeline.input().mesh.positions.size();
                            const auto vertex = whole_number<knit::VertexId>(typed);
                            if (vertex && *vertex < count) return PickVertex{*vertex};
                            return "A vertex is a whole number from 0 to " + std::to_string(count - 1) +
@@ -263,7 +270,7 @@ void add_picking(EntryList& list) {
 }
 
 void add_edits(EntryList& list) {
-  const std::size_t edits = list.session.timeline ? list.session.timeline->edits().size() : 0;
+  const std::size_t edits = list.session.document ? list.session.document->timeline.edits().size() : 0;
   list.add({"Change a parameter from here on...", group::parameters,
             "What is past stays as it is; the rest is run anew.",
             ActionPrompt{"From here on", "epsilon = 0.05", edited}, list.unless_open()});
@@ -293,7 +300,7 @@ void add_lessons(EntryList& list, const ActionSources& sources) {
   for (const ActionSources::Lesson& lesson : sources.lessons) {
     list.add({"Lesson: " + lesson.title, group::learning, "", StartLesson{lesson.key}});
   }
-  const std::string none = list.session.lesson ? "" : "No lesson is under way.";
+  const std::string none = list.session.learning->lesson ? "" : "No lesson is under way.";
   list.add({"Next page of the lesson", group::learning, "", TurnLesson{1}, none});
   list.add({"Page before in the lesson", group::learning, "", TurnLesson{-1}, none});
   list.add({"Answer the lesson's question...", group::learning, "",
@@ -307,7 +314,7 @@ void add_lessons(EntryList& list, const ActionSources& sources) {
 }
 
 void add_guessing(EntryList& list) {
-  const bool on = list.session.prediction != nullptr;
+  const bool on = list.session.learning->prediction != nullptr;
   list.add({"Guess before each verdict: on or off", group::learning,
             "Predict mode: playing pauses before each verdict, and you say what it will be.",
             SetPredicting{!on}, list.unless_open()});

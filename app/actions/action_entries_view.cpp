@@ -8,6 +8,11 @@
 #include "app/base/text.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -25,7 +30,7 @@ void add_sides(EntryList& list) {
                              Side{"Look from the back", 2.0, 0.0},  Side{"Look from the left", 3.0, 0.0},
                              Side{"Look from above", 0.0, 0.9},     Side{"Look from below", 0.0, -0.9}};
   constexpr double right_angle = 0.5 * std::numbers::pi;
-  const Camera& camera = list.session.camera;
+  const Camera& camera = list.session.view->gaze.camera;
   for (const Side& side : sides) {
     // The shorter way round.
     const double turn = std::remainder(side.yaw * right_angle - camera.yaw, 4.0 * right_angle);
@@ -49,17 +54,17 @@ void add_shown(EntryList& list) {
   for (std::size_t i = 0; i < side_keys.size(); ++i) {
     const auto side = static_cast<SidePanel>(i);
     list.add({"Show the side panel: " + std::string(side_keys[i]), group::panels, "", ShowSide{side},
-              session.side == side ? "It is shown." : ""});
+              session.view->side == side ? "It is shown." : ""});
   }
   for (std::size_t i = 0; i < list_keys.size(); ++i) {
     const auto shown = static_cast<RunList>(i);
     list.add({"Show the list: " + std::string(list_keys[i]), group::panels, "Below the step.",
-              ShowList{shown}, session.list == shown ? "It is shown." : ""});
+              ShowList{shown}, session.view->list == shown ? "It is shown." : ""});
   }
   for (std::size_t i = 0; i < panel_keys.size(); ++i) {
     const auto panel = static_cast<Panel>(i);
     list.add({"Open or close the panel: " + std::string(panel_keys[i]), group::panels, "",
-              ShowPanel{panel, !session.preferences.shows(panel)}});
+              ShowPanel{panel, !session.program->preferences.shows(panel)}});
   }
 }
 
@@ -91,7 +96,7 @@ Read read_scale(const Session& /*session*/, const std::string& typed) {
 }
 
 void add_look(EntryList& list) {
-  const Preferences& now = list.session.preferences;
+  const Preferences& now = list.session.program->preferences;
   for (std::size_t i = 0; i < theme_keys.size(); ++i) {
     const auto theme = static_cast<ThemeKind>(i);
     list.add({"Use the " + std::string(theme_keys[i]) + " theme", group::program, "", SetTheme{theme},
@@ -134,16 +139,18 @@ void add_opening(EntryList& list, const ActionSources& sources) {
   for (const auto& [path, opening] : sources.recent) {
     list.add({"Open again: " + path, group::files, "", opening, "", "", true});
   }
-  const std::string no_offer = list.session.mend_offer ? "" : "No mesh waits for mends.";
+  const std::string no_offer = list.session.jobs->mend_offer ? "" : "No mesh waits for mends.";
   list.add({"Mend the mesh and open it", group::files, "What was found wrong with it is mended.",
             MendAndOpen{}, no_offer});
   list.add({"Do not mend the mesh", group::files, "What is open stays.", DropMendOffer{}, no_offer});
   list.add({"Undo the mends", group::files, "Back to what was open before.", UndoMend{},
-            list.session.before_mend ? "" : "No mesh was mended in this window."});
-  const bool none = list.session.preferences.recent.empty();
+            list.session.document && list.session.document->before_mend
+                ? ""
+                : "No mesh was mended in this window."});
+  const bool none = list.session.program->preferences.recent.empty();
   list.add({"Forget what was opened lately", group::files, "", ForgetRecent{},
             none ? "Nothing is remembered." : ""});
-  const std::string no_rescue = list.session.rescued ? "" : "No session was left by a crash.";
+  const std::string no_rescue = list.session.program->rescued ? "" : "No session was left by a crash.";
   list.add({"Open the session from before the crash", group::files, "", TakeRescued{}, no_rescue});
   list.add({"Forget the session from before the crash", group::files, "", DropRescued{}, no_rescue});
 }
@@ -169,7 +176,7 @@ Read read_picture(const Session& /*session*/, const std::string& typed) {
 Read read_animation(const Session& session, const std::string& typed) {
   if (typed.empty()) return "Give a name: FILE.gif, FILE.png, or a folder for numbered pictures.";
   const auto row = stretch_of_row(session);
-  return SaveAnimation{typed, row.value_or(Stretch{0, session.timeline->known()})};
+  return SaveAnimation{typed, row.value_or(Stretch{0, session.document->timeline.known()})};
 }
 
 void add_figures(EntryList& list) {
@@ -179,27 +186,27 @@ void add_figures(EntryList& list) {
             "An animated picture, or numbered ones in a folder.",
             ActionPrompt{"Name", "row.gif", read_animation}, list.unless_open()});
   list.add({"Cancel the animation", group::files, "", CancelAnimation{},
-            list.session.animation ? "" : "No animation is in the making."});
+            list.session.jobs->animation ? "" : "No animation is in the making."});
 }
 
 // The pattern's options with one of its words set.
 ActionPrompt ask_words(const char* label, const char* example, std::string knit::PatternOptions::*field) {
   return {label, example, [field](const Session& session, const std::string& typed) -> Read {
-            knit::PatternOptions options = session.pattern;
+            knit::PatternOptions options = session.view->pattern;
             options.*field = typed;
             return SetPatternOptions{std::move(options)};
           }};
 }
 
 Read read_needle(const Session& session, const std::string& typed) {
-  knit::PatternOptions options = session.pattern;
+  knit::PatternOptions options = session.view->pattern;
   options.needle_mm = needle_mm_of(typed);
   if (!options.needle_mm) return "The needle cannot be \"" + typed + "\" mm; give " + needle_range + ".";
   return SetPatternOptions{std::move(options)};
 }
 
 void add_switch(EntryList& list, const char* words, bool knit::PatternOptions::*field) {
-  knit::PatternOptions options = list.session.pattern;
+  knit::PatternOptions options = list.session.view->pattern;
   options.*field = !(options.*field);
   list.add({words, group::the_pattern, "", SetPatternOptions{std::move(options)}, "", "", true});
 }
@@ -231,7 +238,7 @@ void add_file_entries(EntryList& list, const ActionSources& sources) {
   add_opening(list, sources);
   add_figures(list);
   add_pattern(list);
-  const std::size_t notices = list.session.notices.size();
+  const std::size_t notices = list.session.outbox->notices.size();
   list.add({"Dismiss the newest notice", group::program, "", DismissNotice{notices > 0 ? notices - 1 : 0},
             notices > 0 ? "" : "There is no notice."});
 }

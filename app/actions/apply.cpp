@@ -16,7 +16,13 @@
 #include "app/files/preferences_file.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
 #include "app/session/presets.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "knit/model/gauge.h"
 
 namespace app {
@@ -28,93 +34,49 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 void notify(Session& session, Notice::Kind kind, std::string text) {
-  session.notices.push_back({kind, std::move(text)});
+  session.outbox->notices.push_back({kind, std::move(text)});
 }
 
-// What belongs to the open mesh and its run goes with them; what was pinned stays.
-void forget_mesh(Session& session) {
-  session.long_step.reset();
-  session.measuring_run.reset();
-  session.measuring = false;
-  session.timeline.reset();
-  session.original.reset();
-  session.source = {};
-  session.findings.clear();
-  session.mended.clear();
-  session.mend_offer.reset();
-  session.before_mend.reset();
-  session.run_ms = 0.0;
-  session.picking = Picking::nothing;
-  session.before_change.reset();
-  session.hovered_stitch.reset();
-  session.hovered_rounds.reset();
-  session.knit_along.reset();
-  session.knit_along_round = 1;
-  session.travel.history = {};
-  session.travel.left_by_seek.reset();
-  session.travel.selected.reset();
-  take(session, SetLoop{});
-  session.sweep.reset();
-  session.changes = {};
-  session.camera_kept = false;
-  session.notices.clear();
-  stop_playing(session);
-  session.camera = Camera{};
+Document document_of(Loaded loaded, Source source, std::chrono::steady_clock::time_point start) {
+  Document document(knit::Timeline(std::move(loaded.input), loaded.parameters));
+  document.source = std::move(source);
+  document.source.mends.clear();
+  for (const knit::MendStep& step : loaded.mended) document.source.mends.push_back(step.kind);
+  document.original = std::move(loaded.original);
+  document.mesh_hash = std::move(loaded.mesh_hash);
+  document.findings = std::move(loaded.findings);
+  document.mended = std::move(loaded.mended);
+  document.defaults = loaded.parameters;
+  document.load_ms = milliseconds_since(start);
+  return document;
 }
 
 // One overload an action. Actions about a run do nothing while nothing is open.
 struct Apply {
   Session& session;
 
-  [[nodiscard]] bool open() const { return session.timeline.has_value(); }
-  [[nodiscard]] knit::Timeline& timeline() const { return *session.timeline; }
-
-  void take_loaded(std::variant<Loaded, std::string> result, Source source,
-                   std::chrono::steady_clock::time_point start) {
-    if (const auto* error = std::get_if<std::string>(&result)) {
-      notify(session, Notice::Kind::error, *error);
-      note_not_opened(session, source);
-      session.mend_offer.reset();
-      return;
-    }
-    auto& loaded = std::get<Loaded>(result);
-    forget_mesh(session);
-    session.source = std::move(source);
-    session.original = std::move(loaded.original);
-    session.mesh_hash = std::move(loaded.mesh_hash);
-    session.findings = std::move(loaded.findings);
-    session.mended = std::move(loaded.mended);
-    session.source.mends.clear();
-    for (const knit::MendStep& step : session.mended) session.source.mends.push_back(step.kind);
-    session.defaults = loaded.parameters;
-    session.timeline.emplace(std::move(loaded.input), loaded.parameters);
-    session.load_ms = milliseconds_since(start);
-    session.open_dialog_open = false;
-    for (const knit::MendStep& step : session.mended) notify(session, Notice::Kind::info, step.did);
-    for (const knit::Finding& finding : session.findings)
-      notify(session, Notice::Kind::warning, finding.sentence);
-    session.camera.frame(session.timeline->input().bounds, session.aspect);
-    note_opened(session);
-  }
+  [[nodiscard]] bool open() const { return session.document.has_value(); }
+  [[nodiscard]] knit::Timeline& timeline() const { return session.document->timeline; }
 
   void operator()(const OpenExample& a) {
     cancel_opening(session);
     const auto start = std::chrono::steady_clock::now();
-    take_loaded(load_example(session.assets, a.name), {a.name, {}, {}}, start);
+    auto loaded = load_example(session.program->assets, a.name);
+    if (const auto* error = std::get_if<std::string>(&loaded)) {
+      notify(session, Notice::Kind::error, *error);
+      session.jobs->mend_offer.reset();
+      return;
+    }
+    show_loaded(session, std::get<Loaded>(std::move(loaded)), {a.name, {}, {}}, start);
   }
 
   void operator()(const CloseMesh& /*a*/) {
     cancel_opening(session);
-    if (session.lesson) app::take(session, LeaveLesson{});
+    if (session.learning->lesson) app::take(session, LeaveLesson{});
     if (!open()) return;
-    forget_mesh(session);
-    session.pinned.reset();
-    session.closeness.reset();
-    session.saved.reset();
-    session.place_note.clear();
-    session.prediction.reset();
-    session.animation.reset();
-    session.pointed_variable.clear();
+    show_instead(session, {});
+    session.jobs->animation.reset();
+    session.learning = Learning{};
   }
 
   // Does what may work the run out further, and counts the time if it did.
@@ -123,14 +85,14 @@ struct Apply {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t known = timeline().known();
     const auto result = work();
-    if (timeline().known() != known) session.run_ms += milliseconds_since(start);
+    if (timeline().known() != known) session.document->run_ms += milliseconds_since(start);
     return result;
   }
 
   void operator()(const StepBy& a) {
     if (!open()) return;
-    session.playback.playing = false;
-    if (session.beside && a.direction > 0) {
+    session.view->playback.playing = false;
+    if (session.jobs->beside && a.direction > 0) {
       counted([&] { return extend_now(steps_of_slice(timeline())); });
       if (const auto place = place_ahead(timeline(), a.unit)) return timeline().await(*place);
     }
@@ -140,20 +102,20 @@ struct Apply {
     if (!open()) return;
     const std::size_t known = timeline().known();
     // A drag along the track is one jump: it is remembered where it began.
-    const bool goes_on = session.travel.left_by_seek == timeline().position();
+    const bool goes_on = session.document->travel.left_by_seek == timeline().position();
     if (!goes_on && a.position != timeline().position()) remember_place(session);
     if (a.position > known) counted([&] { return extend_now(a.position - known); });
     timeline().seek(a.position);
-    session.travel.left_by_seek = timeline().position();
+    session.document->travel.left_by_seek = timeline().position();
   }
   void operator()(const SeekPlace& a) {
     if (!open()) return;
     remember_place(session);
-    if (session.beside) return timeline().await(a.place);
+    if (session.jobs->beside) return timeline().await(a.place);
     timeline().seek(counted([&] { return position_at(timeline(), a.place); }));
   }
   bool extend_now(std::size_t steps) {
-    return session.beside ? timeline().extend_briefly(steps) : timeline().extend(steps);
+    return session.jobs->beside ? timeline().extend_briefly(steps) : timeline().extend(steps);
   }
   void operator()(const ToFirst& /*a*/) {
     if (!open()) return;
@@ -165,7 +127,7 @@ struct Apply {
     remember_place(session);
     // In a window the rest follows with the clock's ticks.
     const std::size_t most = std::numeric_limits<std::size_t>::max();
-    counted([&] { return extend_now(session.beside ? steps_of_slice(timeline()) : most); });
+    counted([&] { return extend_now(session.jobs->beside ? steps_of_slice(timeline()) : most); });
     if (timeline().complete()) return timeline().seek(timeline().known());
     timeline().await({knit::Stage::done, 0, 0});
   }
@@ -173,13 +135,13 @@ struct Apply {
     if (!open()) return;
     const bool at_end = timeline().complete() && timeline().position() == timeline().known();
     // Play at the end begins again, as players do.
-    if (a.playing && a.direction > 0 && at_end && !session.playback.playing) timeline().seek(0);
-    session.playback.playing = a.playing;
-    session.playback.direction = a.direction < 0 ? -1 : 1;
-    session.playback.owed = 0.0;
+    if (a.playing && a.direction > 0 && at_end && !session.view->playback.playing) timeline().seek(0);
+    session.view->playback.playing = a.playing;
+    session.view->playback.direction = a.direction < 0 ? -1 : 1;
+    session.view->playback.owed = 0.0;
   }
   void operator()(const SetSpeed& a) {
-    session.playback.steps_per_second =
+    session.view->playback.steps_per_second =
         std::clamp(a.steps_per_second, slowest_steps_per_second, fastest_steps_per_second);
   }
 
@@ -189,14 +151,14 @@ struct Apply {
     counted([&] { return extend_now(steps_of_slice(timeline())); });
     tend_travel(session);
     // A tuned run that has not come back to its place yet plays on from there, not from where it has got to.
-    if (session.playback.playing && !timeline().sought()) play(session, a.seconds);
+    if (session.view->playback.playing && !timeline().sought()) play(session, a.seconds);
   }
 
   void operator()(const Tune& a) {
     if (!open()) return;
     if (refuse(a.parameters)) return;
     remember_knobs(session);
-    if (!session.long_step) session.before_change = timeline().parameters();
+    if (!session.jobs->run.long_step) session.document->before_change = timeline().parameters();
     if (a.parameters.weld != timeline().parameters().weld) {
       reload(a);
     } else {
@@ -236,7 +198,7 @@ struct Apply {
       return;
     }
     remember_knobs(session);
-    if (!session.long_step) session.before_change = timeline().parameters();
+    if (!session.jobs->run.long_step) session.document->before_change = timeline().parameters();
     timeline().edit_from_here(a.parameters);
   }
   void operator()(const ApplyPreset& a) {
@@ -249,16 +211,16 @@ struct Apply {
     }
   }
   void operator()(const CancelWork& /*a*/) {
-    if (session.opening) return cancel_opening(session);
-    if (!open() || !session.long_step) return;
+    if (session.jobs->opening) return cancel_opening(session);
+    if (!open() || !session.jobs->run.long_step) return;
     knit::Parameters linear = timeline().parameters();
     linear.timing = knit::TimingKind::linear;
-    const knit::Parameters back = session.before_change.value_or(linear);
-    session.long_step.reset();
+    const knit::Parameters back = session.document->before_change.value_or(linear);
+    session.jobs->run.long_step.reset();
     remember_knobs(session);
     timeline().tune(back);
     // What is cancelled was never done.
-    Changes& changes = session.changes;
+    Changes& changes = session.document->changes;
     if (!changes.undo.empty() && changes.undo.back() == knobs_of(timeline())) {
       changes.undo.pop_back();
       changes.before.reset();
@@ -275,40 +237,40 @@ struct Apply {
     remember_knobs(session);
     timeline().remove_edit(a.index);
   }
-  void operator()(const SetPicking& a) { session.picking = a.picking; }
+  void operator()(const SetPicking& a) { session.view->gaze.picking = a.picking; }
   void operator()(const PickVertex& a) {
-    if (!open() || session.picking == Picking::nothing) return;
+    if (!open() || session.view->gaze.picking == Picking::nothing) return;
     knit::Parameters parameters = timeline().parameters();
-    (session.picking == Picking::start ? parameters.start : parameters.end) = a.vertex;
-    session.picking = Picking::nothing;
+    (session.view->gaze.picking == Picking::start ? parameters.start : parameters.end) = a.vertex;
+    session.view->gaze.picking = Picking::nothing;
     (*this)(Tune{parameters});
   }
 
-  void operator()(const SetLayer& a) { session.layers[static_cast<std::size_t>(a.layer)] = a.on; }
-  void operator()(const Orbit& a) { session.camera.orbit(a.yaw, a.pitch); }
-  void operator()(const Pan& a) { session.camera.pan(a.move, session.aspect); }
+  void operator()(const SetLayer& a) { session.view->layers[static_cast<std::size_t>(a.layer)] = a.on; }
+  void operator()(const Orbit& a) { session.view->gaze.camera.orbit(a.yaw, a.pitch); }
+  void operator()(const Pan& a) { session.view->gaze.camera.pan(a.move, session.view->aspect); }
   void operator()(const Zoom& a) {
-    if (a.factor > 0.0) session.camera.zoom(a.factor, a.cursor, session.aspect);
+    if (a.factor > 0.0) session.view->gaze.camera.zoom(a.factor, a.cursor, session.view->aspect);
   }
   void operator()(const FrameAll& /*a*/) {
-    if (open()) session.camera.frame(timeline().input().bounds, session.aspect);
+    if (open()) session.view->gaze.camera.frame(timeline().input().bounds, session.view->aspect);
   }
   void operator()(const SetAspect& a) {
-    if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.aspect = a.aspect;
+    if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.view->aspect = a.aspect;
   }
 
-  void operator()(const ShowSide& a) { session.side = a.side; }
-  void operator()(const ShowList& a) { session.list = a.list; }
+  void operator()(const ShowSide& a) { session.view->side = a.side; }
+  void operator()(const ShowList& a) { session.view->list = a.list; }
 
   void operator()(const Export& a) {
     if (!open()) return;
     if (a.kind == ExportKind::picture) {
-      session.screenshots_wanted.push_back(a.path);
+      session.outbox->screenshots.push_back(a.path);
       return;
     }
     // A page with a picture of the finished piece is made where pictures are.
     if (a.kind == ExportKind::pattern && pattern_format_of(a.path) == PatternFormat::html) {
-      session.pages_wanted.push_back(a.path);
+      session.outbox->pages.push_back(a.path);
       return;
     }
     if (const auto error = export_to_file(session, a.kind, a.path)) {
@@ -316,34 +278,34 @@ struct Apply {
     } else if (a.path != "-") {
       if (a.kind == ExportKind::session) {
         note_saved(session, a.path);
-        note_recent(session.preferences, recent_name(a.path));
+        note_recent(session.program->preferences, recent_name(a.path));
       }
       notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");
     }
   }
 
-  void operator()(const SetPatternOptions& a) { session.pattern = a.options; }
-  void operator()(const ShowCentre& a) { session.centre = a.centre; }
-  void operator()(const HoverStitch& a) { session.hovered_stitch = a.stitch; }
-  void operator()(const HoverRounds& a) { session.hovered_rounds = a.rounds; }
+  void operator()(const SetPatternOptions& a) { session.view->pattern = a.options; }
+  void operator()(const ShowCentre& a) { session.view->centre = a.centre; }
+  void operator()(const HoverStitch& a) { session.view->gaze.hovered_stitch = a.stitch; }
+  void operator()(const HoverRounds& a) { session.view->gaze.hovered_rounds = a.rounds; }
   void operator()(const KnitAlong& a) {
-    session.knit_along = a.round;
-    if (a.round) session.knit_along_round = *a.round;
+    session.view->gaze.knit_along = a.round;
+    if (a.round) session.view->gaze.knit_along_round = *a.round;
   }
-  void operator()(const PointAt& a) { session.pointed_variable = a.variable; }
-  void operator()(const ShowActionPalette& a) { session.action_palette_open = a.open; }
+  void operator()(const PointAt& a) { session.learning->pointed_variable = a.variable; }
+  void operator()(const ShowActionPalette& a) { session.view->dialogs.action_palette_open = a.open; }
   void operator()(const ShowGlossary& a) {
-    session.glossary_open = a.open;
-    session.glossary_term = a.term;
+    session.view->dialogs.glossary_open = a.open;
+    session.view->dialogs.glossary_term = a.term;
   }
-  void operator()(const ShowHelp& a) { session.help_open = a.open; }
-  void operator()(const ShowOpenDialog& a) { session.open_dialog_open = a.open; }
+  void operator()(const ShowHelp& a) { session.view->dialogs.help_open = a.open; }
+  void operator()(const ShowOpenDialog& a) { session.view->dialogs.open_dialog_open = a.open; }
   void operator()(const DismissNotice& a) {
-    if (a.index < session.notices.size()) {
-      session.notices.erase(session.notices.begin() + static_cast<std::ptrdiff_t>(a.index));
+    if (a.index < session.outbox->notices.size()) {
+      session.outbox->notices.erase(session.outbox->notices.begin() + static_cast<std::ptrdiff_t>(a.index));
     }
   }
-  void operator()(const Quit& /*a*/) { session.quit = true; }
+  void operator()(const Quit& /*a*/) { session.outbox->quit = true; }
 
   // The others: apply_parts.h.
   template <class Other>
@@ -354,25 +316,56 @@ struct Apply {
 
 }  // namespace
 
-void stop_playing(Session& session) { session.playback = {false, 1, session.playback.steps_per_second, 0.0}; }
+Part<Document> show_instead(Session& session, Part<Document> document) {
+  std::swap(session.document, document);
+  session.view->gaze = {};
+  session.jobs->run = {};
+  session.jobs->mend_offer.reset();
+  session.outbox->notices.clear();
+  stop_playing(session);
+  return document;
+}
+
+void go_back_to(Session& session, const Session& before) {
+  cancel_opening(session);
+  const double aspect = session.view->aspect;
+  show_instead(session, before.document);
+  session.view = before.view;
+  session.view->aspect = aspect;
+  session.jobs->mend_offer = before.jobs->mend_offer;
+  session.outbox->notices = before.outbox->notices;
+}
+
+void stop_playing(Session& session) {
+  session.view->playback = {false, 1, session.view->playback.steps_per_second, 0.0};
+}
 
 void apply(Session& session, const Action& action) {
   if (const auto* tick = action.get_if<PassTime>()) tend_opening(session, tick->seconds);
   const Whereabouts before = before_action(session, action);
   ActionKinds::visit(Apply{session}, action);
-  if (session.changes.before) {
+  if (session.document && session.document->changes.before) {
     const auto* tune = action.get_if<Tune>();
     const auto* edit = action.get_if<EditFromHere>();
     const bool held = tune != nullptr ? tune->held : edit != nullptr && edit->held;
-    note_change(session.changes, knobs_of(*session.timeline), held);
+    note_change(session.document->changes, knobs_of(session.document->timeline), held);
   }
   after_action(session, before);
   tend_lesson(session, action);
 }
 
-void show_loaded(Session& session, Loaded loaded, Source source,
-                 std::chrono::steady_clock::time_point start) {
-  Apply{session}.take_loaded(std::move(loaded), std::move(source), start);
+Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
+                           std::chrono::steady_clock::time_point start) {
+  Document document = document_of(std::move(loaded), std::move(source), start);
+  if (session.document) document.pinned = session.document->pinned;  // another mesh may be compared with it
+  Part<Document> before = show_instead(session, std::move(document));
+  session.view->dialogs.open_dialog_open = false;
+  for (const knit::MendStep& step : session.document->mended) notify(session, Notice::Kind::info, step.did);
+  for (const knit::Finding& finding : session.document->findings)
+    notify(session, Notice::Kind::warning, finding.sentence);
+  session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);
+  note_opened(session);
+  return before;
 }
 
 }  // namespace app

@@ -4,38 +4,41 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/files/figures.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
 
 namespace app {
 
 namespace {
 
 void blame(Session& session, std::string sentence) {
-  session.notices.push_back({Notice::Kind::error, std::move(sentence)});
+  session.outbox->notices.push_back({Notice::Kind::error, std::move(sentence)});
 }
 
 }  // namespace
 
 void take(Session& session, const SavePicture& action) {
-  if (!session.timeline) return;
+  if (!session.document) return;
   if (auto fault = fault_of(action)) return blame(session, std::move(*fault));
-  session.figures_wanted.push_back(
+  session.outbox->pictures.push_back(
       {action.path, action.width, action.height, action.panels, action.transparent});
 }
 
 void take(Session& session, const SaveAnimation& action) {
-  if (!session.timeline) return;
-  if (session.animation) {
+  if (!session.document) return;
+  if (session.jobs->animation) {
     return blame(session,
                  "an animation is being made already; wait until it is done, or cancel it, then save this.");
   }
   SaveAnimation wish = action;
-  wish.stretch.end = std::min(wish.stretch.end, session.timeline->known());
+  wish.stretch.end = std::min(wish.stretch.end, session.document->timeline.known());
   if (auto fault = fault_of(wish)) return blame(session, std::move(*fault));
   AnimationRun run{wish, frames_in(wish.stretch, wish.frames), 0,
                    std::make_shared<const Session>(figure_session(session))};
-  session.animation = std::make_shared<const AnimationRun>(std::move(run));
+  session.jobs->animation = std::make_shared<const AnimationRun>(std::move(run));
 }
 
-void take(Session& session, const CancelAnimation& /*action*/) { session.animation.reset(); }
+void take(Session& session, const CancelAnimation& /*action*/) { session.jobs->animation.reset(); }
 
 }  // namespace app

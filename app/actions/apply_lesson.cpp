@@ -4,6 +4,12 @@
 #include "app/actions/apply_parts.h"
 #include "app/lessons/lesson_judge.h"
 #include "app/lessons/predict.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -11,7 +17,7 @@ namespace app {
 namespace {
 
 void change(Session& session, LessonRun run) {
-  session.lesson = std::make_shared<const LessonRun>(std::move(run));
+  session.learning->lesson = std::make_shared<const LessonRun>(std::move(run));
 }
 
 bool opens_afresh(const LessonPage& page) {
@@ -20,17 +26,22 @@ bool opens_afresh(const LessonPage& page) {
 }
 
 void note_score(Session& session) {
-  const LessonRun& run = *session.lesson;
+  const LessonRun& run = *session.learning->lesson;
   const LessonScore score = run.score();
-  const auto best = session.preferences.lessons.find(run.lesson->key);
-  const bool known = best != session.preferences.lessons.end();
+  const auto best = session.program->preferences.lessons.find(run.lesson->key);
+  const bool known = best != session.program->preferences.lessons.end();
   const bool better = known ? score.right > best->second.right || score.of != best->second.of
                             : score.right > 0 || run.at_end();
-  if (better) session.preferences.lessons.insert_or_assign(run.lesson->key, score);
+  if (better) session.program->preferences.lessons.insert_or_assign(run.lesson->key, score);
+}
+
+// Null: nothing is open.
+std::shared_ptr<const knit::Mesh> open_mesh(const Session& session) {
+  return session.document ? session.document->original : nullptr;
 }
 
 void name_next(const Session& session, LessonRun& run) {
-  const auto entries = list_lessons(session.assets);
+  const auto entries = list_lessons(session.program->assets);
   const auto now = std::find_if(entries.begin(), entries.end(),
                                 [&](const LessonEntry& entry) { return entry.key == run.lesson->key; });
   if (now == entries.end() || std::next(now) == entries.end()) return;
@@ -40,12 +51,12 @@ void name_next(const Session& session, LessonRun& run) {
 
 // The page has its deeds done; `first`: those of pages before it are done again, from this one on.
 void open_page(Session& session, std::size_t page, std::size_t first) {
-  LessonRun run = *session.lesson;
+  LessonRun run = *session.learning->lesson;
   run.page = page;
   run.progress = {};
   run.progress.opening = true;
   change(session, run);
-  session.playback.playing = false;
+  session.view->playback.playing = false;
   apply(session, Select{});
   for (std::size_t i = first; i <= page && i < run.lesson->pages.size(); ++i) {
     for (const Deed& deed : run.lesson->pages[i].deeds) do_deed(session, deed);
@@ -57,13 +68,13 @@ void open_page(Session& session, std::size_t page, std::size_t first) {
     }
     const bool rests = !shown->wait && !shown->question;
     if (rests && run.outcomes[page] == PageOutcome::open) run.outcomes[page] = PageOutcome::done;
-    if (shown->wait && shown->wait->parameter != nullptr && session.timeline)
-      run.progress.value = knit::value_text(*shown->wait->parameter, session.timeline->parameters());
+    if (shown->wait && shown->wait->parameter != nullptr && session.document)
+      run.progress.value = knit::value_text(*shown->wait->parameter, session.document->timeline.parameters());
   }
   if (run.at_end()) name_next(session, run);
-  session.changes = {};  // undoing ends where the page began
+  if (session.document) session.document->changes = {};  // undoing ends where the page began
   run.progress.opening = false;
-  run.mesh = session.original;
+  run.mesh = open_mesh(session);
   change(session, std::move(run));
   note_score(session);
 }
@@ -76,7 +87,7 @@ std::size_t ground_of(const Lesson& lesson, std::size_t page) {
 }
 
 void skip(Session& session) {
-  LessonRun run = *session.lesson;
+  LessonRun run = *session.learning->lesson;
   const LessonPage* page = run.shown();
   if (page == nullptr || run.outcome() != PageOutcome::open) return;
   run.outcomes[run.page] = PageOutcome::skipped;
@@ -96,15 +107,16 @@ LessonScore LessonRun::score() const {
 }
 
 const Question* open_question(const Session& session) {
-  if (!session.lesson) return nullptr;
-  const LessonPage* page = session.lesson->shown();
-  const bool open = page != nullptr && page->question && session.lesson->outcome() == PageOutcome::open;
+  if (!session.learning->lesson) return nullptr;
+  const LessonPage* page = session.learning->lesson->shown();
+  const bool open =
+      page != nullptr && page->question && session.learning->lesson->outcome() == PageOutcome::open;
   return open ? &*page->question : nullptr;
 }
 
 std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t number) {
-  if (!session.lesson) return "no lesson is open; give --lesson too.";
-  const Lesson& lesson = *session.lesson->lesson;
+  if (!session.learning->lesson) return "no lesson is open; give --lesson too.";
+  const Lesson& lesson = *session.learning->lesson->lesson;
   const auto page = static_cast<std::size_t>(std::max(0, number)) - 1;
   if (number < 1 || page >= lesson.pages.size()) {
     return "the lesson " + lesson.key + " has no page " + std::to_string(number) + "; give 1 to " +
@@ -115,14 +127,15 @@ std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t numb
 }
 
 void take(Session& session, const StartLesson& action) {
-  auto found = find_lesson(session.assets, action.key);
+  auto found = find_lesson(session.program->assets, action.key);
   if (auto* error = std::get_if<std::string>(&found)) {
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
     return;
   }
   LessonRun run;
   // From one lesson into the next, leaving still goes back to before the first.
-  run.before = session.lesson ? session.lesson->before : std::make_shared<const Session>(session);
+  run.before =
+      session.learning->lesson ? session.learning->lesson->before : std::make_shared<const Session>(session);
   run.lesson = std::make_shared<const Lesson>(std::move(std::get<Lesson>(found)));
   run.outcomes.assign(run.lesson->pages.size(), PageOutcome::open);
   change(session, std::move(run));
@@ -131,27 +144,17 @@ void take(Session& session, const StartLesson& action) {
 
 // As it was before the lesson, but for what is the program's own.
 void take(Session& session, const LeaveLesson& /*action*/) {
-  if (!session.lesson) return;
-  const std::shared_ptr<const Session> before = session.lesson->before;
-  if (before == nullptr) return session.lesson.reset();
-  Session back = *before;
-  back.beside = session.beside;
-  back.aspect = session.aspect;
-  back.preferences = std::move(session.preferences);
-  back.rescued = std::move(session.rescued);
-  back.animation = std::move(session.animation);
-  back.clipboard_wanted = std::move(session.clipboard_wanted);
-  back.figures_wanted = std::move(session.figures_wanted);
-  back.pages_wanted = std::move(session.pages_wanted);
-  back.screenshots_wanted = std::move(session.screenshots_wanted);
-  back.quit = session.quit;
-  back.playback.playing = false;
-  session = std::move(back);
+  if (!session.learning->lesson) return;
+  const std::shared_ptr<const Session> before = session.learning->lesson->before;
+  if (before == nullptr) return session.learning->lesson.reset();
+  go_back_to(session, *before);
+  session.learning = before->learning;
+  session.view->playback.playing = false;
 }
 
 void take(Session& session, const TurnLesson& action) {
-  if (!session.lesson) return;
-  const LessonRun run = *session.lesson;
+  if (!session.learning->lesson) return;
+  const LessonRun run = *session.learning->lesson;
   if (action.direction == 0) return open_page(session, run.page, ground_of(*run.lesson, run.page));
   if (action.direction < 0) {
     if (run.page == 0) return;
@@ -162,13 +165,13 @@ void take(Session& session, const TurnLesson& action) {
 }
 
 void take(Session& session, const AnswerLesson& action) {
-  if (!session.lesson) return;
+  if (!session.learning->lesson) return;
   if (action.answer == "skip") return skip(session);
   const Question* question = open_question(session);
   if (question == nullptr) return;
   // Without a window nothing works the run out by itself.
-  if (session.timeline && !session.beside) session.timeline->extend_to_end();
-  LessonRun run = *session.lesson;
+  if (session.document && !session.jobs->beside) session.document->timeline.extend_to_end();
+  LessonRun run = *session.learning->lesson;
   run.progress.judgement = judge(session, *question, action.answer);
   if (run.progress.judgement->said == Said::wrong) ++run.progress.tries;
   if (run.progress.judgement->said == Said::right)
@@ -179,18 +182,18 @@ void take(Session& session, const AnswerLesson& action) {
 
 void tend_lesson(Session& session, const Action& action) {
   tend_prediction(session);
-  if (!session.lesson || session.lesson->progress.opening) return;
-  const LessonRun& now = *session.lesson;
-  if (session.original != now.mesh) {
+  if (!session.learning->lesson || session.learning->lesson->progress.opening) return;
+  const LessonRun& now = *session.learning->lesson;
+  if (open_mesh(session) != now.mesh) {
     tell(session, "The lesson is over, because another mesh was opened; the menu Learn begins it again.");
-    session.lesson.reset();
+    session.learning->lesson.reset();
     return;
   }
   const LessonPage* page = now.shown();
   if (page == nullptr) return;
   PageProgress progress = now.progress;
-  if (!progress.from && session.timeline && !session.timeline->sought())
-    progress.from = session.timeline->position();
+  if (!progress.from && session.document && !session.document->timeline.sought())
+    progress.from = session.document->timeline.position();
   const bool waits = page->wait && now.outcome() == PageOutcome::open;
   const bool done = waits && holds(*page->wait, session, action, progress);
   if (!done && progress == now.progress) return;
@@ -210,37 +213,38 @@ const knit::CandidateMeasured* measured_at(const knit::Timeline& timeline, std::
 }  // namespace
 
 std::optional<AskedVertex> asked_vertex(const Session& session) {
-  if (!session.prediction || !session.timeline || session.timeline->sought()) return std::nullopt;
-  const auto* next = measured_at(*session.timeline, session.timeline->position());
+  if (!session.learning->prediction || !session.document || session.document->timeline.sought())
+    return std::nullopt;
+  const auto* next = measured_at(session.document->timeline, session.document->timeline.position());
   return next != nullptr ? std::optional(AskedVertex{next->anchor, next->candidate}) : std::nullopt;
 }
 
 std::optional<std::size_t> verdict_ahead(const Session& session, std::size_t end) {
-  if (!session.prediction) return std::nullopt;
-  for (std::size_t position = session.timeline->position(); position <= end; ++position) {
-    if (measured_at(*session.timeline, position) != nullptr) return position;
+  if (!session.learning->prediction) return std::nullopt;
+  for (std::size_t position = session.document->timeline.position(); position <= end; ++position) {
+    if (measured_at(session.document->timeline, position) != nullptr) return position;
   }
   return std::nullopt;
 }
 
 void wait_for_guess(Session& session) {
-  Prediction prediction = *session.prediction;
-  prediction.playing_from = session.timeline->position();
-  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+  Prediction prediction = *session.learning->prediction;
+  prediction.playing_from = session.document->timeline.position();
+  session.learning->prediction = std::make_shared<const Prediction>(std::move(prediction));
 }
 
 void take(Session& session, const SetPredicting& action) {
-  if (action.on == (session.prediction != nullptr)) return;
-  session.prediction = action.on ? std::make_shared<const Prediction>() : nullptr;
+  if (action.on == (session.learning->prediction != nullptr)) return;
+  session.learning->prediction = action.on ? std::make_shared<const Prediction>() : nullptr;
 }
 
 void take(Session& session, const Guess& action) {
   if (!asked_vertex(session)) return;
-  knit::Timeline& timeline = *session.timeline;
+  knit::Timeline& timeline = session.document->timeline;
   const std::size_t index = timeline.position();
   const knit::Verdict verdict = measured_at(timeline, index)->verdict;
   const std::string words = knit::narrate(timeline.step(index), timeline.parameters_of_step(index));
-  Prediction prediction = *session.prediction;
+  Prediction prediction = *session.learning->prediction;
   const bool right = action.verdict == verdict;
   ++prediction.guessed;
   prediction.right += right ? 1 : 0;
@@ -248,25 +252,25 @@ void take(Session& session, const Guess& action) {
   const bool plays_on = prediction.playing_from == index;
   prediction.playing_from.reset();
   prediction.told = Prediction::Told{index + 1, right, words};
-  std::int32_t& longest = session.preferences.longest_streak;
+  std::int32_t& longest = session.program->preferences.longest_streak;
   longest = std::max(longest, prediction.streak);
-  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+  session.learning->prediction = std::make_shared<const Prediction>(std::move(prediction));
   timeline.seek(index + 1);
-  session.playback.playing = plays_on;
-  session.playback.direction = 1;
+  session.view->playback.playing = plays_on;
+  session.view->playback.direction = 1;
 }
 
 void tend_prediction(Session& session) {
-  if (!session.prediction || !session.timeline) return;
-  knit::Timeline& timeline = *session.timeline;
+  if (!session.learning->prediction || !session.document) return;
+  knit::Timeline& timeline = session.document->timeline;
   // Whether a verdict comes next can be said only once its step is there; taking it later is another matter.
   if (timeline.position() == timeline.known() && !timeline.complete() && !timeline.sought())
-    session.beside ? timeline.extend_briefly(1) : timeline.extend(1);
-  const auto& told = session.prediction->told;
+    session.jobs->beside ? timeline.extend_briefly(1) : timeline.extend(1);
+  const auto& told = session.learning->prediction->told;
   if (!told || told->position == timeline.position()) return;
-  Prediction prediction = *session.prediction;
+  Prediction prediction = *session.learning->prediction;
   prediction.told.reset();
-  session.prediction = std::make_shared<const Prediction>(std::move(prediction));
+  session.learning->prediction = std::make_shared<const Prediction>(std::move(prediction));
 }
 
 }  // namespace app

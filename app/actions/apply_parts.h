@@ -7,6 +7,7 @@
 #include "app/files/load.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -48,8 +49,15 @@ void tell(Session& session, const std::string& words);
 // or mends are offered.
 void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const std::filesystem::path& path,
                  const knit::MendWish& mends, std::chrono::steady_clock::time_point start);
-// apply.cpp: what was opened takes the place of what is open; `start`: when opening began.
-void show_loaded(Session& session, Loaded loaded, Source source, std::chrono::steady_clock::time_point start);
+
+// apply.cpp: what was opened takes the place of what is open, which is handed back; `start`: when opening began.
+Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
+                           std::chrono::steady_clock::time_point start);
+// Likewise with a document as it is, or with none. What was said about the other, begun for it and seen of it goes;
+// how one looks, and what was asked for besides, stays.
+Part<Document> show_instead(Session& session, Part<Document> document);
+// What was open, how one looked at it, what was said and offered then. The window's shape is as it is now.
+void go_back_to(Session& session, const Session& before);
 
 // apply_compare.cpp
 void take(Session& session, const PinRun& action);

@@ -5,18 +5,22 @@
 #include "app/files/preferences_file.h"
 #include "app/files/rescue.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 
 namespace app {
 
 // Among the recent ones the session stands for itself, not its mesh.
 void take(Session& session, const OpenSession& action) {
   cancel_opening(session);
-  if (session.beside && is_long_to_open(action.path, true))
+  if (session.jobs->beside && is_long_to_open(action.path, true))
     return begin_opening_session(session, action.path);
   const auto start = std::chrono::steady_clock::now();
-  auto read = read_session(session.assets, action.path);
+  auto read = read_session(session.program->assets, action.path);
   if (auto* error = std::get_if<std::string>(&read)) {
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
     note_not_opened(session, {{}, action.path});
     return;
   }
@@ -24,18 +28,18 @@ void take(Session& session, const OpenSession& action) {
 }
 
 void take(Session& session, const CopyLink& /*action*/) {
-  if (!session.timeline) return;
+  if (!session.document) return;
   auto link = link_by_session(session);
   const bool by_options = !link;
   if (by_options) link = link_by_options(session);
   if (!link) {
-    session.notices.push_back(
+    session.outbox->notices.push_back(
         {Notice::Kind::warning,
          "Options alone cannot say all of this; save the session first, then the link names "
          "its file."});
     return;
   }
-  session.clipboard_wanted = *link;
+  session.outbox->clipboard = *link;
   tell(session,
        "Copied: " + *link +
            (by_options ? "  (without the camera and the layers; a saved session has them too)" : ""));
@@ -43,13 +47,14 @@ void take(Session& session, const CopyLink& /*action*/) {
 
 // It stays on offer until it could be opened, and on disk until this program has a file of its own: the same one.
 void take(Session& session, const TakeRescued& /*action*/) {
-  if (!session.rescued) return;
+  if (!session.program->rescued) return;
   cancel_opening(session);
-  if (session.beside && is_long_to_open(session.rescued->path, true)) return begin_opening_rescued(session);
+  if (session.jobs->beside && is_long_to_open(session.program->rescued->path, true))
+    return begin_opening_rescued(session);
   const auto start = std::chrono::steady_clock::now();
-  auto read = read_session(session.assets, session.rescued->path);
+  auto read = read_session(session.program->assets, session.program->rescued->path);
   if (auto* error = std::get_if<std::string>(&read)) {
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
     return;
   }
   take_opened(session, std::get<OpenedSession>(std::move(read)), start, true);
@@ -58,24 +63,24 @@ void take(Session& session, const TakeRescued& /*action*/) {
 void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start,
                  bool rescued) {
   const std::filesystem::path path = opened.path;
-  std::vector<std::string> recent = session.preferences.recent;
+  std::vector<std::string> recent = session.program->preferences.recent;
   show_session(session, std::move(opened), start);
   if (!rescued) {
-    session.preferences.recent = std::move(recent);
-    note_recent(session.preferences, recent_name(path));
+    session.program->preferences.recent = std::move(recent);
+    note_recent(session.program->preferences, recent_name(path));
     return;
   }
-  session.rescued.reset();
-  session.saved.reset();  // that file is nobody's to name
+  session.program->rescued.reset();
+  session.document->saved.reset();  // that file is nobody's to name
   std::error_code ignored;
   std::filesystem::rename(path, rescue_file(path.parent_path(), this_process()), ignored);
 }
 
 void take(Session& session, const DropRescued& /*action*/) {
-  if (!session.rescued) return;
+  if (!session.program->rescued) return;
   std::error_code ignored;
-  std::filesystem::remove(session.rescued->path, ignored);
-  session.rescued = find_rescued(session.rescued->path.parent_path());
+  std::filesystem::remove(session.program->rescued->path, ignored);
+  session.program->rescued = find_rescued(session.program->rescued->path.parent_path());
 }
 
 }  // namespace app

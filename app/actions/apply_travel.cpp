@@ -6,37 +6,40 @@
 #include "app/actions/navigate.h"
 #include "app/actions/playing.h"
 #include "app/lessons/predict.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/view.h"
 
 namespace app {
 
 namespace {
 
 void stop_at(Session& session, std::size_t position) {
-  session.timeline->seek(position);
-  const knit::BreakCondition* condition = session.travel.hits.condition_at(position);
-  if (condition != nullptr) session.place_note = "Break: " + knit::words_of(*condition) + ".";
+  session.document->timeline.seek(position);
+  const knit::BreakCondition* condition = session.document->travel.hits.condition_at(position);
+  if (condition != nullptr) session.document->place_note = "Break: " + knit::words_of(*condition) + ".";
 }
 
 // Goes to the hit that is looked for, once it is certain which one it is, or that there is none.
 void try_to_run(Session& session) {
-  Travel& travel = session.travel;
+  Travel& travel = session.document->travel;
   if (travel.running_to == 0) return;
   const bool forward = travel.running_to > 0;
-  const std::size_t position = session.timeline->position();
+  const std::size_t position = session.document->timeline.position();
   if (!forward && travel.hits.reach() < position) return;
   const auto hit = forward ? travel.hits.from(position + 1) : travel.hits.before(position);
-  const bool all_seen = !forward || (session.timeline->complete() && travel.hits.whole());
+  const bool all_seen = !forward || (session.document->timeline.complete() && travel.hits.whole());
   if (!hit && !all_seen) return;
   travel.running_to = 0;
   if (hit) return stop_at(session, *hit);
-  session.place_note = forward ? "No break condition holds from here to the end of the run."
-                               : "No break condition holds before this step.";
+  session.document->place_note = forward ? "No break condition holds from here to the end of the run."
+                                         : "No break condition holds before this step.";
 }
 
 // Positions follow the places of the loop into another run; a loop whose steps are gone waits for them.
 void tend_loop(Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
-  Travel& travel = session.travel;
+  const knit::Timeline& timeline = session.document->timeline;
+  Travel& travel = session.document->travel;
   if (!travel.loop_places) {
     if (!travel.loop || travel.loop->end > timeline.known()) return;
     travel.loop_places =
@@ -48,25 +51,26 @@ void tend_loop(Session& session) {
 }  // namespace
 
 void tend_travel(Session& session) {
-  if (!session.timeline) return;
-  Travel& travel = session.travel;
+  if (!session.document) return;
+  Travel& travel = session.document->travel;
   // In a window as much at a time as is worked out, so that a frame stays short.
-  travel.hits.refresh(*session.timeline, travel.breaks, session.beside ? steps_per_tick : BreakHits::all);
+  travel.hits.refresh(session.document->timeline, session.view->breaks,
+                      session.jobs->beside ? steps_per_tick : BreakHits::all);
   tend_loop(session);
   try_to_run(session);
 }
 
 void play(Session& session, double seconds) {
-  knit::Timeline& timeline = *session.timeline;
-  Travel& travel = session.travel;
+  knit::Timeline& timeline = session.document->timeline;
+  Travel& travel = session.document->travel;
   const std::size_t position = timeline.position();
   // Where hits are not known yet, playing waits for them.
   const std::size_t end = std::min(timeline.known(), travel.hits.reach());
   const bool waits = position > end || (travel.loop && travel.loop->end > travel.hits.reach());
   if (waits) return;
   const Due due = steps_due(session, std::clamp(seconds, 0.0, 0.25));
-  session.playback.owed = due.owed;
-  const int direction = session.playback.direction;
+  session.view->playback.owed = due.owed;
+  const int direction = session.view->playback.direction;
   const bool loops = travel.loop && travel.loop->end <= end;
   Played now = played({end, direction, loops ? travel.loop : std::nullopt}, travel.hits, position, due.steps);
   const auto asked =
@@ -83,9 +87,9 @@ void play(Session& session, double seconds) {
 }
 
 void take(Session& session, const StepDeep& action) {
-  if (!session.timeline) return;
+  if (!session.document) return;
   const int direction = action.direction < 0 ? -1 : 1;
-  if (const auto unit = unit_of_depth(*session.timeline, action.depth)) {
+  if (const auto unit = unit_of_depth(session.document->timeline, action.depth)) {
     apply(session, StepBy{*unit, direction});
   } else if (direction > 0) {
     apply(session, ToLast{});
@@ -100,35 +104,37 @@ void take(Session& session, const SetBreaks& action) {
     if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end())
       conditions.push_back(condition);
   }
-  session.travel.breaks = std::move(conditions);
-  session.travel.running_to = 0;
+  session.view->breaks = std::move(conditions);
+  if (!session.document) return;
+  session.document->travel.running_to = 0;
   tend_travel(session);
 }
 
 void take(Session& session, const RunToBreak& action) {
-  if (!session.timeline) return;
-  session.playback.playing = false;
-  Travel& travel = session.travel;
-  if (travel.breaks.empty()) {
-    session.place_note = "There is no break condition yet; the list Breaks offers the usual ones.";
+  if (!session.document) return;
+  session.view->playback.playing = false;
+  Travel& travel = session.document->travel;
+  if (session.view->breaks.empty()) {
+    session.document->place_note = "There is no break condition yet; the list Breaks offers the usual ones.";
     return;
   }
   remember_place(session);
   travel.running_to = action.direction < 0 ? -1 : 1;
   tend_travel(session);
   // In a window the ticks go on with it.
-  while (!session.beside && travel.running_to != 0) apply(session, PassTime{0.0});
+  while (!session.jobs->beside && travel.running_to != 0) apply(session, PassTime{0.0});
 }
 
 void take(Session& session, const SetLoop& action) {
-  session.travel.loop_places.reset();
-  session.travel.loop.reset();
-  if (!session.timeline || !action.stretch || action.stretch->end <= action.stretch->begin) return;
-  session.travel.loop = action.stretch;
+  if (!session.document) return;
+  session.document->travel.loop_places.reset();
+  session.document->travel.loop.reset();
+  if (!action.stretch || action.stretch->end <= action.stretch->begin) return;
+  session.document->travel.loop = action.stretch;
   tend_loop(session);
 }
 
-void take(Session& session, const SetSlowMotion& action) { session.travel.slow_motion = action.on; }
+void take(Session& session, const SetSlowMotion& action) { session.view->slow_motion = action.on; }
 
 namespace {
 
@@ -148,20 +154,19 @@ void push(std::vector<knit::Place>& places, const knit::Place& place) {
 
 // Only to what is known, or as soon as it is; nothing is worked out here.
 void go(Session& session, const knit::Place& place) {
-  session.playback.playing = false;
-  session.timeline->await(place);
+  session.view->playback.playing = false;
+  session.document->timeline.await(place);
 }
 
 void jump_after(Session& session, std::size_t step) {
   remember_place(session);
-  session.playback.playing = false;
-  session.timeline->seek(step + 1);
+  session.view->playback.playing = false;
+  session.document->timeline.seek(step + 1);
 }
 
 // Takes the nearest place that is another than this one.
 void go_along(Session& session, std::vector<knit::Place>& from, std::vector<knit::Place>& onto) {
-  if (!session.timeline) return;
-  const knit::Place now = here(*session.timeline);
+  const knit::Place now = here(session.document->timeline);
   while (!from.empty() && from.back() == now) from.pop_back();
   if (from.empty()) return;
   push(onto, now);
@@ -172,26 +177,26 @@ void go_along(Session& session, std::vector<knit::Place>& from, std::vector<knit
 
 bool is_of_mesh(const Session& session, const knit::Thing& thing) {
   const auto* vertex = std::get_if<knit::VertexThing>(&thing);
-  return vertex == nullptr || vertex->vertex < session.timeline->input().mesh.positions.size();
+  return vertex == nullptr || vertex->vertex < session.document->timeline.input().mesh.positions.size();
 }
 
 }  // namespace
 
 void take(Session& session, const Select& action) {
-  if (action.thing && (!session.timeline || !is_of_mesh(session, *action.thing))) return;
-  session.travel.selected = action.thing;
+  if (!session.document || (action.thing && !is_of_mesh(session, *action.thing))) return;
+  session.document->travel.selected = action.thing;
 }
 
 void take(Session& session, const ShowWhy& action) {
-  if (!session.timeline || !is_of_mesh(session, action.thing)) return;
-  session.travel.selected = action.thing;
-  if (const auto step = knit::made_by(*session.timeline, action.thing)) jump_after(session, *step);
+  if (!session.document || !is_of_mesh(session, action.thing)) return;
+  session.document->travel.selected = action.thing;
+  if (const auto step = knit::made_by(session.document->timeline, action.thing)) jump_after(session, *step);
 }
 
 void take(Session& session, const ToTouch& action) {
-  if (!session.timeline || !session.travel.selected) return;
-  const knit::Timeline& timeline = *session.timeline;
-  const knit::Thing& thing = *session.travel.selected;
+  if (!session.document || !session.document->travel.selected) return;
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::Thing& thing = *session.document->travel.selected;
   // The step shown is the last one taken.
   const std::size_t position = timeline.position();
   const auto step = action.direction > 0 ? knit::touch_from(timeline, thing, position)
@@ -201,20 +206,22 @@ void take(Session& session, const ToTouch& action) {
 }
 
 void take(Session& session, const GoBack& /*action*/) {
-  PlaceHistory& history = session.travel.history;
+  if (!session.document) return;
+  PlaceHistory& history = session.document->travel.history;
   go_along(session, history.behind, history.ahead);
 }
 
 void take(Session& session, const GoForward& /*action*/) {
-  PlaceHistory& history = session.travel.history;
+  if (!session.document) return;
+  PlaceHistory& history = session.document->travel.history;
   go_along(session, history.ahead, history.behind);
 }
 
 void remember_place(Session& session) {
-  if (!session.timeline) return;
-  push(session.travel.history.behind, here(*session.timeline));
-  session.travel.history.ahead.clear();
-  session.travel.left_by_seek.reset();
+  if (!session.document) return;
+  push(session.document->travel.history.behind, here(session.document->timeline));
+  session.document->travel.history.ahead.clear();
+  session.document->travel.left_by_seek.reset();
 }
 
 }  // namespace app

@@ -1,62 +1,65 @@
 #include "app/actions/background_work.h"
 
 #include "app/actions/playing.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
 
 namespace app {
 
 namespace {
 
 void tend_long_step(Session& session, double seconds) {
-  knit::Timeline& timeline = *session.timeline;
-  if (session.long_step) {
-    LongStep& step = *session.long_step;
+  knit::Timeline& timeline = session.document->timeline;
+  if (session.jobs->run.long_step) {
+    LongStep& step = *session.jobs->run.long_step;
     step.seconds += seconds;
     // The parameters may have changed meanwhile; then it is another step that is due.
     const bool stale = !timeline.next_is_long() || step.job.state != timeline.furthest() ||
                        step.job.parameters != timeline.next_job().parameters;
     if (stale) {
-      session.long_step.reset();
+      session.jobs->run.long_step.reset();
     } else if (step.work.ready()) {
       timeline.accept(step.job, step.work.take());
-      session.run_ms += 1000.0 * step.seconds;
-      session.long_step.reset();
+      session.document->run_ms += 1000.0 * step.seconds;
+      session.jobs->run.long_step.reset();
     }
   }
-  if (session.long_step || !timeline.next_is_long()) return;
+  if (session.jobs->run.long_step || !timeline.next_is_long()) return;
   LongStep step{timeline.next_job(), {}, 0.0};
   step.work = Work<knit::Timeline::Outcome>([job = step.job] { return knit::Timeline::work(job); });
-  session.long_step.emplace(std::move(step));
+  session.jobs->run.long_step.emplace(std::move(step));
 }
 
 void tend_measuring(Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const bool finished = timeline.complete() && timeline.furthest().finished();
   const std::uint64_t run = finished ? knit::hash_of(timeline.furthest()) : 0;
-  if (session.closeness_run != run) {
-    session.closeness.reset();
-    session.closeness_run = 0;
+  if (session.document->closeness_run != run) {
+    session.document->closeness.reset();
+    session.document->closeness_run = 0;
   }
-  if (session.measuring_run && session.measuring_run->run != run) session.measuring_run.reset();
-  if (session.measuring_run && session.measuring_run->work.ready()) {
-    if (const auto measured = session.measuring_run->work.take())
-      session.closeness = std::make_shared<const knit::Closeness>(*measured);
-    session.closeness_run = run;
-    session.measuring_run.reset();
+  if (session.jobs->run.measuring && session.jobs->run.measuring->run != run)
+    session.jobs->run.measuring.reset();
+  if (session.jobs->run.measuring && session.jobs->run.measuring->work.ready()) {
+    if (const auto measured = session.jobs->run.measuring->work.take())
+      session.document->closeness = std::make_shared<const knit::Closeness>(*measured);
+    session.document->closeness_run = run;
+    session.jobs->run.measuring.reset();
   }
-  if (finished && !session.closeness && !session.measuring_run && session.closeness_run != run) {
-    session.measuring_run = Measuring{
+  if (finished && !session.document->closeness && !session.jobs->run.measuring &&
+      session.document->closeness_run != run) {
+    session.jobs->run.measuring = Measuring{
         run,
         Work<std::optional<knit::Closeness>>([input = timeline.input_pointer(), state = timeline.furthest()] {
           return knit::measure_closeness(*input, state);
         })};
   }
-  session.measuring = session.measuring_run.has_value();
 }
 
 }  // namespace
 
 void work_beside(Session& session, double seconds) {
-  if (!session.beside || !session.timeline) return;
+  if (!session.jobs->beside || !session.document) return;
   tend_long_step(session, seconds);
   tend_measuring(session);
   tend_pin(session);

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "knit/run/timeline.h"
 
 namespace app {
 
-// Takes what is ready, starts what is due; `seconds` since the last call. Does nothing unless session.beside.
+// Takes what is ready, starts what is due; `seconds` since the last call. Does nothing unless session.jobs->beside.
 void work_beside(Session& session, double seconds);
 
 // How many steps may be worked out in one tick without holding up a frame: fewer where each is dear.

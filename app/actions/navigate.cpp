@@ -1,5 +1,7 @@
 #include "app/actions/navigate.h"
 
+#include "app/session/document.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -88,8 +90,8 @@ std::optional<Stretch> stretch_of(const knit::Timeline& timeline, const PlaceStr
 }
 
 std::optional<Stretch> stretch_of_row(const Session& session) {
-  if (!session.timeline || session.timeline->position() == 0) return std::nullopt;
-  const knit::Timeline& timeline = *session.timeline;
+  if (!session.document || session.document->timeline.position() == 0) return std::nullopt;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::Place here = timeline.place();
   return Stretch{count_before(timeline, {here.stage, here.row, 0}),
                  count_before(timeline, after(here, Unit::row))};
@@ -122,12 +124,12 @@ bool is_of_a_step(const knit::Place& place) {
 }
 
 void settle(Session& session) {
-  auto& kept = session.travel.kept;
-  const knit::Timeline& timeline = *session.timeline;
+  auto& kept = session.document->travel.kept;
+  const knit::Timeline& timeline = session.document->timeline;
   if (!kept || timeline.sought()) return;
   if (kept->shown == timeline.place()) return;
   kept->shown = timeline.place();
-  session.place_note = place_note(kept->wanted, *kept->shown, timeline.state().next);
+  session.document->place_note = place_note(kept->wanted, *kept->shown, timeline.state().next);
 }
 
 }  // namespace
@@ -143,9 +145,10 @@ std::string place_note(const knit::Place& wanted, const knit::Place& shown, cons
 }
 
 void forget_place(Session& session) {
-  session.travel.kept.reset();
-  session.travel.running_to = 0;
-  session.place_note.clear();
+  if (!session.document) return;
+  session.document->travel.kept.reset();
+  session.document->travel.running_to = 0;
+  session.document->place_note.clear();
 }
 
 Whereabouts before_action(Session& session, const Action& action) {
@@ -153,23 +156,23 @@ Whereabouts before_action(Session& session, const Action& action) {
     forget_place(session);
     return {{}, {}, true};
   }
-  if (!session.timeline) return {};
-  const knit::Timeline& timeline = *session.timeline;
+  if (!session.document) return {};
+  const knit::Timeline& timeline = session.document->timeline;
   Whereabouts before{run_key(timeline), timeline.sought(), false};
   if (!before.place && timeline.position() > 0) before.place = timeline.place();
   return before;
 }
 
 void after_action(Session& session, const Whereabouts& before) {
-  if (before.moved || !session.timeline) return;
-  knit::Timeline& timeline = *session.timeline;
-  auto& kept = session.travel.kept;
+  if (before.moved || !session.document) return;
+  knit::Timeline& timeline = session.document->timeline;
+  auto& kept = session.document->travel.kept;
   if (before.run && before.place && run_key(timeline) != *before.run) {
     // What was shown instead of a place is not what was wanted.
     const bool still = kept && (!kept->shown || kept->shown == before.place);
     if (!still) kept = KeptPlace{*before.place, {}};
     kept->shown.reset();
-    session.place_note.clear();
+    session.document->place_note.clear();
     const bool under_way = timeline.sought() == kept->wanted;
     if (!under_way && (timeline.position() == 0 || timeline.place() != kept->wanted))
       timeline.await(kept->wanted);

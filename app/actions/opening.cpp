@@ -8,6 +8,10 @@
 #include "app/actions/navigate.h"
 #include "app/files/load.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -44,7 +48,7 @@ Opening begun(const fs::path& path) {
 
 void begin(Session& session, Opening opening) {
   cancel_opening(session);
-  session.opening = std::make_shared<Opening>(std::move(opening));
+  session.jobs->opening = std::make_shared<Opening>(std::move(opening));
 }
 
 }  // namespace
@@ -67,21 +71,22 @@ void begin_opening_mesh(Session& session, const fs::path& path, const knit::Mend
 
 void begin_opening_session(Session& session, const fs::path& path) {
   Opening opening = begun(path);
-  opening.work = Work<Opening::Result>([assets = session.assets, path, progress = opening.progress] {
+  opening.work = Work<Opening::Result>([assets = session.program->assets, path, progress = opening.progress] {
     return read_or_say(path, [&] { return read_session(assets, path, progress.get()); });
   });
   begin(session, std::move(opening));
 }
 
 void begin_opening_rescued(Session& session) {
-  begin_opening_session(session, session.rescued->path);
-  session.opening->rescued = true;
+  begin_opening_session(session, session.program->rescued->path);
+  session.jobs->opening->rescued = true;
 }
 
 std::optional<Made> made_for(Session& session, const Action& again, const MakeWish& wish) {
-  if (session.made_mesh && session.made_mesh->from == wish.from && session.made_mesh->weld == wish.weld)
-    return session.made_mesh->made;
-  if (!session.beside || wish.triangles < made_at_once_triangles) return wish.make(nullptr);
+  if (session.jobs->made_mesh && session.jobs->made_mesh->from == wish.from &&
+      session.jobs->made_mesh->weld == wish.weld)
+    return session.jobs->made_mesh->made;
+  if (!session.jobs->beside || wish.triangles < made_at_once_triangles) return wish.make(nullptr);
   Opening opening = begun(wish.path);
   opening.again = again;
   opening.work = Work<Opening::Result>([wish, progress = opening.progress]() -> Opening::Result {
@@ -97,8 +102,9 @@ std::optional<Made> made_for(Session& session, const Action& again, const MakeWi
 }
 
 std::optional<Made> welded_for(Session& session, const Action& again, const knit::Parameters& parameters) {
-  const auto mesh = session.original;
-  const fs::path path = session.source.file.empty() ? fs::path(session.source.example) : session.source.file;
+  const auto mesh = session.document->original;
+  const fs::path path = session.document->source.file.empty() ? fs::path(session.document->source.example)
+                                                              : session.document->source.file;
   return made_for(
       session, again,
       {path, mesh, parameters.weld, mesh->triangles.size(),
@@ -106,19 +112,19 @@ std::optional<Made> welded_for(Session& session, const Action& again, const knit
 }
 
 void give_up_making(Session& session) {
-  if (session.opening && session.opening->again) cancel_opening(session);
+  if (session.jobs->opening && session.jobs->opening->again) cancel_opening(session);
 }
 
 void tend_opening(Session& session, double seconds) {
-  if (!session.opening) return;
-  session.opening->seconds += seconds;
-  if (!session.opening->work.ready()) return;
-  const std::shared_ptr<Opening> done = std::exchange(session.opening, nullptr);
+  if (!session.jobs->opening) return;
+  session.jobs->opening->seconds += seconds;
+  if (!session.jobs->opening->work.ready()) return;
+  const std::shared_ptr<Opening> done = std::exchange(session.jobs->opening, nullptr);
   Opening::Result result = done->work.take();
   if (auto* made = std::get_if<MadeMesh>(&result)) {
-    session.made_mesh = std::make_shared<const MadeMesh>(std::move(*made));
+    session.jobs->made_mesh = std::make_shared<const MadeMesh>(std::move(*made));
     apply(session, *done->again);
-    session.made_mesh.reset();
+    session.jobs->made_mesh.reset();
     return;
   }
   forget_place(session);  // it was one of the other mesh
@@ -129,15 +135,15 @@ void tend_opening(Session& session, double seconds) {
   } else if (auto* opened = std::get_if<OpenedSession>(&result)) {
     take_opened(session, std::move(*opened), done->start, done->rescued);
   } else {
-    session.notices.push_back({Notice::Kind::error, std::get<std::string>(std::move(result))});
+    session.outbox->notices.push_back({Notice::Kind::error, std::get<std::string>(std::move(result))});
     if (!done->rescued) note_not_opened(session, {{}, done->path, {}});
   }
 }
 
 void cancel_opening(Session& session) {
-  if (!session.opening) return;
-  session.opening->progress->stop();
-  session.opening.reset();
+  if (!session.jobs->opening) return;
+  session.jobs->opening->progress->stop();
+  session.jobs->opening.reset();
 }
 
 std::string words_of(const Opening& opening) {

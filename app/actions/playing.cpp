@@ -1,5 +1,8 @@
 #include "app/actions/playing.h"
 
+#include "app/session/document.h"
+#include "app/session/view.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,12 +25,12 @@ bool unlimited(double steps_per_second) { return steps_per_second >= fastest_ste
 
 // Interesting positions from `low` to `high`, rising.
 std::vector<std::size_t> interesting_between(const Session& session, std::size_t low, std::size_t high) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   std::vector<std::size_t> positions;
-  std::optional<std::size_t> hit = session.travel.hits.from(low);
+  std::optional<std::size_t> hit = session.document->travel.hits.from(low);
   for (std::size_t position = low; position <= high; ++position) {
     const bool is_hit = hit && *hit == position;
-    if (is_hit) hit = session.travel.hits.from(position + 1);
+    if (is_hit) hit = session.document->travel.hits.from(position + 1);
     const bool unusual = position > 0 && is_interesting(timeline.step(position - 1),
                                                         timeline.parameters_of_step(position - 1));
     if (is_hit || unusual) positions.push_back(position);
@@ -45,8 +48,8 @@ std::size_t distance_to_nearest(const std::vector<std::size_t>& positions, std::
 
 // Step for step: each takes as long as the pace where it begins.
 Due slow_steps_due(const Session& session, double seconds) {
-  const Playback& playback = session.playback;
-  const knit::Timeline& timeline = *session.timeline;
+  const Playback& playback = session.view->playback;
+  const knit::Timeline& timeline = session.document->timeline;
   const std::size_t position = timeline.position();
   const std::size_t known = timeline.known();
   const double full = playback.steps_per_second;
@@ -110,8 +113,8 @@ double slow_pace(double full, std::size_t distance) {
 }
 
 Due steps_due(const Session& session, double seconds) {
-  const Playback& playback = session.playback;
-  if (session.travel.slow_motion) return slow_steps_due(session, seconds);
+  const Playback& playback = session.view->playback;
+  if (session.view->slow_motion) return slow_steps_due(session, seconds);
   if (unlimited(playback.steps_per_second)) return {seconds > 0.0 ? steps_per_tick : 0, 0.0};
   const double due = playback.owed + seconds * playback.steps_per_second;
   const double whole = std::floor(due);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/session/session.h"
+#include "app/session/travel.h"
 
 namespace app {
 

@@ -4,35 +4,39 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
 namespace {
 
 void show_the_view(Session& session, const SavedSession& saved) {
-  session.camera = saved.camera;
-  session.camera_kept = true;
-  session.layers = saved.layers;
-  session.side = saved.side;
-  session.list = saved.list;
-  session.centre = saved.centre;
-  session.playback = {false, 1, saved.steps_per_second, 0.0};
-  session.travel = {};
-  session.travel.slow_motion = saved.slow_motion;
-  session.travel.loop = saved.loop;
-  session.travel.breaks = saved.breaks;
-  session.pattern = saved.pattern;
-  session.knit_along_round = saved.round;
-  if (saved.knitting_along) session.knit_along = saved.round;
+  View& view = *session.view;
+  view.gaze.camera = saved.camera;
+  view.gaze.camera_kept = true;
+  view.gaze.knit_along_round = saved.round;
+  if (saved.knitting_along) view.gaze.knit_along = saved.round;
+  view.layers = saved.layers;
+  view.side = saved.side;
+  view.list = saved.list;
+  view.centre = saved.centre;
+  view.playback = {false, 1, saved.steps_per_second, 0.0};
+  view.slow_motion = saved.slow_motion;
+  view.breaks = saved.breaks;
+  view.pattern = saved.pattern;
+  session.document->travel.loop = saved.loop;
 }
 
 void go_to_place(Session& session, const SavedSession& saved) {
-  if (!saved.at) return session.timeline->seek(0);
+  if (!saved.at) return session.document->timeline.seek(0);
   apply(session, SeekPlace{*saved.at});
-  session.travel.history = {};
-  const knit::Timeline& timeline = *session.timeline;
+  session.document->travel.history = {};
+  const knit::Timeline& timeline = session.document->timeline;
   if (timeline.sought() || timeline.place() == *saved.at) return;
-  session.notices.push_back(
+  session.outbox->notices.push_back(
       {Notice::Kind::warning,
        "The run no longer has the place where the session was; showing the nearest before it."});
 }
@@ -42,21 +46,22 @@ void go_to_place(Session& session, const SavedSession& saved) {
 void show_session(Session& session, OpenedSession opened, std::chrono::steady_clock::time_point start) {
   const SavedSession& saved = opened.saved;
   show_loaded(session, std::move(opened.loaded), saved.source, start);
-  session.timeline->set_knobs(saved.knobs.base, saved.knobs.edits, opened.input);
-  session.pinned = std::move(opened.pinned);
+  session.document->timeline.set_knobs(saved.knobs.base, saved.knobs.edits, opened.input);
+  session.document->pinned = std::move(opened.pinned);
   show_the_view(session, saved);
   go_to_place(session, saved);
   if (opened.changed) {
-    session.notices.push_back({Notice::Kind::warning, session.timeline->input().mesh.name +
-                                                          " is another mesh than when the session was saved; "
-                                                          "rows and stitches may differ."});
+    session.outbox->notices.push_back(
+        {Notice::Kind::warning, session.document->timeline.input().mesh.name +
+                                    " is another mesh than when the session was saved; "
+                                    "rows and stitches may differ."});
   }
   note_saved(session, opened.path);
 }
 
 std::optional<std::string> open_session(Session& session, const std::filesystem::path& path) {
   const auto start = std::chrono::steady_clock::now();
-  auto read = read_session(session.assets, path);
+  auto read = read_session(session.program->assets, path);
   if (auto* error = std::get_if<std::string>(&read)) return std::move(*error);
   show_session(session, std::get<OpenedSession>(std::move(read)), start);
   return std::nullopt;

@@ -11,6 +11,9 @@
 #include "app/describe/describe_symbols.h"
 #include "app/describe/describe_variable.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -59,7 +62,7 @@ void Describer::take_theme(const Theme& theme) {
 }
 
 void Describer::add_rows(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   rows_.resize(std::max(rows_.size(), state.rows.size()));
   for (std::size_t i = 0; i < state.rows.size(); ++i) {
     RowShapes& kept = rows_[i];
@@ -70,13 +73,13 @@ void Describer::add_rows(const Session& session, Scene& scene) {
       const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
       kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
     }
-    if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
-    if (session.shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);
+    if (session.view->shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
+    if (session.view->shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);
   }
 }
 
 void Describer::add_strips(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   strips_.resize(std::max(strips_.size(), state.strips.size()));
   for (std::size_t i = 0; i < state.strips.size(); ++i) {
     StripShapes& kept = strips_[i];
@@ -90,8 +93,8 @@ void Describer::add_strips(const Session& session, Scene& scene) {
               std::make_shared<const std::vector<Line>>(
                   columns_of(*scene.theme, *strip, strip->column_edges.size(), places))};
     }
-    if (session.shows(Layer::faces)) scene.faces.push_back(kept.faces);
-    if (session.shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
+    if (session.view->shows(Layer::faces)) scene.faces.push_back(kept.faces);
+    if (session.view->shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
   }
 }
 
@@ -99,8 +102,8 @@ namespace {
 
 // From the first row to the last that a finished strip reaches.
 std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
-  const knit::State& state = session.timeline->state();
-  if (!session.shows(Layer::faces) || state.strips.empty() || scene.unfinished) return std::nullopt;
+  const knit::State& state = session.document->timeline.state();
+  if (!session.view->shows(Layer::faces) || state.strips.empty() || scene.unfinished) return std::nullopt;
   return TimeSpan{static_cast<float>(state.rows.front()->time),
                   static_cast<float>(state.rows[state.strips.size()]->time)};
 }
@@ -109,17 +112,17 @@ std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& sc
 
 Scene Describer::describe(const Session& session, const Showing& showing) {
   Scene scene;
-  scene.theme = &theme_of(session.preferences.theme);
+  scene.theme = &theme_of(session.program->preferences.theme);
   take_theme(*scene.theme);
   scene.background = scene.theme->background;
   scene.ground = scene.theme->ground;
   scene.time_low = scene.theme->time_low;
   scene.time_middle = scene.theme->time_middle;
   scene.time_high = scene.theme->time_high;
-  scene.view = session.camera.view(session.aspect);
-  if (!session.timeline) return scene;
+  scene.view = session.view->gaze.camera.view(session.view->aspect);
+  if (!session.document) return scene;
 
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   ground_.describe(session, showing.in_pieces, scene);
   scene.coarse = coarseness(session, showing.height_px);
   scene.calm = in_the_making(state);

@@ -1,5 +1,8 @@
 #include "app/describe/describe_coarse.h"
 
+#include "app/session/document.h"
+#include "app/session/view.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,11 +74,13 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
 }  // namespace
 
 int coarseness(const Session& session, double height_px) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (stitches_of(timeline.state()) <= always_whole_stitches) return 1;
   const double radius = timeline.input().bounds.radius;
-  const double distance = std::max(session.camera.distance - 0.5 * radius, 0.25 * session.camera.distance);
-  const double unit_px = height_px / (2.0 * distance * std::tan(0.5 * session.camera.field_of_view));
+  const double distance =
+      std::max(session.view->gaze.camera.distance - 0.5 * radius, 0.25 * session.view->gaze.camera.distance);
+  const double unit_px =
+      height_px / (2.0 * distance * std::tan(0.5 * session.view->gaze.camera.field_of_view));
   const double stitch_px = timeline.parameters().stitch_width * unit_px;
   const auto wide_enough = std::find_if(strides.begin(), strides.end(),
                                         [&](int stride) { return stride * stitch_px >= coarse_stitch_px; });
@@ -86,7 +91,7 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
   if (theme_ != scene.theme || stride_ != stride) kept_.clear();
   theme_ = scene.theme;
   stride_ = stride;
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   std::size_t i = 0;
   std::size_t made = 0;  // cells
   for (std::size_t low = 0; low < state.rows.size(); low += static_cast<std::size_t>(stride), ++i) {
@@ -114,10 +119,10 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
       kept.strip = strip;
       kept.faces = faces_of(*theme_, *below, *above, *strip, stride);
     }
-    if (session.shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
-    if (session.shows(Layer::faces) && covered) scene.faces.push_back(kept.faces);
+    if (session.view->shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
+    if (session.view->shows(Layer::faces) && covered) scene.faces.push_back(kept.faces);
   }
-  if (state.rows.size() > 1 && session.shows(Layer::row_edges)) {
+  if (state.rows.size() > 1 && session.view->shows(Layer::row_edges)) {
     const knit::Row& last = *state.rows.back();
     const auto lines = edges_of(last, stride, theme_->row_edge);
     scene.lines.insert(scene.lines.end(), lines->begin(), lines->end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/rows/contour.h"
 #include "knit/timing/heights.h"
@@ -35,8 +37,8 @@ void add_crossings(const knit::Cut& cut, Colour colour, Scene& scene) {
 }
 
 void add_stitches(const Session& session, const knit::ContourWork& work, Scene& scene) {
-  if (!session.shows(Layer::stitches)) return;
-  const bool cast_on = session.timeline->state().rows.empty();
+  if (!session.view->shows(Layer::stitches)) return;
+  const bool cast_on = session.document->timeline.state().rows.empty();
   const Colour colour = cast_on ? scene.theme->of(knit::Label::cast) : scene.theme->stitch;
   for (const knit::Stitch& stitch : work.stitches)
     scene.points.push_back({glm::vec3(stitch.position), colour, 7.0F});
@@ -78,7 +80,7 @@ void add_loop(const knit::Ring& ring, Colour colour, float width_px, std::vector
 void describe_contours(const Session& session, const knit::ContourWork& work, Scene& scene) {
   if (!work.plan || static_cast<std::size_t>(work.cut) >= work.plan->cuts.size()) return;
   const knit::Step* step = step_shown(session);
-  if (step == nullptr || !session.shows(Layer::cycle)) return add_stitches(session, work, scene);
+  if (step == nullptr || !session.view->shows(Layer::cycle)) return add_stitches(session, work, scene);
   const knit::Cut& cut = work.plan->cuts[static_cast<std::size_t>(work.cut)];
   if (std::holds_alternative<knit::RowsPlanned>(step->what)) add_plan(*work.plan, scene);
   if (knit::is_stop(*step)) {
@@ -127,12 +129,12 @@ std::shared_ptr<const std::vector<Line>> isolines_of(const Theme& theme, const k
 }
 
 void describe_criticals(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const auto* work = std::get_if<knit::TimingWork>(&state.work);
   const knit::Criticals* criticals = state.timing                         ? &state.timing->criticals
                                      : work != nullptr && work->criticals ? &*work->criticals
                                                                           : nullptr;
-  if (criticals == nullptr || !session.shows(Layer::criticals)) return;
+  if (criticals == nullptr || !session.view->shows(Layer::criticals)) return;
   const knit::Step* step = step_shown(session);
   const auto* stopped = step != nullptr ? std::get_if<knit::Stopped>(&step->what) : nullptr;
   const bool news = step != nullptr && std::holds_alternative<knit::CriticalsFound>(step->what);
@@ -140,7 +142,7 @@ void describe_criticals(const Session& session, Scene& scene) {
   for (const knit::CriticalPoint& point : criticals->points) {
     const bool to_blame = stopped != nullptr && stopped->reason == knit::StopReason::splits &&
                           stopped->vertex == point.vertex && point.kind == knit::CriticalKind::saddle;
-    const glm::vec3 at(session.timeline->input().mesh.positions[point.vertex]);
+    const glm::vec3 at(session.document->timeline.input().mesh.positions[point.vertex]);
     const Colour colour = colour_of(*scene.theme, point.kind);
     scene.points.push_back({at, colour, to_blame ? 14.0F : 8.0F});
     if (!to_blame && !(news && names < most_names)) continue;

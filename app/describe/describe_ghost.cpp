@@ -2,6 +2,8 @@
 
 #include "app/describe/describe_step.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -39,7 +41,7 @@ bool has_row(const knit::State& here, const knit::State& pinned, std::size_t i) 
 }  // namespace
 
 void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) {
-  const auto here = session.timeline->input_pointer();
+  const auto here = session.document->timeline.input_pointer();
   if (here != here_ || pin.input != input_) same_mesh_ = is_of_this_mesh(session, pin);
   const std::uint64_t end = knit::hash_of(pin.end);
   const bool same_run = end == end_ && pin.input == input_ && theme_ == &theme;
@@ -55,19 +57,19 @@ void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) 
 }
 
 void Ghost::describe(const Session& session, Scene& scene) {
-  if (!session.pinned || !session.pinned->known) {
+  if (!session.document->pinned || !session.document->pinned->known) {
     *this = Ghost();
     return;
   }
-  const Pin& pin = *session.pinned;
+  const Pin& pin = *session.document->pinned;
   refresh(session, *scene.theme, pin);
   if (!same_mesh_) return;
-  const knit::State& here = session.timeline->furthest();
+  const knit::State& here = session.document->timeline.furthest();
   bool below = false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const bool same = has_row(here, pin.end, i);
-    if (!same && session.shows(Layer::row_edges)) scene.line_sets.push_back(rows_[i]);
-    if (i > 0 && i - 1 < columns_.size() && session.shows(Layer::column_edges)) {
+    if (!same && session.view->shows(Layer::row_edges)) scene.line_sets.push_back(rows_[i]);
+    if (i > 0 && i - 1 < columns_.size() && session.view->shows(Layer::column_edges)) {
       const bool made =
           i - 1 < here.strips.size() && same && below &&
           here.strips[i - 1]->column_edges.size() == pin.end.strips[i - 1]->column_edges.size() &&

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene/scene.h"
+#include "app/session/pins.h"
 #include "app/session/session.h"
 
 namespace app {

@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/describe/describe_contours.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -43,7 +45,7 @@ std::shared_ptr<const MeshShape> shape_of(const knit::Input& input) {
 
 // Times as the whole run has them; the scene says up to which vertex they are shown.
 void Ground::describe_times(const Session& session, Scene& scene) {
-  const auto timing = session.timeline->furthest().timing.pointer();
+  const auto timing = session.document->timeline.furthest().timing.pointer();
   const bool same = timing == timing_ || (timing && timing_ && timing->times == timing_->times);
   if (!same || !timing) {
     times_ = timing ? std::make_shared<const std::vector<float>>(timing->times.begin(), timing->times.end())
@@ -54,20 +56,20 @@ void Ground::describe_times(const Session& session, Scene& scene) {
 }
 
 void Ground::describe(const Session& session, bool beside, Scene& scene) {
-  const auto input = session.timeline->input_pointer();
-  const knit::State& state = session.timeline->state();
+  const auto input = session.document->timeline.input_pointer();
+  const knit::State& state = session.document->timeline.state();
   const bool by_worker = beside && input->mesh.triangles.size() >= made_beside_triangles;
   scene.mesh = shape_.get(input, by_worker, [input] { return shape_of(*input); });
   scene.unfinished = scene.unfinished || !scene.mesh;
-  scene.show_surface = session.shows(Layer::surface);
-  scene.show_wire = session.shows(Layer::wire);
-  scene.show_times = session.shows(Layer::times);
+  scene.show_surface = session.view->shows(Layer::surface);
+  scene.show_wire = session.view->shows(Layer::wire);
+  scene.show_times = session.view->shows(Layer::times);
   scene.timed_vertices = static_cast<std::uint32_t>(input->mesh.positions.size());
   if (const auto* work = std::get_if<knit::TimingWork>(&state.work))
     scene.timed_vertices = static_cast<std::uint32_t>(work->times.size());
   describe_times(session, scene);
   // Under the knit mesh isolines would only shine through.
-  if (!state.timing || !session.shows(Layer::isolines) || !state.strips.empty()) return;
+  if (!state.timing || !session.view->shows(Layer::isolines) || !state.strips.empty()) return;
   const auto lines = isolines_.get(
       state.timing.pointer(), by_worker,
       [input, timing = state.timing, theme = scene.theme] { return isolines_of(*theme, *input, *timing); });

@@ -8,6 +8,7 @@
 
 #include "app/base/worker.h"
 #include "app/scene/scene.h"
+#include "app/session/document.h"
 #include "app/session/session.h"
 
 namespace app {

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "app/describe/thing_places.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -14,10 +16,11 @@ struct PlaceOf {
   using Result = std::optional<glm::vec3>;
 
   [[nodiscard]] Result vertex(knit::VertexId v) const {
-    return glm::vec3(session.timeline->input().mesh.positions[v]);
+    return glm::vec3(session.document->timeline.input().mesh.positions[v]);
   }
   [[nodiscard]] Result middle_of(const knit::Thing& thing) const {
-    const auto outline = outline_of(session.timeline->input(), session.timeline->state(), thing);
+    const auto outline =
+        outline_of(session.document->timeline.input(), session.document->timeline.state(), thing);
     if (outline.empty()) return std::nullopt;
     glm::dvec3 sum(0.0);
     for (const glm::dvec3& point : outline) sum += point;
@@ -26,9 +29,9 @@ struct PlaceOf {
 
   Result operator()(const knit::VertexTimed& s) const { return vertex(s.vertex); }
   Result operator()(const knit::StitchCastOn& s) const {
-    const auto places = stitch_places(session.timeline->state(), place.row);
+    const auto places = stitch_places(session.document->timeline.state(), place.row);
     if (!places.empty()) return glm::vec3(places.back());
-    const auto* work = std::get_if<knit::CastOnWork>(&session.timeline->state().work);
+    const auto* work = std::get_if<knit::CastOnWork>(&session.document->timeline.state().work);
     if (work == nullptr || work->stitches.empty()) return std::nullopt;
     return glm::vec3(work->stitches[static_cast<std::size_t>(s.stitch - 1) % work->stitches.size()].position);
   }
@@ -59,7 +62,7 @@ std::optional<glm::vec3> place_of_step(const Session& session, const knit::Step&
 }
 
 void describe_motion(const Session& session, double appeared, Scene& scene) {
-  if (appeared >= 1.0 || !session.preferences.motion) return;
+  if (appeared >= 1.0 || !session.program->preferences.motion) return;
   const knit::Step* step = last_step(session);
   const auto at = step != nullptr ? place_of_step(session, *step) : std::nullopt;
   if (!at) return;

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/explain/code_variables.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/rows/ring.h"
 
@@ -43,9 +45,9 @@ std::optional<double> ahead_by(const knit::Ring& ring, double from, double dista
 
 // How high along the axis the vertex stands: what Algorithm 1 makes its time of.
 void describe_time(const Session& session, const knit::VertexTimed& timed, Scene& scene) {
-  if (!session.shows(Layer::times)) return;
-  const knit::State& state = session.timeline->state();
-  const glm::dvec3 at = session.timeline->input().mesh.positions[timed.vertex];
+  if (!session.view->shows(Layer::times)) return;
+  const knit::State& state = session.document->timeline.state();
+  const glm::dvec3 at = session.document->timeline.input().mesh.positions[timed.vertex];
   const Colour colour = scene.theme->anchor;
   scene.captions.push_back({glm::vec3(at), "t = " + knit::short_number(timed.time), colour});
   const knit::Ends* ends = ends_shown(state);
@@ -58,8 +60,8 @@ void describe_time(const Session& session, const knit::VertexTimed& timed, Scene
 
 void describe_cast_on(const Session& session, const knit::Step& step, const knit::StitchCastOn& cast_on,
                       Scene& scene) {
-  const RowShown row = row_shown(session.timeline->state(), step.place.row);
-  if (!session.shows(Layer::cycle) || row.ring == nullptr) return;
+  const RowShown row = row_shown(session.document->timeline.state(), step.place.row);
+  if (!session.view->shows(Layer::cycle) || row.ring == nullptr) return;
   const Colour colour = scene.theme->anchor;
   add_arc(*row.ring, RingArc{0.0, cast_on.arc}, colour, 3.0F, scene);
   const glm::vec3 at(knit::point_at(*row.ring, cast_on.arc));
@@ -67,13 +69,13 @@ void describe_cast_on(const Session& session, const knit::Step& step, const knit
 }
 
 void describe_gap(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const auto gap = gap_arc(state);
   if (!gap) return;
   const knit::Ring& ring = *std::get<knit::RowWork>(state.work).ring;
   const Colour colour = with_alpha(scene.theme->anchor, soft);
-  if (session.shows(Layer::row_edges)) add_arc(ring, *gap, colour, 2.0F, scene);
-  if (session.shows(Layer::band)) {
+  if (session.view->shows(Layer::row_edges)) add_arc(ring, *gap, colour, 2.0F, scene);
+  if (session.view->shows(Layer::band)) {
     const knit::Band band = knit::band_of(parameters_of_last_step(session));
     add_band_ticks(ring, *gap, band, colour, scene);
   }
@@ -105,12 +107,12 @@ std::vector<knit::VertexId> picked_vertices(const knit::Timeline& timeline) {
 
 void describe_shares(const Session& session, const knit::Step& step, const knit::GapShared& shared,
                      Scene& scene) {
-  const knit::Row* row = row_shown(session.timeline->state(), step.place.row).finished;
-  if (!shared.shared || row == nullptr || !session.shows(Layer::stitches)) return;
-  const std::vector<knit::VertexId> picked = picked_vertices(*session.timeline);
+  const knit::Row* row = row_shown(session.document->timeline.state(), step.place.row).finished;
+  if (!shared.shared || row == nullptr || !session.view->shows(Layer::stitches)) return;
+  const std::vector<knit::VertexId> picked = picked_vertices(session.document->timeline);
   if (picked.size() != row->stitches.size()) return;
   for (std::size_t i = 0; i < picked.size(); ++i) {
-    const glm::vec3 from(session.timeline->input().mesh.positions[picked[i]]);
+    const glm::vec3 from(session.document->timeline.input().mesh.positions[picked[i]]);
     const glm::vec3 to(row->stitches[i].position);
     scene.points.push_back({from, scene.theme->ring, 4.5F});
     scene.lines.push_back({from, to, scene.theme->anchor, 3.0F});

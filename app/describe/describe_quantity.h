@@ -7,6 +7,7 @@
 
 #include "app/scene/scene.h"
 #include "app/session/session.h"
+#include "knit/run/state.h"
 
 namespace app {
 

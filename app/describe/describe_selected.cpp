@@ -8,6 +8,9 @@
 #include "app/lessons/lesson.h"
 #include "app/lessons/predict.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/rows/rows.h"
 
@@ -35,7 +38,7 @@ void light_up(const std::vector<glm::dvec3>& outline, const Glow& light, Scene& 
 // added where no anchor measured it; the step at hand writes its own distance.
 std::string describe_measuring(const Session& session, const knit::VertexThing& thing, Scene& scene) {
   std::string name = words_of(thing);
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
   if (!story.decided || story.measured.empty() || *story.decided != story.measured.back()) return name;
   const knit::Step& step = timeline.step(*story.decided);
@@ -47,10 +50,10 @@ std::string describe_measuring(const Session& session, const knit::VertexThing& 
   const auto& positions = timeline.input().mesh.positions;
   const glm::vec3 from(positions[anchor]);
   const glm::vec3 to(positions[thing.vertex]);
-  if (session.shows(Layer::band))
+  if (session.view->shows(Layer::band))
     scene.band = band_around(session, anchor, timeline.parameters_of_step(*story.decided), scene);
   scene.points.push_back({from, scene.theme->anchor, 10.0F});
-  if (timeline.position() == *story.decided + 1 && session.shows(Layer::cycle)) return "";
+  if (timeline.position() == *story.decided + 1 && session.view->shows(Layer::cycle)) return "";
   if (anchor == thing.vertex) return name;
   scene.lines.push_back({from, to, scene.theme->selected, 3.0F});
   return name + ": " + knit::short_number(distance);
@@ -59,9 +62,9 @@ std::string describe_measuring(const Session& session, const knit::VertexThing& 
 }  // namespace
 
 void describe_selected(const Session& session, Scene& scene) {
-  const auto& selected = session.travel.selected;
+  const auto& selected = session.document->travel.selected;
   if (!selected) return;
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto* vertex = std::get_if<knit::VertexThing>(&*selected);
   if (vertex != nullptr && vertex->vertex >= timeline.input().mesh.positions.size()) return;
   std::vector<glm::dvec3> outline = outline_of(timeline.input(), timeline.state(), *selected);
@@ -81,7 +84,7 @@ void describe_selected(const Session& session, Scene& scene) {
 namespace {
 
 void describe_vertex(const Session& session, const AskedVertex& asked, Scene& scene) {
-  const auto& positions = session.timeline->input().mesh.positions;
+  const auto& positions = session.document->timeline.input().mesh.positions;
   const glm::vec3 from(positions[asked.anchor]);
   const glm::vec3 to(positions[asked.candidate]);
   const Colour colour = scene.theme->selected;
@@ -92,8 +95,8 @@ void describe_vertex(const Session& session, const AskedVertex& asked, Scene& sc
 
 // A row that is not made yet at this place of the run stands where it is going to be.
 void describe_lit_row(const Session& session, std::int32_t row, Scene& scene) {
-  auto places = stitch_places(session.timeline->state(), row);
-  if (places.size() < 3) places = stitch_places(session.timeline->furthest(), row);
+  auto places = stitch_places(session.document->timeline.state(), row);
+  if (places.size() < 3) places = stitch_places(session.document->timeline.furthest(), row);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::vec3 from(places[i]);
     const glm::vec3 to(places[(i + 1) % places.size()]);
@@ -105,7 +108,7 @@ void describe_lit_row(const Session& session, std::int32_t row, Scene& scene) {
 
 void describe_asked(const Session& session, Scene& scene) {
   if (const auto asked = asked_vertex(session)) describe_vertex(session, *asked, scene);
-  const LessonPage* page = session.lesson ? session.lesson->shown() : nullptr;
+  const LessonPage* page = session.learning->lesson ? session.learning->lesson->shown() : nullptr;
   if (page == nullptr) return;
   for (const Light& light : page->lights) {
     if (light.row > 0) describe_lit_row(session, light.row, scene);
@@ -120,7 +123,8 @@ struct RoundLook {
 };
 
 const knit::Row* row_at(const Session& session, std::int32_t number) {
-  for (const knit::State* state : {&session.timeline->state(), &session.timeline->furthest()}) {
+  for (const knit::State* state :
+       {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
     const bool there = number >= 1 && static_cast<std::size_t>(number) <= state->rows.size();
     if (there) return &*state->rows[static_cast<std::size_t>(number) - 1];
   }
@@ -146,15 +150,16 @@ void describe_stitch(const knit::Row& row, std::size_t stitch, Scene& scene) {
 }  // namespace
 
 void describe_meant(const Session& session, Scene& scene) {
-  if (const knit::Row* row = session.knit_along ? row_at(session, *session.knit_along) : nullptr)
+  if (const knit::Row* row =
+          session.view->gaze.knit_along ? row_at(session, *session.view->gaze.knit_along) : nullptr)
     describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
-  if (const auto& rounds = session.hovered_rounds) {
-    const auto rows = static_cast<std::int32_t>(
-        std::max(session.timeline->state().rows.size(), session.timeline->furthest().rows.size()));
+  if (const auto& rounds = session.view->gaze.hovered_rounds) {
+    const auto rows = static_cast<std::int32_t>(std::max(session.document->timeline.state().rows.size(),
+                                                         session.document->timeline.furthest().rows.size()));
     for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
       describe_round(*row_at(session, number), {scene.theme->accepted, 3.5F}, scene);
   }
-  const auto& at = session.hovered_stitch;
+  const auto& at = session.view->gaze.hovered_stitch;
   const knit::Row* row = at ? row_at(session, at->row) : nullptr;
   if (row == nullptr || at->stitch < 0) return;
   const auto stitch = static_cast<std::size_t>(at->stitch);

@@ -6,6 +6,8 @@
 #include "app/describe/describe_selected.h"
 #include "app/lessons/predict.h"
 #include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/rows/rows.h"
 #include "knit/stitches/faces.h"
@@ -15,7 +17,7 @@ namespace app {
 namespace {
 
 glm::vec3 place_of(const Session& session, knit::VertexId vertex) {
-  return glm::vec3(session.timeline->input().mesh.positions[vertex]);
+  return glm::vec3(session.document->timeline.input().mesh.positions[vertex]);
 }
 
 // The row in the making, before it is closed: what has been kept, the anchor, and the verdicts since.
@@ -25,7 +27,7 @@ void describe_walk(const Session& session, const knit::RowWork& work, Scene& sce
     return place_of(session, ring.vertices[static_cast<std::size_t>(order)]);
   };
   const auto size = static_cast<std::int32_t>(ring.vertices.size());
-  if (session.shows(Layer::cycle)) {
+  if (session.view->shows(Layer::cycle)) {
     for (std::int32_t order = 0; order < size; ++order) {
       const bool measured = order < work.walk.next;
       scene.points.push_back(
@@ -35,14 +37,15 @@ void describe_walk(const Session& session, const knit::RowWork& work, Scene& sce
   const std::vector<std::int32_t>& kept = work.walk.kept;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::int32_t next = i + 1 < kept.size() ? kept[i + 1] : work.walk.anchor;
-    if (session.shows(Layer::row_edges))
+    if (session.view->shows(Layer::row_edges))
       scene.lines.push_back({place(kept[i]), place(next), scene.theme->row_edge, 2.4F});
-    if (session.shows(Layer::stitches)) scene.points.push_back({place(kept[i]), scene.theme->stitch, 7.0F});
+    if (session.view->shows(Layer::stitches))
+      scene.points.push_back({place(kept[i]), scene.theme->stitch, 7.0F});
   }
-  if (session.shows(Layer::band)) {
+  if (session.view->shows(Layer::band)) {
     const knit::VertexId anchor =
         anchor_shown(session, ring.vertices[static_cast<std::size_t>(work.walk.anchor)]);
-    scene.band = band_around(session, anchor, session.timeline->parameters(), scene);
+    scene.band = band_around(session, anchor, session.document->timeline.parameters(), scene);
     scene.points.push_back({scene.band->centre, scene.theme->anchor, 10.0F});
   }
 }
@@ -88,7 +91,7 @@ const knit::Row& labelled_row(const knit::State& state, std::int32_t row) {
 
 void describe_last_label(const Session& session, std::int32_t row, std::int32_t cell, knit::Label label,
                          Scene& scene) {
-  const knit::Row& labelled = labelled_row(session.timeline->state(), row);
+  const knit::Row& labelled = labelled_row(session.document->timeline.state(), row);
   const glm::vec3 at(labelled.stitches[static_cast<std::size_t>(cell)].position);
   scene.points.push_back({at, scene.theme->of(label), 13.0F});
   scene.captions.push_back({at, std::string(knit::name_of(label)), scene.theme->of(label)});
@@ -96,7 +99,7 @@ void describe_last_label(const Session& session, std::int32_t row, std::int32_t 
 
 // `index`: counted from 1 in its strip, which may be finished by now.
 void describe_last_face(const Session& session, std::int32_t row, std::int32_t index, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   const auto number = static_cast<std::size_t>(row) - 2;
   const bool finished = number < state.strips.size();
   const knit::Strip& strip = finished ? *state.strips[number] : *std::get<knit::FacesWork>(state.work).plan;
@@ -112,40 +115,40 @@ void describe_last_face(const Session& session, std::int32_t row, std::int32_t i
 
 void describe_last_step(const Session& session, const knit::Step& step, Scene& scene) {
   if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what)) {
-    if (session.shows(Layer::cycle)) {
+    if (session.view->shows(Layer::cycle)) {
       describe_distance(session, scene, measured->anchor, measured->candidate, measured->distance,
                         colour_of(*scene.theme, measured->verdict));
     }
   } else if (const auto* missed = std::get_if<knit::BandMissed>(&step.what)) {
-    if (session.shows(Layer::cycle)) {
+    if (session.view->shows(Layer::cycle)) {
       describe_distance(session, scene, missed->anchor, missed->taken, missed->distance,
                         scene.theme->problem);
     }
   } else if (const auto* timed = std::get_if<knit::VertexTimed>(&step.what)) {
-    if (session.shows(Layer::times)) {
+    if (session.view->shows(Layer::times)) {
       scene.points.push_back({place_of(session, timed->vertex), scene.theme->accepted, 7.0F});
     }
   } else if (const auto* ends = std::get_if<knit::EndsFound>(&step.what)) {
-    if (session.shows(Layer::times)) describe_ends(session, *ends, scene);
+    if (session.view->shows(Layer::times)) describe_ends(session, *ends, scene);
   } else if (const auto* main = std::get_if<knit::MainPlaced>(&step.what)) {
-    if (session.shows(Layer::stitches))
+    if (session.view->shows(Layer::stitches))
       describe_last_label(session, step.place.row, main->cell, knit::Label::main, scene);
   } else if (const auto* shaping = std::get_if<knit::ShapingPlaced>(&step.what)) {
-    if (session.shows(Layer::stitches))
+    if (session.view->shows(Layer::stitches))
       describe_last_label(session, step.place.row, shaping->cell, shaping->label, scene);
   } else if (const auto* made = std::get_if<knit::FaceMade>(&step.what)) {
-    if (session.shows(Layer::faces)) describe_last_face(session, step.place.row, made->index, scene);
+    if (session.view->shows(Layer::faces)) describe_last_face(session, step.place.row, made->index, scene);
   }
 }
 
 void describe_cycle(const Session& session, std::span<const knit::VertexId> vertices, Scene& scene) {
-  if (!session.shows(Layer::cycle)) return;
+  if (!session.view->shows(Layer::cycle)) return;
   for (const knit::VertexId v : vertices)
     scene.points.push_back({place_of(session, v), scene.theme->ring, 4.5F});
 }
 
 void describe_rows_stage(const Session& session, const knit::RowWork& work, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   switch (work.phase) {
     case knit::RowPhase::gather:
       return;
@@ -165,8 +168,8 @@ void describe_rows_stage(const Session& session, const knit::RowWork& work, Scen
     const glm::vec3 at(stitches[i].position);
     const glm::vec3 next(stitches[(i + 1) % stitches.size()].position);
     const bool gap = i + 1 == stitches.size();
-    if (session.shows(Layer::stitches)) scene.points.push_back({at, scene.theme->stitch, 7.0F});
-    if (!session.shows(Layer::row_edges)) continue;
+    if (session.view->shows(Layer::stitches)) scene.points.push_back({at, scene.theme->stitch, 7.0F});
+    if (!session.view->shows(Layer::row_edges)) continue;
     scene.lines.push_back({at, next, gap ? scene.theme->anchor : scene.theme->row_edge, gap ? 3.5F : 2.4F});
     if (gap)
       scene.captions.push_back(
@@ -186,8 +189,8 @@ void describe_labels(const knit::State& state, const knit::Transition& plan, std
 }
 
 void describe_stitches_stage(const Session& session, const knit::IndexWork& work, Scene& scene) {
-  if (!session.shows(Layer::stitches)) return;
-  const knit::State& state = session.timeline->state();
+  if (!session.view->shows(Layer::stitches)) return;
+  const knit::State& state = session.document->timeline.state();
   for (const auto& transition : state.transitions) {
     const bool plain = transition->change() == 0;  // its mains merely go on
     if (!plain) describe_labels(state, *transition, transition->placed.size(), scene);
@@ -198,13 +201,13 @@ void describe_stitches_stage(const Session& session, const knit::IndexWork& work
 void describe_faces_stage(const Session& session, const knit::FacesWork& work, Scene& scene) {
   if (!work.plan) return;
   const StripPlaces places =
-      places_of(session.timeline->state(), static_cast<std::size_t>(work.plan->row) - 2);
+      places_of(session.document->timeline.state(), static_cast<std::size_t>(work.plan->row) - 2);
   const auto made = static_cast<std::size_t>(work.made);
-  if (session.shows(Layer::faces)) {
+  if (session.view->shows(Layer::faces)) {
     scene.faces.push_back(
         std::make_shared<const FaceShape>(faces_of(*scene.theme, *work.plan, made, places)));
   }
-  if (session.shows(Layer::column_edges)) {
+  if (session.view->shows(Layer::column_edges)) {
     const std::vector<Line> columns = columns_of(*scene.theme, *work.plan, made, places);
     scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
   }
@@ -257,11 +260,11 @@ std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::
 }
 
 void describe_step(const Session& session, Scene& scene) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work); cast_on != nullptr && cast_on->ring) {
     describe_cycle(session, cast_on->ring->vertices, scene);
     for (const knit::Stitch& stitch : cast_on->stitches) {
-      if (!session.shows(Layer::stitches)) break;
+      if (!session.view->shows(Layer::stitches)) break;
       scene.points.push_back({glm::vec3(stitch.position), scene.theme->of(knit::Label::cast), 10.0F});
     }
   }
@@ -282,7 +285,7 @@ Band band_around(const Session& session, knit::VertexId anchor, const knit::Para
                  const Scene& scene) {
   const knit::Band reach = knit::band_of(parameters);
   Band band;
-  band.centre = glm::vec3(session.timeline->input().mesh.positions[anchor]);
+  band.centre = glm::vec3(session.document->timeline.input().mesh.positions[anchor]);
   band.inner = static_cast<float>(reach.low);
   band.middle = static_cast<float>(parameters.stitch_width);
   band.outer = static_cast<float>(reach.high);

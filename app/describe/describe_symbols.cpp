@@ -7,6 +7,8 @@
 #include "app/describe/chart_strokes.h"
 #include "app/describe/describe_step.h"
 #include "app/describe/thing_places.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -86,23 +88,23 @@ void draw(const Square& square, std::span<const ChartStroke> strokes, Colour col
 
 // On the screen, about the middle of what is looked at.
 double stitch_px(const Session& session, double height_px) {
-  const Camera& camera = session.camera;
-  const double radius = session.timeline->input().bounds.radius;
+  const Camera& camera = session.view->gaze.camera;
+  const double radius = session.document->timeline.input().bounds.radius;
   const double distance = std::max(camera.distance - radius, 0.2 * camera.distance);
-  return session.timeline->parameters().stitch_width * height_px /
+  return session.document->timeline.parameters().stitch_width * height_px /
          (2.0 * distance * std::tan(0.5 * camera.field_of_view));
 }
 
 }  // namespace
 
 void Symbols::describe(const Session& session, double height_px, Scene& scene) {
-  if (!session.shows(Layer::faces) || scene.coarse > 1) return;
+  if (!session.view->shows(Layer::faces) || scene.coarse > 1) return;
   const double size_px = stitch_px(session, height_px);
   const double share = (size_px - symbol_first_px) / (symbol_full_px - symbol_first_px);
   if (share <= 0.0) return;
   const Colour ink =
       with_alpha(scene.theme->symbol, static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0))));
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   std::vector<Line> lines;
   for (const MadeStrip& strip : made_strips(state)) {
     const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);

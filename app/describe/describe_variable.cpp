@@ -7,6 +7,9 @@
 #include "app/describe/describe_quantity.h"
 #include "app/describe/describe_step.h"
 #include "app/explain/code_variables.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/rows/ring.h"
 
@@ -25,7 +28,7 @@ class VariableLight {
  public:
   VariableLight(const Session& session, const Explained& at, Scene& scene)
       : session_(session),
-        state_(session.timeline->state()),
+        state_(session.document->timeline.state()),
         at_(at),
         scene_(scene),
         colour_(scene.theme->selected),
@@ -44,10 +47,10 @@ class VariableLight {
     return at_.step != nullptr ? std::get_if<Kind>(&at_.step->what) : nullptr;
   }
   [[nodiscard]] glm::vec3 place(knit::VertexId vertex) const {
-    return glm::vec3(session_.timeline->input().mesh.positions[vertex]);
+    return glm::vec3(session_.document->timeline.input().mesh.positions[vertex]);
   }
   [[nodiscard]] const knit::Parameters& parameters() const {
-    return at_.stopped ? session_.timeline->parameters_of_stop() : parameters_of_last_step(session_);
+    return at_.stopped ? session_.document->timeline.parameters_of_stop() : parameters_of_last_step(session_);
   }
   [[nodiscard]] Measured measured() const;
 
@@ -381,8 +384,8 @@ void VariableLight::strip(std::string_view name) {
 }  // namespace
 
 void describe_variable(const Session& session, Scene& scene) {
-  const std::string& name = session.pointed_variable;
-  if (name.empty() || session.side != SidePanel::step) return;
+  const std::string& name = session.learning->pointed_variable;
+  if (name.empty() || session.view->side != SidePanel::step) return;
   const auto at = explained(session);
   if (!at) return;
   VariableLight light(session, *at, scene);

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Adds to `scene` what session.pointed_variable stands for at this place; whatever layers are shown, as for
+// Adds to `scene` what session.learning->pointed_variable stands for at this place; whatever layers are shown, as for
 // what is selected. Nothing where it stands for nothing to see. Requires something open.
 void describe_variable(const Session& session, Scene& scene);
 

@@ -14,7 +14,9 @@
 
 #include "app/describe/describe_step.h"
 #include "app/describe/thing_places.h"
+#include "app/session/document.h"
 #include "app/session/session.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -59,10 +61,10 @@ bool may_meet(const Ray& ray, const knit::Input::Box& box, double nearest) {
 }  // namespace
 
 Ray ray_through(const Session& session, const glm::dvec2& place) {
-  const View view = session.camera.view(session.aspect);
+  const Sight view = session.view->gaze.camera.view(session.view->aspect);
   const glm::dmat4 back = glm::inverse(glm::dmat4(view.projection) * glm::dmat4(view.view));
   const glm::dvec4 far = back * glm::dvec4(place.x, place.y, 1.0, 1.0);
-  const glm::dvec3 eye = session.camera.eye();
+  const glm::dvec3 eye = session.view->gaze.camera.eye();
   return {eye, glm::normalize(glm::dvec3(far) / far.w - eye)};
 }
 
@@ -83,10 +85,10 @@ std::optional<double> meets(const Ray& ray, const glm::dvec3& a, const glm::dvec
 }
 
 std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray) {
-  const knit::Mesh& mesh = session.timeline->input().mesh;
+  const knit::Mesh& mesh = session.document->timeline.input().mesh;
   double nearest = std::numeric_limits<double>::infinity();
   const knit::Triangle* hit = nullptr;
-  const std::vector<knit::Input::Box>& boxes = session.timeline->input().boxes;
+  const std::vector<knit::Input::Box>& boxes = session.document->timeline.input().boxes;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!may_meet(ray, boxes[i], nearest)) continue;
     const std::size_t end = std::min((i + 1) * knit::Input::boxed, mesh.triangles.size());
@@ -108,22 +110,22 @@ std::optional<SurfaceHit> hit_surface(const Session& session, const Ray& ray) {
 }
 
 std::optional<knit::VertexId> pick_vertex(const Session& session, const glm::dvec2& place) {
-  if (!session.timeline) return std::nullopt;
+  if (!session.document) return std::nullopt;
   const auto hit = hit_surface(session, ray_through(session, place));
   return hit ? std::optional(hit->vertex) : std::nullopt;
 }
 
 std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& place, double reach) {
-  if (!session.timeline) return std::nullopt;
-  const View view = session.camera.view(session.aspect);
+  if (!session.document) return std::nullopt;
+  const Sight view = session.view->gaze.camera.view(session.view->aspect);
   const glm::dmat4 onto = glm::dmat4(view.projection) * glm::dmat4(view.view);
   std::optional<StitchAt> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& row : session.timeline->state().rows) {
+  for (const auto& row : session.document->timeline.state().rows) {
     for (std::size_t i = 0; i < row->stitches.size(); ++i) {
       const glm::dvec4 at = onto * glm::dvec4(row->stitches[i].position, 1.0);
       if (at.w <= 0.0 || at.w >= nearest) continue;
-      const glm::dvec2 away((at.x / at.w - place.x) * session.aspect, at.y / at.w - place.y);
+      const glm::dvec2 away((at.x / at.w - place.x) * session.view->aspect, at.y / at.w - place.y);
       if (glm::length(away) > reach) continue;
       nearest = at.w;
       best = StitchAt{row->number, static_cast<std::int32_t>(i)};
@@ -140,8 +142,8 @@ constexpr double nothing = std::numeric_limits<double>::infinity();
 class Aim {
  public:
   Aim(const Session& session, const glm::dvec2& place)
-      : aspect_(session.aspect), ray_(ray_through(session, place)) {
-    const View view = session.camera.view(session.aspect);
+      : aspect_(session.view->aspect), ray_(ray_through(session, place)) {
+    const Sight view = session.view->gaze.camera.view(session.view->aspect);
     onto_ = glm::dmat4(view.projection) * glm::dmat4(view.view);
     at_ = {place.x * aspect_, place.y};
   }
@@ -197,25 +199,25 @@ struct Found {
 std::int32_t rows_begun(const knit::State& state) { return static_cast<std::int32_t>(state.rows.size()) + 1; }
 
 Found nearest_point(const Session& session, const Aim& aim, double reach) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.shows(Layer::stitches) && row <= rows_begun(state); ++row) {
+  for (std::int32_t row = 1; session.view->shows(Layer::stitches) && row <= rows_begun(state); ++row) {
     const auto places = stitch_places(state, row);
     for (std::size_t i = 0; i < places.size(); ++i)
       found.offer(aim.to_point(places[i]), reach, knit::StitchThing{row, static_cast<std::int32_t>(i)});
   }
   // A vertex at a stitch's own place is no nearer than the stitch.
   const auto* work = std::get_if<knit::RowWork>(&state.work);
-  if (work == nullptr || !work->ring || !session.shows(Layer::cycle)) return found;
+  if (work == nullptr || !work->ring || !session.view->shows(Layer::cycle)) return found;
   for (std::size_t i = 0; i < work->ring->vertices.size(); ++i)
     found.offer(aim.to_point(work->ring->points[i]), 0.7 * reach, knit::VertexThing{work->ring->vertices[i]});
   return found;
 }
 
 Found nearest_edge(const Session& session, const Aim& aim, double reach) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.shows(Layer::row_edges) && row <= rows_begun(state); ++row) {
+  for (std::int32_t row = 1; session.view->shows(Layer::row_edges) && row <= rows_begun(state); ++row) {
     const auto places = stitch_places(state, row);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const knit::RowEdgeThing edge{row, static_cast<std::int32_t>(i)};
@@ -223,7 +225,7 @@ Found nearest_edge(const Session& session, const Aim& aim, double reach) {
       found.offer(aim.to_segment(places[i], places[(i + 1) % places.size()]), reach, edge);
     }
   }
-  if (!session.shows(Layer::column_edges)) return found;
+  if (!session.view->shows(Layer::column_edges)) return found;
   for (const MadeStrip& strip : made_strips(state)) {
     const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (std::size_t i = 0; i < strip.column_edges.size(); ++i) {
@@ -241,9 +243,9 @@ struct FaceHit {
 };
 
 FaceHit first_face(const Session& session, const Ray& ray) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   FaceHit hit;
-  if (!session.shows(Layer::faces)) return hit;
+  if (!session.view->shows(Layer::faces)) return hit;
   for (const MadeStrip& strip : made_strips(state)) {
     const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (std::size_t i = 0; i < strip.faces.size(); ++i) {
@@ -259,25 +261,27 @@ FaceHit first_face(const Session& session, const Ray& ray) {
 }
 
 bool shows_mesh(const Session& session) {
-  return session.shows(Layer::surface) || session.shows(Layer::wire) || session.shows(Layer::cycle);
+  return session.view->shows(Layer::surface) || session.view->shows(Layer::wire) ||
+         session.view->shows(Layer::cycle);
 }
 
 }  // namespace
 
 std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& place,
                                       const PickReach& reach) {
-  if (!session.timeline) return std::nullopt;
+  if (!session.document) return std::nullopt;
   Aim aim(session, place);
   const auto surface = hit_surface(session, aim.ray());
   const FaceHit face = first_face(session, aim.ray());
   // Edges cut a little below the surface, and faces stand off it.
-  const double room = 0.75 * session.timeline->parameters().stitch_width;
-  if (surface && session.shows(Layer::surface)) aim.hide_behind(surface->depth + room);
+  const double room = 0.75 * session.document->timeline.parameters().stitch_width;
+  if (surface && session.view->shows(Layer::surface)) aim.hide_behind(surface->depth + room);
   if (face.thing) aim.hide_behind(face.depth + room);
 
   if (const Found point = nearest_point(session, aim, reach.point); point.thing) return point.thing;
-  const auto& positions = session.timeline->input().mesh.positions;
-  if (surface && session.shows(Layer::wire) && aim.to_point(positions[surface->vertex]) < 0.5 * reach.point)
+  const auto& positions = session.document->timeline.input().mesh.positions;
+  if (surface && session.view->shows(Layer::wire) &&
+      aim.to_point(positions[surface->vertex]) < 0.5 * reach.point)
     return knit::VertexThing{surface->vertex};
   if (const Found edge = nearest_edge(session, aim, reach.edge); edge.thing) return edge.thing;
   if (face.thing && face.depth <= aim.depth()) return face.thing;

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "app/session/session.h"
+#include "app/session/view.h"
+#include "knit/insight/why.h"
 
 namespace app {
 

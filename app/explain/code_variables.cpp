@@ -7,6 +7,7 @@
 
 #include "app/explain/code_variable_table.h"
 #include "app/explain/step_table.h"
+#include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
 
@@ -268,7 +269,7 @@ const knit::Ends* ends_shown(const knit::State& state) {
 std::vector<Variable> variables_of(const Session& session) {
   const auto at = explained(session);
   if (!at) return {};
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::State& state = timeline.state();
   Values values;
   add_parameters(at->stopped ? timeline.parameters_of_stop() : parameters_of_last_step(session), values);

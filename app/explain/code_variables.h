@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/explain/pseudo_code.h"
+#include "knit/run/state.h"
 
 namespace app {
 

@@ -4,6 +4,7 @@
 
 #include "app/explain/code_variables.h"
 #include "app/explain/pseudo_code_texts.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -313,8 +314,8 @@ std::vector<std::string_view> variable_names_of(Listing listing) {
 }
 
 std::optional<Explained> explained(const Session& session) {
-  if (!session.timeline) return std::nullopt;
-  const knit::Timeline& timeline = *session.timeline;
+  if (!session.document) return std::nullopt;
+  const knit::Timeline& timeline = session.document->timeline;
   Explained at;
   const knit::Step* stop = stop_shown(session);
   at.stopped = stop != nullptr;

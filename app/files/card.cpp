@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/base/text.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -267,11 +268,11 @@ std::string rows_text(const knit::Quality& quality) {
 }  // namespace
 
 std::string card_text(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& p = timeline.parameters();
   const knit::Quality quality =
       knit::measure_quality(timeline.input(), timeline.state(), p.stitch_width, knit::stitch_height_of(p));
-  const auto closeness = closeness_now(session);
+  const auto closeness = closeness_now(*session.document);
   std::string text = "Report card of " + timeline.input().mesh.name +
                      ": stitch width w = " + knit::number_text(quality.stitch_width) +
                      ", stitch height h = " + knit::number_text(quality.stitch_height) + " mesh units\n\n";

@@ -7,6 +7,7 @@
 
 #include "app/base/text.h"
 #include "app/describe/chart_squares.h"
+#include "app/session/document.h"
 
 namespace app {
 

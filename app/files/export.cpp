@@ -10,6 +10,7 @@
 #include "app/files/plots.h"
 #include "app/files/report.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
 #include "knit/stitches/pattern.h"
 
 namespace app {
@@ -56,7 +57,7 @@ std::optional<std::string> export_plots(const Session& session, const std::files
 }  // namespace
 
 std::string mesh_text(const Session& session) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   std::string text =
       "# knit-mesh: stitches row by row in knitting order, a group for each row with the faces below it.\n";
   text += "# A stack of closed rounds, not a helix: each round begins beside the end of the one before.\n";
@@ -80,7 +81,7 @@ std::string mesh_text(const Session& session) {
 }
 
 std::string map_text(const Session& session) {
-  const knit::State& state = session.timeline->state();
+  const knit::State& state = session.document->timeline.state();
   if (state.rows.empty()) return "";
   std::string text;
   for (const knit::LabelRow& row : label_rows(state)) text += knit::text_of(row) + "\n";
@@ -88,7 +89,7 @@ std::string map_text(const Session& session) {
 }
 
 std::string steps_text(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   std::string text;
   for (std::size_t i = 0; i < timeline.position(); ++i) {
     text += to_json(timeline.step(i), i + 1, timeline.parameters_of_step(i)).dump() + "\n";
@@ -117,7 +118,7 @@ std::optional<std::string> export_pattern(const Session& session, const std::fil
 
 std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
                                           const std::filesystem::path& path) {
-  if (!session.timeline)
+  if (!session.document)
     return "nothing is open, so " + path.string() + " was not written; open a mesh first.";
   switch (kind) {
     case ExportKind::mesh:

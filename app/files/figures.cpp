@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "app/base/text.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -77,36 +80,27 @@ std::size_t position_of_frame(const Stretch& stretch, std::size_t frames, std::s
 }
 
 Session figure_session(const Session& session) {
-  Session figure = session;
-  figure.beside = false;
-  figure.opening.reset();
-  figure.long_step.reset();
-  figure.measuring_run.reset();
-  figure.rescued.reset();
-  figure.lesson.reset();
-  figure.prediction.reset();
-  figure.animation.reset();
-  figure.figures_wanted.clear();
-  figure.pages_wanted.clear();
-  figure.screenshots_wanted.clear();
-  figure.clipboard_wanted.reset();
-  figure.notices.clear();
-  figure.pointed_variable.clear();
-  figure.hovered_stitch.reset();
-  figure.hovered_rounds.reset();
-  figure.picking = Picking::nothing;
-  figure.playback.playing = false;
-  figure.help_open = figure.action_palette_open = figure.glossary_open = figure.open_dialog_open = false;
+  Session figure;
+  figure.program = session.program;
+  figure.program->rescued.reset();
+  figure.document = session.document;
+  figure.view = session.view;
+  figure.view->dialogs = {};
+  figure.view->gaze.picking = Picking::nothing;
+  figure.view->gaze.hovered_stitch.reset();
+  figure.view->gaze.hovered_rounds.reset();
+  figure.view->playback.playing = false;
   return figure;
 }
 
 void fit_view(Session& session, double aspect) {
   if (!(aspect > 0.0)) return;
-  if (aspect < session.aspect) {
-    const double wider = std::tan(0.5 * session.camera.field_of_view) * session.aspect / aspect;
-    session.camera.field_of_view = 2.0 * std::atan(wider);
+  if (aspect < session.view->aspect) {
+    const double wider =
+        std::tan(0.5 * session.view->gaze.camera.field_of_view) * session.view->aspect / aspect;
+    session.view->gaze.camera.field_of_view = 2.0 * std::atan(wider);
   }
-  session.aspect = aspect;
+  session.view->aspect = aspect;
 }
 
 }  // namespace app

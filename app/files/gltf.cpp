@@ -11,6 +11,7 @@
 
 #include "app/base/text.h"
 #include "app/describe/describe_step.h"
+#include "app/session/document.h"
 #include "knit/model/gauge.h"
 
 namespace app {
@@ -46,11 +47,12 @@ std::uint16_t linear_u16(std::uint8_t channel) {
   return static_cast<std::uint16_t>(std::lround(65535.0 * linear_of(channel)));
 }
 
-class Document {
+class GltfDocument {
  public:
-  explicit Document(const Session& session)
-      : state_(session.timeline->state()),
-        metres_(knit::centimetres_per_unit(session.timeline->parameters(), session.timeline->input()) /
+  explicit GltfDocument(const Session& session)
+      : state_(session.document->timeline.state()),
+        metres_(knit::centimetres_per_unit(session.document->timeline.parameters(),
+                                           session.document->timeline.input()) /
                 100.0) {
     add_faces();
     add_lines();
@@ -213,14 +215,14 @@ std::optional<GltfFormat> gltf_format_of(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> gltf_missing(const Session& session) {
-  if (!session.timeline->state().rows.empty()) return std::nullopt;
+  if (!session.document->timeline.state().rows.empty()) return std::nullopt;
   if (stop_shown(session) != nullptr)
     return "the run stopped before the cast on, so there is nothing to write as glTF.";
   return "there is nothing knit yet to write as glTF; go on until the cast on is done.";
 }
 
 std::string gltf_file(const Session& session, GltfFormat format) {
-  const Document document(session);
+  const GltfDocument document(session);
   return format == GltfFormat::binary ? document.binary() : document.text();
 }
 

@@ -5,6 +5,8 @@
 
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -77,10 +79,10 @@ std::string shell_quoted(const std::string& word) {
 }
 
 std::optional<std::string> link_by_options(const Session& session) {
-  if (!session.timeline) return std::nullopt;
-  const knit::Timeline& timeline = *session.timeline;
-  const bool sayable = timeline.edits().empty() && session.travel.breaks.empty() && !session.pinned;
-  const Source& source = session.source;
+  if (!session.document) return std::nullopt;
+  const knit::Timeline& timeline = session.document->timeline;
+  const bool sayable = timeline.edits().empty() && session.view->breaks.empty() && !session.document->pinned;
+  const Source& source = session.document->source;
   if (!sayable || (source.example.empty() && source.file.empty())) return std::nullopt;
   Link link;
   if (source.file.empty()) {
@@ -94,13 +96,13 @@ std::optional<std::string> link_by_options(const Session& session) {
       mends += (mends.empty() ? "" : ",") + std::string(knit::key_of(kind));
     if (!mends.empty()) link.add("--mend", mends);
   }
-  add_parameters(link, timeline.base_parameters(), session.defaults);
+  add_parameters(link, timeline.base_parameters(), session.document->defaults);
   add_place(link, timeline);
-  if (session.side != SidePanel::step)
-    link.add("--side", std::string(side_keys.at(static_cast<std::size_t>(session.side))));
-  if (session.centre != CentrePanel::view) link.add("--centre", "chart");
-  if (session.knit_along) link.add("--knit-along", std::to_string(*session.knit_along));
-  add_pattern(link, session.pattern);
+  if (session.view->side != SidePanel::step)
+    link.add("--side", std::string(side_keys.at(static_cast<std::size_t>(session.view->side))));
+  if (session.view->centre != CentrePanel::view) link.add("--centre", "chart");
+  if (session.view->gaze.knit_along) link.add("--knit-along", std::to_string(*session.view->gaze.knit_along));
+  add_pattern(link, session.view->pattern);
   return link.text();
 }
 

@@ -6,6 +6,8 @@
 
 #include "app/base/text.h"
 #include "app/files/chart_svg.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/fold.h"
 #include "knit/pattern/pattern_words.h"
@@ -249,8 +251,8 @@ std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart&
 namespace {
 
 knit::WrittenPattern written(const Session& session, const knit::Rounds& rounds) {
-  const knit::Timeline& timeline = *session.timeline;
-  return knit::write_pattern(rounds, timeline.parameters().gauge, session.pattern,
+  const knit::Timeline& timeline = session.document->timeline;
+  return knit::write_pattern(rounds, timeline.parameters().gauge, session.view->pattern,
                              timeline.input().mesh.name);
 }
 
@@ -277,15 +279,15 @@ std::optional<double> needle_mm_of(std::string_view text) {
 }
 
 std::optional<std::string> pattern_missing(const Session& session) {
-  if (!session.timeline) return "nothing is open; open a mesh to write its pattern.";
-  if (session.timeline->state().stage() > knit::Stage::stitches) return std::nullopt;
+  if (!session.document) return "nothing is open; open a mesh to write its pattern.";
+  if (session.document->timeline.state().stage() > knit::Stage::stitches) return std::nullopt;
   if (stop_shown(session) != nullptr) return "the run stopped, so there is no pattern to write.";
   return "the pattern is not there yet: not all stitches have their labels. Let the run go on to the faces.";
 }
 
 std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png) {
-  const knit::Rounds rounds = knit::rounds_of(session.timeline->state());
+  const knit::Rounds rounds = knit::rounds_of(session.document->timeline.state());
   switch (format) {
     case PatternFormat::text:
       return knit::pattern_as_text(written(session, rounds)) + knit::chart_as_text(knit::chart_of(rounds));
@@ -303,9 +305,10 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
 }
 
 std::string chart_file_text(const Session& session) {
-  const knit::Rounds rounds = knit::rounds_of(session.timeline->state());
+  const knit::Rounds rounds = knit::rounds_of(session.document->timeline.state());
   ChartLook look;
-  look.title = session.pattern.title.empty() ? session.timeline->input().mesh.name : session.pattern.title;
+  look.title = session.view->pattern.title.empty() ? session.document->timeline.input().mesh.name
+                                                   : session.view->pattern.title;
   return chart_svg(knit::chart_of(rounds), look) + "\n";
 }
 

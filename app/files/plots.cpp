@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/base/text.h"
+#include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/quality/quality.h"
 
@@ -261,7 +262,7 @@ HistogramFigure histogram_of(std::string key, std::string title, std::string uni
 }
 
 PlotFigures figures_of(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
   const knit::Quality quality = knit::measure_quality(
       timeline.input(), timeline.state(), parameters.stitch_width, knit::stitch_height_of(parameters));
@@ -322,7 +323,7 @@ std::optional<PlotsFormat> plots_format_of(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> plots_missing(const Session& session) {
-  if (!session.timeline->state().rows.empty()) return std::nullopt;
+  if (!session.document->timeline.state().rows.empty()) return std::nullopt;
   if (stop_shown(session) != nullptr)
     return "the run stopped before the cast on, so there are no rows to plot.";
   return "there are no rows yet to plot; go on until the cast on is done.";

@@ -11,6 +11,8 @@
 #include "app/base/files.h"
 #include "app/base/json_fields.h"
 #include "app/files/session_file.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -180,22 +182,22 @@ std::variant<Preferences, std::string> read_preferences(std::string_view text) {
 PreferencesKeeper::PreferencesKeeper(Session& session, std::optional<fs::path> file, ForThisStart given)
     : file_(std::move(file)), given_(given) {
   if (!file_) return;
-  const std::vector<std::string> opened = std::exchange(session.preferences.recent, {});
+  const std::vector<std::string> opened = std::exchange(session.program->preferences.recent, {});
   if (const auto text = content_of(*file_)) {
     auto result = read_preferences(*text);
     if (const auto* fault = std::get_if<std::string>(&result)) {
       spoilt_ = true;
-      session.notices.push_back({Notice::Kind::warning, spoilt_words(*file_, *fault)});
+      session.outbox->notices.push_back({Notice::Kind::warning, spoilt_words(*file_, *fault)});
     } else {
       read_ = std::get<Preferences>(std::move(result));
     }
   }
-  session.preferences = read_;
-  session.preferences.recent = joined(opened, read_.recent);
-  if (given_.theme) session.preferences.theme = *given_.theme;
-  if (given_.scale) session.preferences.scale = *given_.scale;
+  session.program->preferences = read_;
+  session.program->preferences.recent = joined(opened, read_.recent);
+  if (given_.theme) session.program->preferences.theme = *given_.theme;
+  if (given_.scale) session.program->preferences.scale = *given_.scale;
   // A file that somebody may want to mend is not replaced just because the program was started.
-  known_ = spoilt_ ? lasting(session.preferences) : read_;
+  known_ = spoilt_ ? lasting(session.program->preferences) : read_;
 }
 
 // As the file shall have them. What was given for this start counts until it is changed by hand.
@@ -211,18 +213,19 @@ Preferences PreferencesKeeper::lasting(const Preferences& preferences) {
 void PreferencesKeeper::pass(Session& session, double seconds) {
   if (!file_) return;
   waited_ += seconds;
-  Preferences now = lasting(session.preferences);  // also between writings: a change by hand is noticed
+  Preferences now =
+      lasting(session.program->preferences);  // also between writings: a change by hand is noticed
   if (waited_ < seconds_between || now == known_) return;
   write(session);
 }
 
 void PreferencesKeeper::end(Session& session) {
-  if (file_ && lasting(session.preferences) != known_) write(session);
+  if (file_ && lasting(session.program->preferences) != known_) write(session);
 }
 
 void PreferencesKeeper::write(Session& session) {
   waited_ = 0.0;
-  known_ = lasting(session.preferences);
+  known_ = lasting(session.program->preferences);
   std::error_code error;
   fs::create_directories(file_->parent_path(), error);
   if (std::exchange(spoilt_, false)) {
@@ -232,7 +235,8 @@ void PreferencesKeeper::write(Session& session) {
   }
   const auto trouble = write_file(*file_, preferences_text(known_));
   if (!trouble || std::exchange(told_, true)) return;
-  session.notices.push_back({Notice::Kind::warning, "The preferences are not remembered: " + *trouble});
+  session.outbox->notices.push_back(
+      {Notice::Kind::warning, "The preferences are not remembered: " + *trouble});
 }
 
 namespace fs = std::filesystem;

@@ -1,5 +1,7 @@
 #include "app/files/report.h"
 
+#include "app/session/document.h"
+
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
 #include "knit/quality/measures.h"
@@ -154,7 +156,7 @@ Json problem_json(const knit::Step& step, std::size_t number, const knit::Parame
 }
 
 Json problems_json(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   Json problems = Json::array();
   for (std::size_t i = 0; i < timeline.position(); ++i) {
     const knit::Parameters& parameters = timeline.parameters_of_step(i);
@@ -217,7 +219,7 @@ std::vector<knit::LabelRow> label_rows(const knit::State& state) {
 }
 
 Json report_json(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::State& state = timeline.state();
   const knit::Mesh& mesh = timeline.input().mesh;
   const knit::FaceCounts faces = knit::count_faces(state);
@@ -226,7 +228,7 @@ Json report_json(const Session& session) {
   Json report;
   report["mesh"] = {
       {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
-  for (const knit::MendStep& step : session.mended) report["mesh"]["mended"].push_back(step.did);
+  for (const knit::MendStep& step : session.document->mended) report["mesh"]["mended"].push_back(step.did);
   report["parameters"] = to_json(timeline.base_parameters());
   if (!timeline.edits().empty()) report["edits"] = edits_json(timeline);
   report["steps"] = timeline.position();
@@ -243,14 +245,14 @@ Json report_json(const Session& session) {
                        {"decreases", shaping.decreases},
                        {"max_in_a_row", shaping.max_in_a_row}};
   const knit::Parameters& parameters = timeline.parameters();
-  const auto closeness = closeness_now(session);
+  const auto closeness = closeness_now(*session.document);
   report["quality"] = quality_json(knit::measure_quality(timeline.input(), state, parameters.stitch_width,
                                                          knit::stitch_height_of(parameters)),
                                    closeness.get());
   report["problems"] = problems_json(session);
   report["pattern"] = Json::array();
   for (const auto& line : state.lines) report["pattern"].push_back(line->text);
-  report["milliseconds"] = {{"load", session.load_ms}, {"run", session.run_ms}};
+  report["milliseconds"] = {{"load", session.document->load_ms}, {"run", session.document->run_ms}};
   return report;
 }
 

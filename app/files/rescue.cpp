@@ -12,6 +12,8 @@
 #include "app/base/text.h"
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
 
 namespace app {
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "app/session/program.h"
 #include "app/session/session.h"
 
 namespace app {

@@ -8,6 +8,7 @@
 
 #include "app/base/files.h"
 #include "app/files/session_json.h"
+#include "app/session/document.h"
 #include "knit/model/gauge.h"
 
 namespace app {
@@ -123,13 +124,14 @@ std::string begin_of(const fs::path& path) {
 }  // namespace
 
 SessionText session_text(const Session& session, const fs::path& path) {
-  if (!session.timeline) return {"", "nothing is open, so there is no session to save; open a mesh first."};
-  if (session.source.file.empty() && session.source.example.empty())
+  if (!session.document) return {"", "nothing is open, so there is no session to save; open a mesh first."};
+  if (session.document->source.file.empty() && session.document->source.example.empty())
     return {"", "the mesh came from no file, so a session cannot name it; open it from a file."};
   SavedSession saved = saved_of(session);
   if (!saved.source.file.empty()) saved.source.file = mesh_reference(saved.source.file, path);
-  saved.mesh_hash = session.mesh_hash;
-  if (saved.mesh_hash.empty() && session.original != nullptr) saved.mesh_hash = hash_text(*session.original);
+  saved.mesh_hash = session.document->mesh_hash;
+  if (saved.mesh_hash.empty() && session.document->original != nullptr)
+    saved.mesh_hash = hash_text(*session.document->original);
   try {
     return {to_json(saved).dump(2) + "\n", ""};
   } catch (const nlohmann::json::exception&) {
@@ -176,17 +178,20 @@ std::variant<SavedRun, std::string> read_saved_run(const fs::path& path) {
 }
 
 void note_saved(Session& session, const fs::path& path) {
+  if (!session.document) return;
   SessionText said = session_text(session, path);
-  session.saved.reset();
-  if (said.error.empty() && path != "-") session.saved = SavedAs{absolute_of(path), std::move(said.text)};
+  session.document->saved.reset();
+  if (said.error.empty() && path != "-")
+    session.document->saved = SavedAs{absolute_of(path), std::move(said.text)};
 }
 
 std::optional<fs::path> saved_unchanged(const Session& session) {
-  if (!session.saved || session_text(session, session.saved->path).text != session.saved->text)
-    return std::nullopt;
+  if (!session.document || !session.document->saved) return std::nullopt;
+  const SavedAs& saved = *session.document->saved;
   std::error_code error;
-  if (!fs::exists(session.saved->path, error)) return std::nullopt;
-  return session.saved->path;
+  const bool unchanged =
+      session_text(session, saved.path).text == saved.text && fs::exists(saved.path, error);
+  return unchanged ? std::optional(saved.path) : std::nullopt;
 }
 
 bool is_session_file(const fs::path& path) {

@@ -11,6 +11,7 @@
 #include "app/files/load.h"
 #include "app/files/session_json.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
 #include "app/session/session.h"
 
 namespace app {

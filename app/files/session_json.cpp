@@ -5,6 +5,8 @@
 
 #include "app/base/json_fields.h"
 #include "app/files/report.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/model/hash.h"
 
 namespace app {
@@ -66,9 +68,9 @@ std::string hash_text(const knit::Mesh& mesh) {
 }
 
 SavedSession saved_of(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   SavedSession saved;
-  saved.source = session.source;
+  saved.source = session.document->source;
   saved.knobs = knobs_of(timeline);
   // While a run is on its way to a place, that is where the session is.
   if (timeline.sought()) {
@@ -76,21 +78,22 @@ SavedSession saved_of(const Session& session) {
   } else if (timeline.position() > 0) {
     saved.at = timeline.place();
   }
-  saved.camera = session.camera;
-  saved.layers = session.layers;
-  saved.side = session.side;
-  saved.list = session.list;
-  saved.centre = session.centre;
-  saved.steps_per_second = session.playback.steps_per_second;
-  saved.slow_motion = session.travel.slow_motion;
-  saved.loop = session.travel.loop;
-  saved.breaks = session.travel.breaks;
+  saved.camera = session.view->gaze.camera;
+  saved.layers = session.view->layers;
+  saved.side = session.view->side;
+  saved.list = session.view->list;
+  saved.centre = session.view->centre;
+  saved.steps_per_second = session.view->playback.steps_per_second;
+  saved.slow_motion = session.view->slow_motion;
+  saved.loop = session.document->travel.loop;
+  saved.breaks = session.view->breaks;
   // A run of another mesh cannot be had again from this one.
-  const bool same_mesh = session.pinned && session.pinned->input->mesh.name == timeline.input().mesh.name;
-  if (same_mesh) saved.pinned = session.pinned->knobs;
-  saved.knitting_along = session.knit_along.has_value();
-  saved.round = session.knit_along.value_or(session.knit_along_round);
-  saved.pattern = session.pattern;
+  const bool same_mesh =
+      session.document->pinned && session.document->pinned->input->mesh.name == timeline.input().mesh.name;
+  if (same_mesh) saved.pinned = session.document->pinned->knobs;
+  saved.knitting_along = session.view->gaze.knit_along.has_value();
+  saved.round = session.view->gaze.knit_along.value_or(session.view->gaze.knit_along_round);
+  saved.pattern = session.view->pattern;
   return saved;
 }
 
@@ -254,7 +257,7 @@ void read_breaks(JsonFields& fields, SavedSession& saved) {
 void read_view(JsonFields& fields, SavedSession& saved) {
   saved.camera = read_camera(fields.object("camera"));
   JsonFields layers = fields.object("layers");
-  saved.layers = Session{}.layers;
+  saved.layers = View{}.layers;
   for (std::size_t i = 0; i < layer_count; ++i) {
     const std::string key(key_of(static_cast<Layer>(i)));
     if (layers.has(key)) saved.layers[i] = layers.flag(key);

@@ -11,7 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "app/session/document.h"
 #include "app/session/session.h"
+#include "app/session/view.h"
 
 namespace app {
 

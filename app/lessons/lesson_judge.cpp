@@ -9,6 +9,7 @@
 
 #include "app/base/text.h"
 #include "app/lessons/lesson_truths.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -145,7 +146,7 @@ std::optional<double> number_of(std::string text) {
 std::optional<glm::dvec3> place_of(const Session& session, const std::string& answer) {
   const auto thing = thing_named(answer);
   const auto* vertex = thing ? std::get_if<knit::VertexThing>(&*thing) : nullptr;
-  const auto& positions = session.timeline->input().mesh.positions;
+  const auto& positions = session.document->timeline.input().mesh.positions;
   if (vertex == nullptr || vertex->vertex >= positions.size()) return std::nullopt;
   return positions[vertex->vertex];
 }
@@ -208,7 +209,7 @@ bool Question::hides_candidates() const {
 }
 
 Truth truth_of(const Session& session, const Question& question) {
-  if (!session.timeline) return truths::untold("Nothing is open; set the page up again.");
+  if (!session.document) return truths::untold("Nothing is open; set the page up again.");
   return judges.at(question.judge.judge).truth(session, question.judge);
 }
 

@@ -12,6 +12,7 @@
 #include "app/lessons/lesson.h"
 #include "app/lessons/lesson_judge.h"
 #include "app/session/presets.h"
+#include "app/session/view.h"
 #include "knit/insight/breaks.h"
 
 namespace app {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/model/gauge.h"
 #include "knit/rows/rows.h"
@@ -34,7 +35,7 @@ std::optional<std::size_t> next_taken(const knit::Timeline& timeline) {
 }  // namespace
 
 Truth next_vertex(const Session& session, const JudgeCall& /*call*/) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto step = next_taken(timeline);
   if (!step) {
     return timeline.position() == timeline.known() && !timeline.complete()
@@ -48,7 +49,7 @@ Truth next_vertex(const Session& session, const JudgeCall& /*call*/) {
 }
 
 std::string why_not_next(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto taken = next_taken(timeline);
   for (std::size_t i = timeline.position(); taken && i < *taken; ++i) {
     const auto* measured = std::get_if<knit::CandidateMeasured>(&timeline.step(i).what);
@@ -59,7 +60,7 @@ std::string why_not_next(const Session& session, const JudgeCall& /*call*/, cons
 }
 
 Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (timeline.position() == timeline.known())
     return timeline.complete() ? untold("The run is over here; set the page up again.") : not_yet();
   const auto* next = std::get_if<knit::CandidateMeasured>(&timeline.step(timeline.position()).what);
@@ -69,7 +70,7 @@ Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
 }
 
 Truth band_edge(const Session& session, const JudgeCall& call) {
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   for (const auto& [info, text] : call.settings) knit::set_value(*info, parameters, text);
   const knit::Band band = knit::band_of(parameters);
   const bool low = call.word == "low";
@@ -85,7 +86,7 @@ Truth band_edge(const Session& session, const JudgeCall& call) {
 // --- rows --------------------------------------------------------------------------------------------------
 
 Truth row_size(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto& rows = timeline.furthest().rows;
   if (static_cast<std::size_t>(call.row) > rows.size()) {
     return timeline.complete() ? untold("This run has no row " + str(call.row) + "; set the page up again.")
@@ -117,10 +118,10 @@ std::string counted_words(const knit::Timeline& timeline, std::int32_t row) {
 
 template <class Counts>
 Truth count_labels(const Session& session, const JudgeCall& call, Counts counts) {
-  const knit::Transition* transition = transition_of(*session.timeline, call.row);
-  if (transition == nullptr) return no_transition(*session.timeline, call.row);
+  const knit::Transition* transition = transition_of(session.document->timeline, call.row);
+  if (transition == nullptr) return no_transition(session.document->timeline, call.row);
   const auto count = std::count_if(transition->labels.begin(), transition->labels.end(), counts);
-  return {{str(count)}, counted_words(*session.timeline, call.row), 0.0};
+  return {{str(count)}, counted_words(session.document->timeline, call.row), 0.0};
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ Truth mains(const Session& session, const JudgeCall& call) {
 }
 
 Truth shaping(const Session& session, const JudgeCall& call) {
-  const auto& rows = session.timeline->furthest().rows;
+  const auto& rows = session.document->timeline.furthest().rows;
   if (call.row < 2) return untold("The first row follows none.");
   const auto row = static_cast<std::size_t>(call.row);
   if (row > rows.size()) return row_size(session, call);
@@ -162,7 +163,7 @@ bool is_meant(knit::Label label, const std::string& word) {
 
 // Labels stand on the larger of the two rows: an increase on the new one, a decrease on the one below.
 Truth stitch_with_label(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::Transition* transition = transition_of(timeline, call.row);
   if (transition == nullptr) return no_transition(timeline, call.row);
   const std::int32_t row = transition->change() >= 0 ? call.row : call.row - 1;
@@ -179,7 +180,7 @@ Truth stitch_with_label(const Session& session, const JudgeCall& call) {
 }
 
 std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer) {
-  const knit::Transition* transition = transition_of(*session.timeline, call.row);
+  const knit::Transition* transition = transition_of(session.document->timeline, call.row);
   const auto thing = thing_named(answer);
   const auto* stitch = thing ? std::get_if<knit::StitchThing>(&*thing) : nullptr;
   if (transition == nullptr || stitch == nullptr) return "";
@@ -196,7 +197,7 @@ std::string why_not_label(const Session& session, const JudgeCall& call, const s
 // --- what is odd about a row -------------------------------------------------------------------------------
 
 Truth closing_gap(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto closed = first_of_kind<knit::RowClosed>(timeline, Stage::rows, call.row);
   if (!closed)
     return timeline.complete() ? untold("Row " + str(call.row) + " closes with no gap.") : not_yet();
@@ -241,7 +242,7 @@ Truth widest_gaps(const knit::Timeline& timeline, std::int32_t answered) {
 }  // namespace
 
 Truth odd_row(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (!timeline.complete()) return not_yet();
   if (call.word == "gap") return widest_gaps(timeline, call.row);
   Truth truth;
@@ -257,7 +258,7 @@ Truth odd_row(const Session& session, const JudgeCall& call) {
 }
 
 std::string why_not_odd(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const std::int32_t row = row_of_answer(answer);
   const auto shared = first_of_kind<knit::GapShared>(timeline, Stage::rows, row);
   return shared ? said_by(timeline, *shared) : "Row " + str(row) + " is none that was closed.";
@@ -268,14 +269,14 @@ std::string why_not_odd(const Session& session, const JudgeCall& /*call*/, const
 namespace {
 
 double near_enough(const Session& session) {
-  const knit::Bounds& bounds = session.timeline->input().bounds;
+  const knit::Bounds& bounds = session.document->timeline.input().bounds;
   return 0.12 * glm::distance(bounds.low, bounds.high);
 }
 
 }  // namespace
 
 Truth end_vertex(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const auto* ends = timeline.known() > 0 ? std::get_if<knit::EndsFound>(&timeline.step(0).what) : nullptr;
   if (ends == nullptr) return not_yet();
   const knit::VertexId vertex = call.word == "start" ? ends->start : ends->end;
@@ -285,12 +286,12 @@ Truth end_vertex(const Session& session, const JudgeCall& call) {
 std::string why_not_end(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
   const auto thing = thing_named(answer);
   const auto* vertex = thing ? std::get_if<knit::VertexThing>(&*thing) : nullptr;
-  const auto step = vertex ? knit::timed_by(*session.timeline, vertex->vertex) : std::nullopt;
-  return step ? said_by(*session.timeline, *step) : "";
+  const auto step = vertex ? knit::timed_by(session.document->timeline, vertex->vertex) : std::nullopt;
+  return step ? said_by(session.document->timeline, *step) : "";
 }
 
 Truth ending(const Session& session, const JudgeCall& /*call*/) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (!timeline.complete()) return not_yet();
   const knit::Step* stop = timeline.stop();
   if (stop == nullptr) return {{"finishes"}, "The run goes on to its last stage; nothing stops it.", 0.0};
@@ -301,7 +302,7 @@ Truth ending(const Session& session, const JudgeCall& /*call*/) {
 }
 
 Truth split_vertex(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::Step* stop = timeline.stop();
   const auto* what = stop != nullptr ? std::get_if<knit::Stopped>(&stop->what) : nullptr;
   if (what == nullptr || what->reason != knit::StopReason::splits) {
@@ -358,7 +359,7 @@ std::string settings_words(const Settings& settings) {
 }  // namespace
 
 Truth what_if(const Session& session, const JudgeCall& call) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (!timeline.complete()) return not_yet();
   const Stage before = call.word == "problems" ? Stage::done : Stage::stitches;
   const std::size_t now = measure_of(tally_of(timeline), call);
@@ -372,8 +373,8 @@ Truth what_if(const Session& session, const JudgeCall& call) {
 }
 
 Truth what_if_stops(const Session& session, const JudgeCall& call) {
-  const Knobs knobs = changed_knobs(*session.timeline, call.settings);
-  const RunTally run = run_with(*session.timeline, knobs, Stage::done);
+  const Knobs knobs = changed_knobs(session.document->timeline, call.settings);
+  const RunTally run = run_with(session.document->timeline, knobs, Stage::done);
   const std::string with = "With " + settings_words(call.settings);
   if (!run.stop)
     return {{"finishes"},

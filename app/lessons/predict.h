@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/session/session.h"
+#include "knit/mesh/mesh.h"
 
 namespace app {
 

@@ -6,6 +6,10 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/panels.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -25,7 +29,7 @@ void PanelFrame::mark(std::string_view control) {
 }
 
 LayoutWish layout_wish(const Session& session) {
-  const Preferences& chosen = session.preferences;
+  const Preferences& chosen = session.program->preferences;
   const auto size = [&](Split split) {
     return static_cast<float>(chosen.splits[static_cast<std::size_t>(split)]);
   };
@@ -35,30 +39,30 @@ LayoutWish layout_wish(const Session& session) {
           size(Split::left),
           size(Split::right),
           size(Split::bottom),
-          session.lesson ? lesson_height : 0.0f};
+          session.learning->lesson ? lesson_height : 0.0f};
 }
 
 Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,
                 const Fonts& fonts) {
   PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
   ui.controls.clear();
-  if (session.timeline) ui.run.refresh(*session.timeline);
-  const bool wants_chart =
-      session.centre == CentrePanel::chart || session.knit_along || session.side == SidePanel::pattern;
-  if (session.timeline && wants_chart) ui.chart.refresh(*session.timeline, session.pattern);
+  if (session.document) ui.run.refresh(session.document->timeline);
+  const bool wants_chart = session.view->centre == CentrePanel::chart || session.view->gaze.knit_along ||
+                           session.view->side == SidePanel::pattern;
+  if (session.document && wants_chart) ui.chart.refresh(session.document->timeline, session.view->pattern);
   draw_menu(frame);
   draw_splitters(frame);
-  if (session.preferences.shows(Panel::parameters)) draw_parameters(frame);
-  if (session.preferences.shows(Panel::side)) draw_explanation(frame);
-  if (session.preferences.shows(Panel::timeline)) draw_timeline(frame);
-  if (session.centre == CentrePanel::chart) {
+  if (session.program->preferences.shows(Panel::parameters)) draw_parameters(frame);
+  if (session.program->preferences.shows(Panel::side)) draw_explanation(frame);
+  if (session.program->preferences.shows(Panel::timeline)) draw_timeline(frame);
+  if (session.view->centre == CentrePanel::chart) {
     ui.click.reset();
     draw_chart(frame);
   } else {
     draw_view(frame);
   }
   draw_knit_along(frame);
-  if (session.lesson) draw_lesson(frame);
+  if (session.learning->lesson) draw_lesson(frame);
   draw_prediction(frame);
   draw_view_overlays(frame);
   draw_animation_progress(frame);
@@ -68,7 +72,7 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
   draw_open_dialog(frame);
   draw_save_dialog(frame);
   draw_figure_dialog(frame);
-  if (frame.rounds_under != session.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
+  if (frame.rounds_under != session.view->gaze.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
   return std::move(frame.actions);
 }
 

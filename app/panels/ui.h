@@ -39,6 +39,7 @@
 #include "app/panels/step/run_cache.h"
 #include "app/scene/scene.h"
 #include "app/session/action.h"
+#include "app/session/view.h"
 
 namespace app {
 

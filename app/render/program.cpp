@@ -50,7 +50,7 @@ std::string log_of(GLuint id, GetNumber get_number, GetLog get_log) {
   return line;
 }
 
-GlShader compile(GLenum kind, const Program::Pieces& pieces) {
+GlShader compile(GLenum kind, const ShaderProgram::Pieces& pieces) {
   std::string text = "#version 330 core\n";
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     text += "#line 1 " + std::to_string(i) + "\n" + piece_text(pieces[i]);
@@ -71,12 +71,12 @@ GlShader compile(GLenum kind, const Program::Pieces& pieces) {
 
 }  // namespace
 
-Program::Program(Pieces vertex, Pieces fragment)
+ShaderProgram::ShaderProgram(Pieces vertex, Pieces fragment)
     : vertex_(std::move(vertex)), fragment_(std::move(fragment)), built_of_(newest_piece()) {
   build();
 }
 
-void Program::build() {
+void ShaderProgram::build() {
   const GlShader vertex = compile(GL_VERTEX_SHADER, vertex_);
   const GlShader fragment = compile(GL_FRAGMENT_SHADER, fragment_);
   GlProgram program = GlProgram::make();
@@ -106,7 +106,7 @@ void Program::build() {
   }
 }
 
-std::filesystem::file_time_type Program::newest_piece() const {
+std::filesystem::file_time_type ShaderProgram::newest_piece() const {
   auto newest = std::filesystem::file_time_type::min();
   for (const Pieces* pieces : {&vertex_, &fragment_}) {
     for (const std::string& name : *pieces) {
@@ -120,7 +120,7 @@ std::filesystem::file_time_type Program::newest_piece() const {
   return newest;
 }
 
-void Program::refresh() {
+void ShaderProgram::refresh() {
   const auto newest = newest_piece();
   if (newest == built_of_) {
     return;
@@ -134,23 +134,23 @@ void Program::refresh() {
   }
 }
 
-GLint Program::location(std::string_view name) const {
+GLint ShaderProgram::location(std::string_view name) const {
   const auto found = locations_.find(name);
   return found == locations_.end() ? -1 : found->second;
 }
 
-void Program::set(std::string_view name, float value) const { glUniform1f(location(name), value); }
-void Program::set(std::string_view name, int value) const { glUniform1i(location(name), value); }
-void Program::set(std::string_view name, const glm::vec2& value) const {
+void ShaderProgram::set(std::string_view name, float value) const { glUniform1f(location(name), value); }
+void ShaderProgram::set(std::string_view name, int value) const { glUniform1i(location(name), value); }
+void ShaderProgram::set(std::string_view name, const glm::vec2& value) const {
   glUniform2fv(location(name), 1, glm::value_ptr(value));
 }
-void Program::set(std::string_view name, const glm::vec3& value) const {
+void ShaderProgram::set(std::string_view name, const glm::vec3& value) const {
   glUniform3fv(location(name), 1, glm::value_ptr(value));
 }
-void Program::set(std::string_view name, const glm::vec4& value) const {
+void ShaderProgram::set(std::string_view name, const glm::vec4& value) const {
   glUniform4fv(location(name), 1, glm::value_ptr(value));
 }
-void Program::set(std::string_view name, const glm::mat4& value) const {
+void ShaderProgram::set(std::string_view name, const glm::mat4& value) const {
   glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 

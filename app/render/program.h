@@ -16,12 +16,12 @@
 
 namespace app {
 
-class Program {
+class ShaderProgram {
  public:
   using Pieces = std::vector<std::string>;  // file names in shaders/, in order; the version line is added
 
   // Throws GlError with the driver's log.
-  Program(Pieces vertex, Pieces fragment);
+  ShaderProgram(Pieces vertex, Pieces fragment);
 
   // Compiles again if a piece was saved since. If that fails the old program stays and problem() says why.
   void refresh();

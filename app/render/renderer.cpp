@@ -128,7 +128,7 @@ void Renderer::upload(const Scene& scene) {
   frame_points_.show_once(scene.points);
 }
 
-void Renderer::start(const Program& program, const Frame& frame) const {
+void Renderer::start(const ShaderProgram& program, const Frame& frame) const {
   const Scene& scene = frame.scene;
   program.use();
   program.set("u_view", scene.view.view);
@@ -208,7 +208,7 @@ void Renderer::draw_wire(const Frame& frame) {
     return;
   }
   // Where edges lie closer than a few pixels their sum would be a grey veil.
-  const View& view = frame.scene.view;
+  const Sight& view = frame.scene.view;
   const glm::vec4 eye_space = view.view * glm::vec4(frame.mesh->centre(), 1.0f);
   const float clip_w = std::max((view.projection * eye_space).w, 1e-6f);
   const float pixels =
@@ -272,11 +272,11 @@ void Renderer::refresh_next_program() {
   next_refreshed_ = (next_refreshed_ + 1) % all.size();
   all.at(next_refreshed_)->refresh();
   shader_problem_.clear();
-  for (const Program* program : all)
+  for (const ShaderProgram* program : all)
     if (shader_problem_.empty()) shader_problem_ = program->problem();
 }
 
-std::array<Program*, 8> Renderer::programs() {
+std::array<ShaderProgram*, 8> Renderer::programs() {
   return {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_};
 }
 

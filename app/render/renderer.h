@@ -43,7 +43,7 @@ class Renderer {
 
  private:
   struct Frame;  // what the passes of one draw() share
-  void start(const Program& program, const Frame& frame) const;
+  void start(const ShaderProgram& program, const Frame& frame) const;
   void draw_surface(const Frame& frame);
   bool closed_from_outside(const Frame& frame) const;
   void draw_faces(const Frame& frame);
@@ -53,11 +53,11 @@ class Renderer {
   void draw_points(const Frame& frame, bool hidden);
   void upload(const Scene& scene);
 
-  std::array<Program*, 8> programs();
+  std::array<ShaderProgram*, 8> programs();
   void refresh_next_program();
 
   // The plain ones are for frames without a band, which most are.
-  Program surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
+  ShaderProgram surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
   ShapeCache<MeshShape, MeshBuffers> meshes_;
   ShapeCache<std::vector<float>, TimeBuffer> times_;
   Batch<FaceShape> faces_;

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/scene/scene.h"
+
 namespace app {
 
 namespace {
@@ -32,9 +34,9 @@ glm::dvec2 half_extent(const Camera& camera, double aspect) {
 
 glm::dvec3 Camera::eye() const { return target + axes_of(*this).back * distance; }
 
-View Camera::view(double aspect) const {
+Sight Camera::view(double aspect) const {
   const glm::dvec3 from = eye();
-  View result;
+  Sight result;
   result.view = glm::mat4(glm::lookAt(from, target, axes_of(*this).up));
   result.projection = glm::mat4(glm::perspective(field_of_view, aspect, distance * 0.02, distance * 20.0));
   result.eye = glm::vec3(from);

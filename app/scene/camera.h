@@ -4,14 +4,14 @@
 // positive.
 #pragma once
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/scene/scene.h"
 #include "knit/mesh/mesh.h"
 
 namespace app {
+
+struct Sight;  // scene.h
 
 struct Camera {
   glm::dvec3 target{0.0};
@@ -23,7 +23,7 @@ struct Camera {
   double field_of_view = 0.7;  // vertical
 
   [[nodiscard]] glm::dvec3 eye() const;
-  [[nodiscard]] View view(double aspect) const;
+  [[nodiscard]] Sight view(double aspect) const;
 
   void orbit(double yaw_change, double pitch_change);
   // Moves the target so that the point under the cursor stays there.

@@ -77,7 +77,8 @@ struct TimeSpan {
   float from = 0.0f, to = 0.0f;
 };
 
-struct View {
+// Where the view is seen from.
+struct Sight {
   glm::mat4 view{1.0f};
   glm::mat4 projection{1.0f};
   glm::vec3 eye{0.0f};
@@ -85,7 +86,7 @@ struct View {
 
 struct Scene {
   const Theme* theme = &dark_theme;  // never null
-  View view;
+  Sight view;
   Colour background;
   std::shared_ptr<const MeshShape> mesh;  // null: nothing open, or not ready yet
   // Algorithm 1's value per vertex of the mesh, negative where there is none; null: nowhere one.

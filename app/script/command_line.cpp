@@ -15,6 +15,7 @@
 #include "app/script/queries.h"
 #include "app/script/subcommands.h"
 #include "app/session/presets.h"
+#include "app/session/view.h"
 #include "knit/model/stage.h"
 
 namespace app {

@@ -11,6 +11,7 @@
 
 #include "app/session/action.h"
 #include "app/session/at.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -65,7 +66,7 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
                                                      const std::filesystem::path& assets);
 
 // Opens the mesh and sets the parameters; the error is one sentence. For a window a large mesh may be left to a
-// worker (session.opening); once it is open, set_as_asked does the rest.
+// worker (session.jobs->opening); once it is open, set_as_asked does the rest.
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line);
 // Requires something open.
 std::optional<std::string> set_as_asked(Session& session, const CommandLine& line);

@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/files/figures.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -98,14 +99,14 @@ std::optional<std::string> read_figures(const FigureWords& words, bool size_give
 
 AskedStretch asked_stretch(Session& session, const CommandLine& line) {
   AskedStretch asked;
-  const std::size_t place = session.timeline->position();
+  const std::size_t place = session.document->timeline.position();
   const auto position_of = [&](const At& at) {
     if (auto nearest = go_to(session, at)) asked.notes.push_back(std::move(*nearest));
-    return session.timeline->position();
+    return session.document->timeline.position();
   };
   asked.stretch.begin = position_of(line.from);
   asked.stretch.end = position_of(line.to);
-  session.timeline->seek(place);
+  session.document->timeline.seek(place);
   return asked;
 }
 

@@ -7,7 +7,12 @@
 #include "app/lessons/lesson.h"
 #include "app/script/command_line.h"
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
 #include "app/session/presets.h"
+#include "app/session/view.h"
 #include "knit/model/gauge.h"
 
 namespace app {
@@ -27,7 +32,7 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
 
 std::optional<std::string> set_parameters(Session& session, const CommandLine& line) {
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
   const double width = parameters.stitch_width;
   const double band_share = parameters.epsilon / width;
@@ -41,13 +46,14 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
   for (const auto& [info, text] : line.settings) {
     if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
   }
-  parameters = knit::agreed(parameters, session.timeline->input());
+  parameters = knit::agreed(parameters, session.document->timeline.input());
   if (!epsilon_given && parameters.stitch_width != width)
     parameters.epsilon = band_share * parameters.stitch_width;
-  const std::size_t notices = session.notices.size();
+  const std::size_t notices = session.outbox->notices.size();
   apply(session, Tune{parameters});
-  if (session.notices.size() > notices && session.notices.back().kind == Notice::Kind::error) {
-    return session.notices.back().text;
+  if (session.outbox->notices.size() > notices &&
+      session.outbox->notices.back().kind == Notice::Kind::error) {
+    return session.outbox->notices.back().text;
   }
   return std::nullopt;
 }
@@ -55,9 +61,10 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
 // Leaving it goes back to what else was asked for.
 std::optional<std::string> begin_lesson(Session& session, const CommandLine& line) {
   if (line.lesson.empty()) return std::nullopt;
-  const std::size_t notices = session.notices.size();
+  const std::size_t notices = session.outbox->notices.size();
   apply(session, StartLesson{line.lesson});
-  if (!session.lesson) return session.notices.size() > notices ? session.notices.back().text : "no lesson.";
+  if (!session.learning->lesson)
+    return session.outbox->notices.size() > notices ? session.outbox->notices.back().text : "no lesson.";
   return line.lesson_page ? go_to_lesson_page(session, *line.lesson_page) : std::nullopt;
 }
 
@@ -89,7 +96,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (line.scale) apply(session, SetScale{*line.scale});
   if (line.list) apply(session, ShowList{*line.list});
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
-  apply(session, SetPatternOptions{with_options(session.pattern, line.pattern)});
+  apply(session, SetPatternOptions{with_options(session.view->pattern, line.pattern)});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
 }
@@ -97,48 +104,50 @@ void look_as_asked(Session& session, const CommandLine& line) {
 }  // namespace
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
-  session.beside = opens_beside(line);
+  session.jobs->beside = opens_beside(line);
   if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
-  session.beside = false;
+  session.jobs->beside = false;
   look_as_asked(session, line);
-  if (session.opening || line.empty) return std::nullopt;
-  if (!session.timeline && session.mend_offer)
-    return line.headless ? std::optional(words_of(*session.mend_offer)) : std::nullopt;  // a window offers it
-  if (!session.timeline)
-    return session.notices.empty() ? "nothing could be opened." : session.notices.back().text;
+  if (session.jobs->opening || line.empty) return std::nullopt;
+  if (!session.document && session.jobs->mend_offer)
+    return line.headless ? std::optional(words_of(*session.jobs->mend_offer))
+                         : std::nullopt;  // a window offers it
+  if (!session.document)
+    return session.outbox->notices.empty() ? "nothing could be opened." : session.outbox->notices.back().text;
   return set_as_asked(session, line);
 }
 
 std::optional<std::string> set_as_asked(Session& session, const CommandLine& line) {
   look_as_asked(session, line);  // what was opened brings its own look
   if (!line.breaks.empty()) {
-    std::vector<knit::BreakCondition> breaks = session.travel.breaks;  // a session file may have some
+    std::vector<knit::BreakCondition> breaks = session.view->breaks;  // a session file may have some
     for (const knit::BreakCondition& condition : breaks_of(line.breaks)) breaks.push_back(condition);
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
-  session.changes = {};  // what was asked for at the start is where undoing ends
+  session.document->changes = {};  // what was asked for at the start is where undoing ends
   return error ? error : begin_lesson(session, line);
 }
 
 namespace {
 
 std::filesystem::path offered_in(const Session& session) {
-  return session.mend_offer ? session.mend_offer->source.file : std::filesystem::path();
+  return session.jobs->mend_offer ? session.jobs->mend_offer->source.file : std::filesystem::path();
 }
 
 }  // namespace
 
 AskedAtStart::AskedAtStart(const Session& session)
-    : opening_(session.opening), offered_(session.timeline ? std::filesystem::path() : offered_in(session)) {}
+    : opening_(session.jobs->opening),
+      offered_(session.document ? std::filesystem::path() : offered_in(session)) {}
 
 AskedAtStart::Mesh AskedAtStart::mesh_in(const Session& session) const {
   if (opening_) {
-    if (session.opening == opening_) return Mesh::pending;
-    return session.timeline && !opening_->progress->stopped() ? Mesh::open : Mesh::other;
+    if (session.jobs->opening == opening_) return Mesh::pending;
+    return session.document && !opening_->progress->stopped() ? Mesh::open : Mesh::other;
   }
-  if (offered_in(session) == offered_ || session.opening) return Mesh::pending;
-  return session.timeline && session.source.file == offered_ ? Mesh::open : Mesh::other;
+  if (offered_in(session) == offered_ || session.jobs->opening) return Mesh::pending;
+  return session.document && session.document->source.file == offered_ ? Mesh::open : Mesh::other;
 }
 
 bool AskedAtStart::tend(Session& session, const CommandLine& line) {
@@ -153,7 +162,7 @@ bool AskedAtStart::tend(Session& session, const CommandLine& line) {
     return false;
   }
   if (auto error = set_as_asked(session, line))
-    session.notices.push_back({Notice::Kind::error, std::move(*error)});
+    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
   return true;
 }
 

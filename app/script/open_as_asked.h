@@ -9,6 +9,8 @@
 
 namespace app {
 
+struct Opening;  // jobs.h
+
 class AskedAtStart {
  public:
   // After open_as_asked, which has set what could be set.

@@ -9,6 +9,9 @@
 #include "app/files/load.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/gauge.h"
 
@@ -30,8 +33,8 @@ std::vector<knit::BreakCondition> breaks_of(const std::vector<std::string>& text
 }
 
 Answer break_answer(Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
-  const Travel& travel = session.travel;
+  const knit::Timeline& timeline = session.document->timeline;
+  const Travel& travel = session.document->travel;
   const std::size_t here = timeline.position();
   apply(session, PassTime{0.0});  // hits are known as far as the run is
   if (travel.hits.condition_at(here) == nullptr) apply(session, RunToBreak{1});
@@ -46,7 +49,7 @@ namespace {
 
 std::variant<Loaded, std::string> load_source(const Session& session, const SavedRun& run) {
   const Source& source = run.source;
-  auto read = source.file.empty() ? load_example(session.assets, source.example)
+  auto read = source.file.empty() ? load_example(session.program->assets, source.example)
                                   : load_file(source.file, source.mends);
   if (std::holds_alternative<std::string>(read)) return read;
   return load_again(std::get<Loaded>(read).original, run.base);
@@ -67,19 +70,20 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const RunTally run = whole_run(input, knobs);
   const RunFigures figures = figures_of(run, knobs);
 
-  session.timeline->extend_to_end();
-  const RunTally here = tally_of(*session.timeline);
-  const Knobs here_knobs = knobs_of(*session.timeline);
+  session.document->timeline.extend_to_end();
+  const RunTally here = tally_of(session.document->timeline);
+  const Knobs here_knobs = knobs_of(session.document->timeline);
   const RunFigures here_figures = figures_of(here, here_knobs);
-  const RunDifference difference = difference_of(
-      {input, knobs, run.state, figures}, {session.timeline->input(), here_knobs, here.state, here_figures});
+  const RunDifference difference =
+      difference_of({input, knobs, run.state, figures},
+                    {session.document->timeline.input(), here_knobs, here.state, here_figures});
   Pin pin;
   pin.input = std::get<Loaded>(loaded).input;
   pin.knobs = knobs;
   pin.end = run.state;
   pin.figures = figures;
   pin.known = true;
-  session.pinned = std::move(pin);
+  session.document->pinned = std::move(pin);
   return {exit_done, text_of(difference, other.filename().string(), "this run"), ""};
 }
 
@@ -178,8 +182,8 @@ Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
   const auto plan = plan_of(axes);
   if (const auto* fault = std::get_if<std::string>(&plan)) return {exit_usage, "", *fault};
   app::apply(session, StartSweep{std::get<SweepPlan>(plan)});
-  if (session.beside) return {};
-  const SweepWork& work = *session.sweep->work;
+  if (session.jobs->beside) return {};
+  const SweepWork& work = *session.document->sweep->work;
   std::string text = work.plan().axis.key + ",";
   if (work.plan().second) text += work.plan().second->key + ",";
   text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why\n";
@@ -238,9 +242,9 @@ std::optional<std::string> fault_of_why(const std::string& thing) {
 
 Answer why_answer(Session& session, const std::string& thing) {
   const auto asked = thing_named(thing);
-  if (!asked || !session.timeline) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
-  session.timeline->extend_to_end();
-  const knit::Timeline& timeline = *session.timeline;
+  if (!asked || !session.document) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
+  session.document->timeline.extend_to_end();
+  const knit::Timeline& timeline = session.document->timeline;
   const auto* vertex = std::get_if<knit::VertexThing>(&*asked);
   const std::size_t vertices = timeline.input().mesh.positions.size();
   if (vertex != nullptr && vertex->vertex >= vertices) {

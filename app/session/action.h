@@ -10,7 +10,13 @@
 #include <vector>
 
 #include "app/base/kind_list.h"
+#include "app/session/changes.h"
+#include "app/session/preferences.h"
 #include "app/session/session.h"
+#include "app/session/sweep.h"
+#include "app/session/travel.h"
+#include "app/session/view.h"
+#include "knit/import/repair.h"
 
 namespace app {
 
@@ -28,6 +34,7 @@ struct DropMendOffer {};
 struct UndoMend {};  // back to what was open before
 
 // The timeline.
+enum class Unit : std::uint8_t { item, row, stage };
 struct StepBy {
   Unit unit = Unit::item;
   int direction = 1;
@@ -73,7 +80,7 @@ struct SetPicking {
 };
 struct PickVertex {
   knit::VertexId vertex = knit::no_vertex;
-};  // for whatever session.picking asks
+};  // for whatever session.view->gaze.picking asks
 
 struct Settle {};  // the hand has let go: the next change of parameters is undone apart from those before
 struct Undo {};    // of changes of parameters and edits

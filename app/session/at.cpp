@@ -2,6 +2,7 @@
 
 #include "app/base/text.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -31,7 +32,7 @@ std::optional<At> parse_at(const std::string& text) {
 }
 
 std::optional<std::string> go_to(Session& session, const At& at) {
-  knit::Timeline& timeline = *session.timeline;
+  knit::Timeline& timeline = session.document->timeline;
   if (std::holds_alternative<AtEnd>(at)) {
     apply(session, ToLast{});
     return std::nullopt;

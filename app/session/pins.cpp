@@ -1,5 +1,6 @@
 #include "app/session/pins.h"
 
+#include "app/session/document.h"
 #include "app/session/session.h"
 
 namespace app {
@@ -16,14 +17,14 @@ void take_end(Pin& pin, PinnedEnd end) {
 }
 
 bool is_at_hand(const Session& session, const Pin& pin) {
-  return session.timeline && session.timeline->input_pointer() == pin.input &&
-         knobs_of(*session.timeline) == pin.knobs;
+  return session.document && session.document->timeline.input_pointer() == pin.input &&
+         knobs_of(session.document->timeline) == pin.knobs;
 }
 
 }  // namespace
 
 Pin pin_of(const Session& session) {
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   Pin pin;
   pin.input = timeline.input_pointer();
   pin.knobs = knobs_of(timeline);
@@ -32,11 +33,12 @@ Pin pin_of(const Session& session) {
 }
 
 void tend_pin(Session& session) {
-  if (!session.pinned || session.pinned->known) return;
-  Pin& pin = *session.pinned;
+  if (!pin_is_pending(session)) return;
+  Pin& pin = *session.document->pinned;
   if (is_at_hand(session, pin)) {
     // It is being worked out anyway.
-    if (session.timeline->complete()) take_end(pin, end_of(tally_of(*session.timeline), pin.knobs));
+    if (session.document->timeline.complete())
+      take_end(pin, end_of(tally_of(session.document->timeline), pin.knobs));
     return;
   }
   if (!pin.work) {
@@ -48,23 +50,25 @@ void tend_pin(Session& session) {
 }
 
 void finish_pin(Session& session) {
-  if (!session.pinned || session.pinned->known) return;
-  Pin& pin = *session.pinned;
+  if (!pin_is_pending(session)) return;
+  Pin& pin = *session.document->pinned;
   take_end(pin, end_of(whole_run(*pin.input, pin.knobs), pin.knobs));
 }
 
-bool pin_is_pending(const Session& session) { return session.pinned && !session.pinned->known; }
+bool pin_is_pending(const Session& session) {
+  return session.document && session.document->pinned && !session.document->pinned->known;
+}
 
 bool is_of_this_mesh(const Session& session, const Pin& pin) {
-  if (!session.timeline) return false;
-  const knit::Input& here = session.timeline->input();
+  if (!session.document) return false;
+  const knit::Input& here = session.document->timeline.input();
   if (&here == pin.input.get()) return true;
   // Welding drops vertices; the triangles that stay are the same places in the same order.
   const auto same = [](const knit::Mesh& a, const knit::Mesh& b) {
     return a.positions == b.positions && a.triangles == b.triangles;
   };
   if (same(here.mesh, pin.input->mesh)) return true;
-  const bool welded_differs = session.timeline->base_parameters().weld != pin.knobs.base.weld;
+  const bool welded_differs = session.document->timeline.base_parameters().weld != pin.knobs.base.weld;
   return welded_differs && same(knit::weld(here.mesh), knit::weld(pin.input->mesh));
 }
 

@@ -1,4 +1,4 @@
-// Finding one's way in a run: where one was before a jump, what is selected, what to stop at, what to repeat.
+// Finding one's way in a run: where one was before a jump, what is selected, where it is to stop, what to repeat.
 #pragma once
 
 #include <cstddef>
@@ -36,12 +36,10 @@ struct Travel {
   PlaceHistory history;
   std::optional<std::size_t> left_by_seek;  // where a SeekTo ended: one from there goes on with the same drag
   std::optional<knit::Thing> selected;
-  std::vector<knit::BreakCondition> breaks;
-  BreakHits hits;      // of `breaks`
+  BreakHits hits;      // of the view's break conditions
   int running_to = 0;  // looking for the next hit in this direction, as the run is worked out; 0: no
   std::optional<Stretch> loop;
   std::optional<PlaceStretch> loop_places;  // of `loop`; apply keeps the two together
-  bool slow_motion = false;
   std::optional<KeptPlace> kept;
 };
 

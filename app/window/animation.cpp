@@ -6,6 +6,10 @@
 
 #include "app/render/animation_file.h"
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -16,7 +20,7 @@ std::string with_hint(const GlError& error) { return std::string(error.what()) +
 // Its own glue and card memory, so that what is shown in a window is not disturbed.
 Image picture_of(Session session, const FigureShape& shape) {
   fit_view(session, view_aspect_of(session, shape));
-  FrameDrawer drawer(session.assets);
+  FrameDrawer drawer(session.program->assets);
   return drawer.figure(session, shape);
 }
 
@@ -24,7 +28,7 @@ Image picture_of(Session session, const FigureShape& shape) {
 
 struct AnimationMaker::Inside {
   Inside(const Session& from, std::unique_ptr<AnimationFile> to)
-      : session(from), drawer(from.assets), file(std::move(to)) {}
+      : session(from), drawer(from.program->assets), file(std::move(to)) {}
   Session session;
   FrameDrawer drawer;
   std::unique_ptr<AnimationFile> file;
@@ -61,28 +65,28 @@ std::optional<std::string> AnimationMaker::make_next() {
     fit_view(inside_->session, view_aspect_of(inside_->session, shape));
   }
   Session& session = inside_->session;
-  session.timeline->seek(position_of_frame(wish.stretch, run_->frames, done_));
+  session.document->timeline.seek(position_of_frame(wish.stretch, run_->frames, done_));
   if (auto error = inside_->file->add(inside_->drawer.figure(session, shape))) return error;
   ++done_;
   return finished() ? inside_->file->finish() : std::nullopt;
 }
 
 void tend_animation(Session& session, std::unique_ptr<AnimationMaker>& maker) {
-  if (!session.animation || (maker && !maker->makes(*session.animation))) maker.reset();
-  if (!session.animation) return;
-  if (!maker) maker = std::make_unique<AnimationMaker>(session.animation);
+  if (!session.jobs->animation || (maker && !maker->makes(*session.jobs->animation))) maker.reset();
+  if (!session.jobs->animation) return;
+  if (!maker) maker = std::make_unique<AnimationMaker>(session.jobs->animation);
   const auto error = maker->step();
   if (!error && !maker->finished()) {
-    AnimationRun run = *session.animation;
+    AnimationRun run = *session.jobs->animation;
     run.done = maker->done();
-    session.animation = std::make_shared<const AnimationRun>(std::move(run));
+    session.jobs->animation = std::make_shared<const AnimationRun>(std::move(run));
     return;
   }
-  const std::string name = session.animation->wish.path.string();
-  session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                  : Notice{Notice::Kind::info, "Saved " + name + "."});
+  const std::string name = session.jobs->animation->wish.path.string();
+  session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                          : Notice{Notice::Kind::info, "Saved " + name + "."});
   maker.reset();
-  session.animation.reset();
+  session.jobs->animation.reset();
 }
 
 std::optional<std::string> save_figure(const Session& session, const FigureWish& wish) {
@@ -96,10 +100,11 @@ std::optional<std::string> save_figure(const Session& session, const FigureWish&
 }
 
 void save_figures_wanted(Session& session) {
-  for (const FigureWish& wish : std::exchange(session.figures_wanted, {})) {
+  for (const FigureWish& wish : std::exchange(session.outbox->pictures, {})) {
     const auto error = save_figure(session, wish);
-    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                    : Notice{Notice::Kind::info, "Saved " + wish.path.string() + "."});
+    session.outbox->notices.push_back(error
+                                          ? Notice{Notice::Kind::error, *error}
+                                          : Notice{Notice::Kind::info, "Saved " + wish.path.string() + "."});
   }
 }
 

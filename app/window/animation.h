@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/files/figures.h"
+#include "app/session/outbox.h"
 #include "app/window/frame.h"
 
 namespace app {
@@ -34,10 +35,10 @@ class AnimationMaker {
   std::size_t done_ = 0;
 };
 
-// For a loop, once a turn: takes session.animation one frame on; `maker` is its to keep.
+// For a loop, once a turn: takes session.jobs->animation one frame on; `maker` is its to keep.
 void tend_animation(Session& session, std::unique_ptr<AnimationMaker>& maker);
 
-// The picture of session.figures_wanted, one after the other; says so in the session's notices.
+// The picture of session.outbox->pictures, one after the other; says so in the session's notices.
 void save_figures_wanted(Session& session);
 
 // The picture into its file; the error is one sentence.

@@ -6,6 +6,11 @@
 #include "app/panels/captions_alone.h"
 #include "app/panels/kit/style.h"
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -49,7 +54,7 @@ FrameShape frame_shape_of(const FigureShape& figure) {
 double view_aspect_of(const Session& session, const FigureShape& figure) {
   const FrameShape shape = frame_shape_of(figure);
   if (!figure.panels) return static_cast<double>(shape.width / shape.height);
-  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
+  const float scale = shape.unit_scale * static_cast<float>(session.program->preferences.scale);
   return layout_of(shape.width, shape.height, scale, layout_wish(session)).view_aspect();
 }
 
@@ -73,9 +78,9 @@ void FrameDrawer::load_look(float scale, ThemeKind theme) {
 FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shape,
                                         const std::vector<InputEvent>& events, bool in_pieces) {
   glue_.make_current();
-  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
-  if (scale != fonts_scale_ || session.preferences.theme != theme_)
-    load_look(scale, session.preferences.theme);
+  const float scale = shape.unit_scale * static_cast<float>(session.program->preferences.scale);
+  if (scale != fonts_scale_ || session.program->preferences.theme != theme_)
+    load_look(scale, session.program->preferences.theme);
   imgui_draw_.new_frame();
   glue_.begin_frame(size_of(shape), events);
   Drawn drawn;
@@ -91,9 +96,9 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
 
 FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape& shape) {
   glue_.make_current();
-  const float scale = shape.unit_scale * static_cast<float>(session.preferences.scale);
-  if (scale != fonts_scale_ || session.preferences.theme != theme_)
-    load_look(scale, session.preferences.theme);
+  const float scale = shape.unit_scale * static_cast<float>(session.program->preferences.scale);
+  if (scale != fonts_scale_ || session.program->preferences.theme != theme_)
+    load_look(scale, session.program->preferences.theme);
   imgui_draw_.new_frame();
   glue_.begin_frame(size_of(shape), {});
   Drawn drawn;
@@ -117,8 +122,8 @@ void FrameDrawer::paint(const Drawn& drawn, const FrameShape& shape, float chose
 }
 
 Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
-  Drawn drawn = lay_out(session, shape, events, session.beside);
-  paint(drawn, shape, static_cast<float>(session.preferences.scale));
+  Drawn drawn = lay_out(session, shape, events, session.jobs->beside);
+  paint(drawn, shape, static_cast<float>(session.program->preferences.scale));
   return std::move(drawn.wishes);
 }
 
@@ -135,18 +140,18 @@ Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
     drawn = lay_out_alone(session, shape);
     if (figure.transparent) drawn.scene.background = {0, 0, 0, 0};
   }
-  paint(drawn, shape, static_cast<float>(session.preferences.scale));
+  paint(drawn, shape, static_cast<float>(session.program->preferences.scale));
   return figure.transparent ? target_.read_with_alpha() : target_.read();
 }
 
 // The movement begins anew with each single step forward, unless they come too fast to be seen one by one.
 double FrameDrawer::appeared(const Session& session, float seconds) {
-  const std::size_t position = session.timeline ? session.timeline->position() : 0;
+  const std::size_t position = session.document ? session.document->timeline.position() : 0;
   const bool stepped = position == last_position_ + 1;
-  const Playback& playback = session.playback;
+  const Playback& playback = session.view->playback;
   const bool slow = !playback.playing || playback.steps_per_second * motion_s <= 2.0;
   if (position != last_position_)
-    since_step_s_ = stepped && slow && session.preferences.motion ? 0.0 : motion_s;
+    since_step_s_ = stepped && slow && session.program->preferences.motion ? 0.0 : motion_s;
   else
     since_step_s_ = std::min(motion_s, since_step_s_ + static_cast<double>(seconds));
   last_position_ = position;
@@ -155,18 +160,18 @@ double FrameDrawer::appeared(const Session& session, float seconds) {
 
 Image FrameDrawer::finished(const Session& session, int side) {
   Session shown = session;
-  shown.timeline->seek(shown.timeline->known());
-  shown.layers.fill(false);
+  shown.document->timeline.seek(shown.document->timeline.known());
+  shown.view->layers.fill(false);
   for (const Layer layer : {Layer::faces, Layer::column_edges, Layer::row_edges})
-    shown.layers[static_cast<std::size_t>(layer)] = true;
-  shown.knit_along.reset();
-  shown.hovered_stitch.reset();
-  shown.pinned.reset();
-  shown.travel.selected.reset();
-  shown.hovered_rounds.reset();
-  shown.pointed_variable.clear();
-  shown.aspect = 1.0;
-  shown.camera.frame(shown.timeline->input().bounds, shown.aspect);
+    shown.view->layers[static_cast<std::size_t>(layer)] = true;
+  shown.view->gaze.knit_along.reset();
+  shown.view->gaze.hovered_stitch.reset();
+  shown.document->pinned.reset();
+  shown.document->travel.selected.reset();
+  shown.view->gaze.hovered_rounds.reset();
+  shown.learning->pointed_variable.clear();
+  shown.view->aspect = 1.0;
+  shown.view->gaze.camera.frame(shown.document->timeline.input().bounds, shown.view->aspect);
   Scene scene = Describer().describe(shown);
   scene.background = {255, 255, 255};
   target_.begin(side, side, 4);
@@ -179,7 +184,7 @@ std::variant<Image, std::string> finished_picture_of(const Session& session, int
   auto opened = HeadlessGl::open();
   if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);
   try {
-    FrameDrawer drawer(session.assets);
+    FrameDrawer drawer(session.program->assets);
     return drawer.finished(session, side);
   } catch (const GlError& error) {
     return std::string(error.what());
@@ -190,7 +195,7 @@ std::variant<Image, std::string> picture_of(Session& session, int width, int hei
   auto opened = HeadlessGl::open();
   if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);
   try {
-    FrameDrawer drawer(session.assets);
+    FrameDrawer drawer(session.program->assets);
     FrameShape shape;
     shape.width = static_cast<float>(width);
     shape.height = static_cast<float>(height);
@@ -198,7 +203,7 @@ std::variant<Image, std::string> picture_of(Session& session, int width, int hei
     shape.height_px = height;
     // The camera frames the view only once its aspect is known; panels find their size in a few frames.
     drawer.draw(session, shape, {});
-    if (!session.camera_kept) apply(session, FrameAll{});
+    if (!session.view->gaze.camera_kept) apply(session, FrameAll{});
     for (int i = 0; i < 3; ++i) drawer.draw(session, shape, {});
     return drawer.target().read();
   } catch (const GlError& error) {

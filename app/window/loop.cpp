@@ -14,6 +14,11 @@
 #include "app/script/figure_words.h"
 #include "app/script/open_as_asked.h"
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "app/window/run.h"
 #include "app/window/turn.h"
@@ -26,15 +31,15 @@ namespace {
 void answer_in_window(Session& session, const CommandLine& line) {
   const auto give = [&](const Answer& answer) {
     std::fputs(answer.out.c_str(), stdout);
-    if (!answer.error.empty()) session.notices.push_back({Notice::Kind::warning, answer.error});
+    if (!answer.error.empty()) session.outbox->notices.push_back({Notice::Kind::warning, answer.error});
   };
   if (!line.why.empty()) give(why_answer(session, line.why));
   if (!line.diff.empty()) give(diff_answer(session, line.diff));
 }
 
 std::optional<std::string> save_animation_asked(Session& session, const CommandLine& line) {
-  session.beside = false;
-  session.timeline->extend_to_end();
+  session.jobs->beside = false;
+  session.document->timeline.extend_to_end();
   SaveAnimation wish = *line.animation;
   const AskedStretch asked = asked_stretch(session, line);
   for (const std::string& note : asked.notes) std::fprintf(stderr, "knit-mesh: %s\n", note.c_str());
@@ -53,9 +58,9 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
     note(wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
                                           : export_to_file(session, wish.kind, wish.path));
   }
-  if (!session.timeline && (line.picture || line.animation))
+  if (!session.document && (line.picture || line.animation))
     note("nothing is open any more, so its picture or animation was not saved.");
-  if (!session.timeline) return code;
+  if (!session.document) return code;
   if (const auto& wish = line.picture)
     note(save_figure(session, {wish->path, wish->width, wish->height, wish->panels, wish->transparent}));
   if (line.animation) note(save_animation_asked(session, line));
@@ -64,14 +69,14 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
 
 // The command line's questions about the run that is open now.
 void ask(Session& session, const CommandLine& line) {
-  if (!session.timeline) return;
-  const bool beside = std::exchange(session.beside, false);  // the answers are wanted now
+  if (!session.document) return;
+  const bool beside = std::exchange(session.jobs->beside, false);  // the answers are wanted now
   if (line.at) {
     if (const auto nearest = go_to(session, *line.at))
-      session.notices.push_back({Notice::Kind::warning, *nearest});
+      session.outbox->notices.push_back({Notice::Kind::warning, *nearest});
   }
   answer_in_window(session, line);
-  session.beside = beside;
+  session.jobs->beside = beside;
   if (!line.sweep.empty()) sweep_answer(session, line.sweep);
 }
 
@@ -83,13 +88,13 @@ struct Kept {
 };
 
 Kept begin(Session& session, const CommandLine& line, const Window& window, FrameDrawer& drawer) {
-  session.beside = true;
+  session.jobs->beside = true;
   ask(session, line);
   const auto folder = rescue_folder();
-  if (folder) session.rescued = find_rescued(*folder);
+  if (folder) session.program->rescued = find_rescued(*folder);
   PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
   drawer.draw(session, shape_of(window, 0.0, 1), {});
-  if (!session.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
+  if (!session.view->gaze.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
   return {std::move(preferences), RescueKeeper(session, folder), AskedAtStart(session)};
 }
 
@@ -98,7 +103,7 @@ enum class Ended { by_wish, lost };
 Ended show(Session& session, const CommandLine& line, Window& window, FrameDrawer& drawer, Kept& kept) {
   Pace pace;
   std::unique_ptr<AnimationMaker> animation;
-  while (!session.quit && !window.close_requested()) {
+  while (!session.outbox->quit && !window.close_requested()) {
     const double seconds = turn(session, window, drawer, pace);
     if (kept.asked.tend(session, line)) ask(session, line);
     kept.rescue.pass(session, seconds);
@@ -144,10 +149,10 @@ Window::Size plain_size(const Window& window) {
 }
 
 void tell_loss(Session& session) {
-  if (session.animation)
-    session.notices.push_back({Notice::Kind::warning, "The animation was given up. Save it again."});
-  session.animation.reset();
-  session.notices.push_back(
+  if (session.jobs->animation)
+    session.outbox->notices.push_back({Notice::Kind::warning, "The animation was given up. Save it again."});
+  session.jobs->animation.reset();
+  session.outbox->notices.push_back(
       {Notice::Kind::warning,
        "The graphics driver lost the window, so it was opened anew. Nothing else is lost."});
 }
@@ -164,7 +169,7 @@ int run_window(Session& session, const CommandLine& line) {
       return give_up(*error, "", session, kept.get());
     Window& window = std::get<Window>(opened);
     try {
-      FrameDrawer drawer(session.assets);
+      FrameDrawer drawer(session.program->assets);
       drawer.set_clipboard(
           {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
       if (!kept) kept = std::make_unique<Kept>(begin(session, line, window, drawer));

@@ -11,6 +11,10 @@
 #include "app/render/memory.h"
 #include "app/script/figure_words.h"
 #include "app/script/queries.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "knit/insight/narrate.h"
@@ -22,11 +26,11 @@ namespace {
 void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line.c_str()); }
 
 void make_whole(Session& session) {
-  if (!session.timeline) return;
-  session.timeline->extend_to_end();  // so that the timeline in the picture is whole
-  apply(session, PassTime{0.0});      // and its marks
+  if (!session.document) return;
+  session.document->timeline.extend_to_end();  // so that the timeline in the picture is whole
+  apply(session, PassTime{0.0});               // and its marks
   finish_pin(session);
-  if (session.side == SidePanel::report) session.closeness = closeness_now(session);
+  if (session.view->side == SidePanel::report) session.document->closeness = closeness_now(*session.document);
 }
 
 std::optional<std::string> save_picture(Session& session, const CommandLine& line,
@@ -56,7 +60,7 @@ std::optional<std::string> save(Session& session, const CommandLine& line, const
 
 void look_at_all(Session& session, const FigureShape& shape) {
   apply(session, SetAspect{view_aspect_of(session, shape)});
-  if (!session.camera_kept) apply(session, FrameAll{});
+  if (!session.view->gaze.camera_kept) apply(session, FrameAll{});
 }
 
 std::optional<std::string> save_figure(Session& session, const SavePicture& wish) {
@@ -129,17 +133,17 @@ int answer_queries(Session& session, const CommandLine& line) {
 
 int run_headless(Session& session, const CommandLine& line) {
   keep_freed_memory();
-  for (const Notice& notice : session.notices) say(notice.text);
-  session.notices.clear();
+  for (const Notice& notice : session.outbox->notices) say(notice.text);
+  session.outbox->notices.clear();
   // A session or a lesson brings its own place.
-  const bool stays = (!line.session.empty() || session.lesson) && !line.at;
+  const bool stays = (!line.session.empty() || session.learning->lesson) && !line.at;
   const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});
   const auto nearest = stays || line.empty ? std::nullopt : go_to(session, line.at.value_or(otherwise));
   if (nearest) say(*nearest);
   const Answer broke = line.breaks.empty() ? Answer{} : break_answer(session);
   if (!broke.error.empty()) say(broke.error);
   const knit::Step* stop = stop_shown(session);
-  if (stop != nullptr) say(knit::narrate(*stop, session.timeline->parameters()));
+  if (stop != nullptr) say(knit::narrate(*stop, session.document->timeline.parameters()));
 
   const int asked = answer_queries(session, line);
   if (!save_all(session, line)) return exit_usage;

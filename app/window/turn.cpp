@@ -8,6 +8,10 @@
 #include "app/files/export.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "knit/import/quoting.h"
 
@@ -17,43 +21,45 @@ namespace {
 
 constexpr double slow_frame_seconds = 0.04;
 
-// Threads of their own are at it: a sweep, the pinned run's end.
+// Threads of their own are at it: a sweep, the pinned run's end. Requires something open.
 bool working_beside(const Session& session) {
-  return pin_is_pending(session) || (session.sweep && session.sweep->work->running());
+  const auto& sweep = session.document->sweep;
+  return pin_is_pending(session) || (sweep && sweep->work->running());
 }
 
 bool working(const Session& session) {
-  if (session.opening) return true;
-  return session.timeline && (session.animation || working_beside(session) || session.playback.playing ||
-                              !session.timeline->complete() || session.measuring);
+  if (session.jobs->opening) return true;
+  return session.document &&
+         (session.jobs->animation || working_beside(session) || session.view->playback.playing ||
+          !session.document->timeline.complete() || session.jobs->run.measuring);
 }
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
-  if (!session.timeline) return session.opening != nullptr;
-  return !session.playback.playing && !session.animation &&
-         (session.long_step.has_value() ||
-          (session.timeline->complete() &&
-           (session.opening || session.measuring || working_beside(session))));
+  if (!session.document) return session.jobs->opening != nullptr;
+  return !session.view->playback.playing && !session.jobs->animation &&
+         (session.jobs->run.long_step.has_value() ||
+          (session.document->timeline.complete() &&
+           (session.jobs->opening || session.jobs->run.measuring || working_beside(session))));
 }
 
 void save_pictures_wanted(Session& session, const Target& target) {
-  for (const std::filesystem::path& path : session.screenshots_wanted) {
+  for (const std::filesystem::path& path : session.outbox->screenshots) {
     const auto error = save_png(path.string(), target.read());
-    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+    session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                            : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
   }
-  session.screenshots_wanted.clear();
+  session.outbox->screenshots.clear();
 }
 
 void save_pages_wanted(Session& session, FrameDrawer& drawer) {
-  for (const std::filesystem::path& path : std::exchange(session.pages_wanted, {})) {
+  for (const std::filesystem::path& path : std::exchange(session.outbox->pages, {})) {
     const auto missing = pattern_missing(session);
     const auto error =
         missing ? missing
                 : export_pattern(session, path, png_bytes(drawer.finished(session, page_picture_px)));
-    session.notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                    : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
+    session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
+                                            : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
   }
 }
 
@@ -67,11 +73,13 @@ void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
 void tell_shader_problem(Session& session, const FrameDrawer& drawer, Pace& pace) {
   if (drawer.shader_problem() == pace.shader_problem) return;
   pace.shader_problem = drawer.shader_problem();
-  if (!pace.shader_problem.empty()) session.notices.push_back({Notice::Kind::warning, pace.shader_problem});
+  if (!pace.shader_problem.empty())
+    session.outbox->notices.push_back({Notice::Kind::warning, pace.shader_problem});
 }
 
 std::string title_of(const Session& session) {
-  const Source& source = session.source;
+  if (!session.document) return "knit-mesh";
+  const Source& source = session.document->source;
   const std::string name = source.file.empty() ? source.example : source.file.filename().string();
   return name.empty() ? "knit-mesh" : knit::printable(name) + " - knit-mesh";
 }
@@ -139,7 +147,7 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   window.swap();
   save_what_is_wanted(session, drawer);
   for (const Action& wish : wishes) apply(session, wish);
-  if (const auto text = std::exchange(session.clipboard_wanted, std::nullopt)) window.set_clipboard(*text);
+  if (const auto text = std::exchange(session.outbox->clipboard, std::nullopt)) window.set_clipboard(*text);
   pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
   return seconds;
 }

@@ -7,6 +7,9 @@
 #include "app/panels/kit/style.h"
 #include "app/panels/ui.h"
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 
 namespace benchmark {
 
@@ -17,11 +20,11 @@ class Desk {
       : fonts_(glue_.load_fonts((assets / "fonts").string(), 1.0f, app::style::text_size)),
         layout_(app::layout_of(1280.0f, 720.0f, 1.0f)) {
     app::style::apply(1.0f);
-    session.assets = assets;
-    session.beside = true;
+    session.program->assets = assets;
+    session.jobs->beside = true;
   }
   void act(const app::Action& action) { app::apply(session, action); }
-  void describe() { scene_ = describer_.describe(session, {600.0, 1.0, session.beside}); }
+  void describe() { scene_ = describer_.describe(session, {600.0, 1.0, session.jobs->beside}); }
   void panels() {
     glue_.begin_frame({1280.0f, 720.0f, 1.0f, 1.0f, 1.0f / 60.0f}, {});
     app::draw_ui(session, ui_, scene_, layout_, fonts_);
@@ -32,7 +35,7 @@ class Desk {
     panels();
   }
   void finish() {
-    while (!session.timeline->complete()) act(app::PassTime{0.0});
+    while (!session.document->timeline.complete()) act(app::PassTime{0.0});
     act(app::ToLast{});
     for (int i = 0; i < 3; ++i) frame();
   }

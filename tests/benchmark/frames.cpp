@@ -4,6 +4,8 @@
 
 #include "app/render/headless_gl.h"
 #include "app/script/command_line.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/benchmark/cost.h"
 
 namespace benchmark {
@@ -22,7 +24,7 @@ struct Shown {
 
 Shown shown_at(const char* name, const std::filesystem::path& assets, const app::At& at, bool times) {
   Shown shown{name, {}, std::make_unique<app::FrameDrawer>(assets), {}};
-  shown.session.assets = assets;
+  shown.session.program->assets = assets;
   app::apply(shown.session, app::OpenExample{"thesis-sphere"});
   app::go_to(shown.session, app::At(app::AtEnd{}));
   app::go_to(shown.session, at);

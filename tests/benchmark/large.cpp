@@ -6,6 +6,8 @@
 #include "app/actions/opening.h"
 #include "app/describe/pick.h"
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/desk.h"
@@ -42,25 +44,25 @@ void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(5))
 Json opened(Desk& desk, const fs::path& path) {
   FrameCosts costs;
   costs.take(desk, app::OpenFile{path});
-  while (desk.session.opening) {
+  while (desk.session.jobs->opening) {
     costs.take(desk, app::Orbit{0.01, 0.0});
     wait_a_little();
   }
   Json json = costs.summary();
-  json["seconds"] = 1e-3 * desk.session.load_ms;
+  json["seconds"] = 1e-3 * desk.session.document->load_ms;
   return json;
 }
 
 Json worked_out(Desk& desk) {
-  knit::Parameters contours = desk.session.timeline->parameters();
+  knit::Parameters contours = desk.session.document->timeline.parameters();
   contours.rows = knit::RowSource::contours;
   contours.placement = knit::PlacementPolicy::nearest;
   FrameCosts costs;
   costs.take(desk, app::Tune{contours});
   costs.take(desk, app::ToLast{});
-  while (!desk.session.timeline->complete() || desk.session.measuring) {
+  while (!desk.session.document->timeline.complete() || desk.session.jobs->run.measuring) {
     costs.take(desk, app::Orbit{0.01, 0.0});
-    if (desk.session.long_step || desk.session.timeline->complete()) wait_a_little();
+    if (desk.session.jobs->run.long_step || desk.session.document->timeline.complete()) wait_a_little();
   }
   return costs.summary();
 }
@@ -73,7 +75,7 @@ Json turned(Desk& desk) {
 
 Json scrubbed(Desk& desk) {
   FrameCosts costs;
-  const std::size_t steps = desk.session.timeline->known();
+  const std::size_t steps = desk.session.document->timeline.known();
   constexpr std::size_t frames = 200;
   for (std::size_t i = 0; i <= frames; ++i)
     costs.take(desk, app::SeekTo{steps * (i % 2 == 0 ? i : frames - i) / frames});
@@ -97,7 +99,7 @@ Json cancelled(Desk& desk, const fs::path& path) {
     wait_a_little();
     desk.act(app::PassTime{frame_s});
   }
-  const auto opening = desk.session.opening;
+  const auto opening = desk.session.jobs->opening;
   const Cost wish = cost_of([&] {
     desk.act(app::CancelWork{});
     desk.frame();
@@ -113,7 +115,7 @@ Json cancelled(Desk& desk, const fs::path& path) {
 Json drawn(app::Session session, const fs::path& assets) {
   auto gl = app::HeadlessGl::open();
   if (const auto* error = std::get_if<std::string>(&gl)) return {{"left_out", *error}};
-  session.beside = true;
+  session.jobs->beside = true;
   app::FrameDrawer drawer(assets);
   std::vector<Cost> costs;
   for (int i = 0; i < 8; ++i) {
@@ -136,9 +138,9 @@ Json measure_large(const fs::path& assets, std::size_t triangles) {
   for (int i = 0; i < 5; ++i) desk.frame();
   Json json;
   json["opening"] = opened(desk, ball.path);
-  json["triangles"] = desk.session.timeline->input().mesh.triangles.size();
+  json["triangles"] = desk.session.document->timeline.input().mesh.triangles.size();
   json["working_out"] = worked_out(desk);
-  json["steps"] = desk.session.timeline->known();
+  json["steps"] = desk.session.document->timeline.known();
   json["camera"] = turned(desk);
   json["scrubbing"] = scrubbed(desk);
   json["click_ms"] = clicked(desk);

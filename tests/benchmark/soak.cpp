@@ -17,6 +17,11 @@
 #include "app/compare/sweep_work.h"
 #include "app/files/rescue.h"
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "app/window/animation.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
@@ -75,7 +80,7 @@ class Person {
 
   void round() {
     random_.seed(7);
-    for (const std::string& name : app::list_examples(desk_.session.assets)) {
+    for (const std::string& name : app::list_examples(desk_.session.program->assets)) {
       open_and_finish(app::OpenExample{name});
       tune();
       look_around();
@@ -103,14 +108,15 @@ class Person {
       app::save_figures_wanted(desk_.session);
       app::tend_animation(desk_.session, animation_);
     }
-    desk_.session.screenshots_wanted.clear();
-    desk_.session.pages_wanted.clear();
-    desk_.session.clipboard_wanted.reset();
+    desk_.session.outbox->screenshots.clear();
+    desk_.session.outbox->pages.clear();
+    desk_.session.outbox->clipboard.reset();
   }
   void finish() {
-    while (desk_.session.opening || !desk_.session.timeline->complete() || desk_.session.measuring) {
+    while (desk_.session.jobs->opening || !desk_.session.document->timeline.complete() ||
+           desk_.session.jobs->run.measuring) {
       frame();
-      if (desk_.session.opening || desk_.session.long_step)
+      if (desk_.session.jobs->opening || desk_.session.jobs->run.long_step)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
@@ -122,11 +128,11 @@ class Person {
   }
   double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
   std::size_t somewhere() {
-    return static_cast<std::size_t>(share() * static_cast<double>(desk_.session.timeline->known()));
+    return static_cast<std::size_t>(share() * static_cast<double>(desk_.session.document->timeline.known()));
   }
 
   void tune() {
-    const knit::Parameters first = desk_.session.timeline->parameters();
+    const knit::Parameters first = desk_.session.document->timeline.parameters();
     for (int i = 0; i < 6; ++i) {
       knit::Parameters tuned = first;
       tuned.epsilon *= 0.7 + 0.6 * share();
@@ -137,7 +143,7 @@ class Person {
     }
     act(app::Settle{});
     act(app::SeekTo{somewhere()});
-    knit::Parameters edited = desk_.session.timeline->parameters();
+    knit::Parameters edited = desk_.session.document->timeline.parameters();
     edited.epsilon *= 1.05;
     act(app::EditFromHere{edited});
     finish();
@@ -195,17 +201,17 @@ class Person {
     if (!drawer_) return;
     act(app::SavePicture{workshop_.path / "picture.png", 320, 240, true});
     const app::SaveAnimation film{
-        workshop_.path / "film.gif", {0, desk_.session.timeline->known()}, 6, 10.0, 160, 120};
+        workshop_.path / "film.gif", {0, desk_.session.document->timeline.known()}, 6, 10.0, 160, 120};
     act(film);
     frame();
     act(app::CancelAnimation{});
     frame();
     act(film);
-    while (desk_.session.animation) frame();
+    while (desk_.session.jobs->animation) frame();
   }
   void compare() {
     act(app::PinRun{});
-    knit::Parameters other = desk_.session.timeline->parameters();
+    knit::Parameters other = desk_.session.document->timeline.parameters();
     other.epsilon *= 1.1;
     act(app::Tune{other});
     finish();
@@ -217,7 +223,7 @@ class Person {
     act(app::ShowSide{app::SidePanel::sweep});
     const double epsilon = other.epsilon;
     act(app::StartSweep{{{"epsilon", 0.8 * epsilon, epsilon, 6}, std::nullopt}});
-    while (desk_.session.sweep && desk_.session.sweep->work->running()) frame();
+    while (desk_.session.document->sweep && desk_.session.document->sweep->work->running()) frame();
     act(app::CancelSweep{});
     act(app::ShowSide{app::SidePanel::step});
   }

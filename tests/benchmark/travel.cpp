@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/render/headless_gl.h"
+#include "app/session/document.h"
 #include "app/window/frame.h"
 #include "knit/mesh/shapes.h"
 #include "tests/benchmark/cost.h"
@@ -36,7 +37,7 @@ Json measure_tuning_to_picture(const std::filesystem::path& assets) {
     std::vector<Cost> change;
     std::vector<Cost> described;
     std::vector<Cost> panels;
-    const knit::Parameters first = desk.session.timeline->parameters();
+    const knit::Parameters first = desk.session.document->timeline.parameters();
     for (int i = 0; i < 200; ++i) {
       knit::Parameters tuned = first;
       tuned.epsilon *= 0.7 + 0.002 * i;
@@ -60,7 +61,7 @@ Json measure_tuning_to_picture(const std::filesystem::path& assets) {
   }
   // The same with drawing, and with what the driver does in this thread; the first frames make its programs.
   app::FrameDrawer drawer(assets);
-  const knit::Parameters first = finished.timeline->parameters();
+  const knit::Parameters first = finished.document->timeline.parameters();
   constexpr int unmeasured = 10;
   std::vector<Cost> drawn;
   for (int i = 0; i < 100 + unmeasured; ++i) {
@@ -82,21 +83,21 @@ namespace {
 app::Session scrub_without_drawing(Json& json, const std::filesystem::path& assets) {
   Desk desk(assets);
   desk.act(app::OpenExample{"sphere"});
-  knit::Parameters fine = desk.session.timeline->parameters();
+  knit::Parameters fine = desk.session.document->timeline.parameters();
   fine.rows = knit::RowSource::contours;
   fine.placement = knit::PlacementPolicy::even;
   fine.stitch_width = 0.0055;
   fine.stitch_height = 0.0055;
   desk.act(app::Tune{fine});
   std::vector<Cost> slices;
-  while (!desk.session.timeline->complete()) {
+  while (!desk.session.document->timeline.complete()) {
     slices.push_back(cost_of([&] {
       desk.act(app::PassTime{0.0});
       desk.frame();
     }));
   }
   desk.finish();
-  const std::size_t steps = desk.session.timeline->known();
+  const std::size_t steps = desk.session.document->timeline.known();
   constexpr std::size_t frames = 400;
   std::vector<Cost> seeks;
   std::vector<Cost> described;
@@ -111,7 +112,7 @@ app::Session scrub_without_drawing(Json& json, const std::filesystem::path& asse
     described.push_back(cost_of([&] { desk.describe(); }));
     panels.push_back(cost_of([&] { desk.panels(); }));
   }
-  const knit::Timeline& timeline = *desk.session.timeline;
+  const knit::Timeline& timeline = desk.session.document->timeline;
   json["steps"] = steps;
   json["working_out_frame_ms"] = summary_of(slices, &Cost::wall_ms);
   json["seek_ms"] = summary_of(seeks, &Cost::wall_ms);
@@ -132,7 +133,7 @@ void add_drawn_scrubbing(Json& json, app::Session session, const std::filesystem
     return;
   }
   app::FrameDrawer drawer(assets);
-  const std::size_t steps = session.timeline->known();
+  const std::size_t steps = session.document->timeline.known();
   const auto draw = [&] { drawer.draw(session, shape_of(1280, 720), {}); };
   // Whoever scrubs has seen the run being worked out: the driver has its programs by then.
   for (const std::size_t position : {std::size_t{0}, steps / 2, steps}) {

@@ -5,6 +5,9 @@
 #include <string>
 #include <thread>
 
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -27,11 +30,12 @@ inline knit::Parameters large_parameters(knit::TimingKind timing = knit::TimingK
 
 inline app::Session beside_session(const knit::Parameters& parameters) {
   app::Session session;
-  session.assets = KNIT_ASSETS_DIR;
-  session.beside = true;
-  session.original = large_ball();
-  session.timeline.emplace(knit::make_input(*session.original), parameters);
-  session.defaults = parameters;
+  session.program->assets = KNIT_ASSETS_DIR;
+  session.jobs->beside = true;
+  const auto mesh = large_ball();
+  session.document = app::Document(knit::Timeline(knit::make_input(*mesh), parameters));
+  session.document->original = mesh;
+  session.document->defaults = parameters;
   return session;
 }
 
@@ -46,9 +50,9 @@ void tick_until(app::Session& session, Test done) {
   }
 }
 
-inline bool run_is_complete(const app::Session& session) { return session.timeline->complete(); }
-inline bool is_working(const app::Session& session) { return session.long_step.has_value(); }
-inline bool is_measured(const app::Session& session) { return session.closeness != nullptr; }
+inline bool run_is_complete(const app::Session& session) { return session.document->timeline.complete(); }
+inline bool is_working(const app::Session& session) { return session.jobs->run.long_step.has_value(); }
+inline bool is_measured(const app::Session& session) { return session.document->closeness != nullptr; }
 
 // The whole run at once, as without a window.
 inline std::uint64_t plain_hash(const knit::Parameters& parameters) {

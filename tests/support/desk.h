@@ -9,6 +9,8 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/style.h"
 #include "app/panels/ui.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
 
@@ -35,14 +37,14 @@ class Desk {
     style::apply(scale);
     glue_.set_clipboard(
         {[this] { return clipboard; }, [this](const std::string& text) { clipboard = text; }});
-    session.aspect = layout.view_aspect();
-    session.defaults = wide_band();
+    session.view->aspect = layout.view_aspect();
   }
 
   void open(const knit::Parameters& parameters = wide_band()) {
-    session.timeline.emplace(small_run(parameters));
-    session.timeline->extend_to_end();
-    session.camera.frame(session.timeline->input().bounds, session.aspect);
+    session.document = Document(small_run(parameters));
+    session.document->defaults = wide_band();
+    session.document->timeline.extend_to_end();
+    session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);
     settle();
   }
   Actions frame(const std::vector<InputEvent>& events = {}) {

@@ -5,21 +5,23 @@
 
 #include "app/lessons/lesson_judge.h"
 #include "app/lessons/predict.h"
+#include "app/session/document.h"
+#include "app/session/learning.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
 namespace test_support {
 
 inline const app::LessonRun& lesson_of(const app::Session& session) {
-  REQUIRE(session.lesson);
-  return *session.lesson;
+  REQUIRE(session.learning->lesson);
+  return *session.learning->lesson;
 }
 
 inline void set_by_text(app::Session& session, const std::string& key, const std::string& value) {
-  knit::Parameters parameters = session.timeline->parameters();
+  knit::Parameters parameters = session.document->timeline.parameters();
   REQUIRE(!knit::set_value(*knit::find_parameter(key), parameters, value));
   app::apply(session, app::Tune{parameters});
-  session.timeline->extend_to_end();
+  session.document->timeline.extend_to_end();
   app::apply(session, app::PassTime{0.0});
 }
 
@@ -75,7 +77,7 @@ inline void do_wait(app::Session& session, const app::Wait& wait) {
 }
 
 inline std::string far_vertex(const app::Session& session, const std::string& right) {
-  const auto& positions = session.timeline->input().mesh.positions;
+  const auto& positions = session.document->timeline.input().mesh.positions;
   const std::size_t from = std::stoul(right.substr(7));
   std::size_t farthest = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {

@@ -11,6 +11,9 @@
 #include <string>
 
 #include "app/session/action.h"
+#include "app/session/document.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 #include "tests/support/run.h"
 
 namespace test_support {
@@ -18,11 +21,12 @@ namespace test_support {
 // The small sphere, open and not yet run; with closing copies it has something to weld.
 inline app::Session small_session(bool closing_copy = false) {
   app::Session session;
-  session.assets = KNIT_ASSETS_DIR;
-  session.original = std::make_shared<const knit::Mesh>(knit::sphere(40, 16, closing_copy));
-  session.timeline.emplace(knit::make_input(*session.original), small_parameters());
-  session.defaults = small_parameters();
-  session.camera.frame(session.timeline->input().bounds, session.aspect);
+  session.program->assets = KNIT_ASSETS_DIR;
+  const auto mesh = std::make_shared<const knit::Mesh>(knit::sphere(40, 16, closing_copy));
+  session.document = app::Document(knit::Timeline(knit::make_input(*mesh), small_parameters()));
+  session.document->original = mesh;
+  session.document->defaults = small_parameters();
+  session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);
   return session;
 }
 
@@ -35,7 +39,7 @@ inline app::Session finished_small_session() {
 // An example as the program opens it.
 inline app::Session example_session(const std::string& name) {
   app::Session session;
-  session.assets = KNIT_ASSETS_DIR;
+  session.program->assets = KNIT_ASSETS_DIR;
   app::apply(session, app::OpenExample{name});
   return session;
 }

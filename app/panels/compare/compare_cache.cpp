@@ -1,15 +1,17 @@
 #include "app/panels/compare/compare_cache.h"
 
+#include "app/session/document.h"
+
 namespace app {
 
 void CompareCache::refresh(const Session& session, std::size_t problems) {
-  if (!session.timeline || !session.pinned || !session.pinned->known) {
+  if (!session.document || !session.document->pinned || !session.document->pinned->known) {
     difference_.reset();
     return;
   }
-  const knit::Timeline& timeline = *session.timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   if (!timeline.complete()) return;
-  const Pin& pin = *session.pinned;
+  const Pin& pin = *session.document->pinned;
   Key key{
       timeline.input_pointer(), pin.input, knobs_of(timeline), pin.knobs, knit::hash_of(timeline.furthest()),
       knit::hash_of(pin.end)};

@@ -6,6 +6,7 @@
 
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
 
 namespace app {
 
@@ -168,15 +169,16 @@ void draw_plots(PanelFrame& frame) {
 
 void draw_compare(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
-  if (!frame.session.pinned) return draw_nothing_pinned(frame);
+  if (!frame.session.document->pinned) return draw_nothing_pinned(frame);
   frame.ui.compare.refresh(frame.session,
                            frame.ui.run.problems().size() + (frame.timeline()->stop() != nullptr ? 1U : 0U));
   draw_buttons(frame);
   const RunDifference* difference = frame.ui.compare.difference();
   if (difference == nullptr) return faint_text("The pinned run is being worked out...");
   if (!difference->same_mesh)
-    wrapped_text("The pinned run is of another mesh: " + frame.session.pinned->input->mesh.name + ".",
-                 theme().warning);
+    wrapped_text(
+        "The pinned run is of another mesh: " + frame.session.document->pinned->input->mesh.name + ".",
+        theme().warning);
   draw_first_row(frame, *difference);
   // As close as in the report card, so that the plots have room.
   const float across = ImGui::GetStyle().ItemSpacing.x;

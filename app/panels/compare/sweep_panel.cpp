@@ -7,6 +7,7 @@
 #include "app/base/text.h"
 #include "app/panels/compare/sweep_plot.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -38,7 +39,7 @@ void refresh_form(PanelFrame& frame) {
   const auto input = frame.timeline()->input_pointer();
   bool other_mesh = form.input != input;
   form.input = input;
-  const auto& sweep = frame.session.sweep;
+  const auto& sweep = frame.session.document->sweep;
   if (sweep && form.shown.lock() != sweep->work) {
     form.shown = sweep->work;
     form.axis = sweep->plan.axis;
@@ -142,7 +143,7 @@ void draw_progress(PanelFrame& frame, const SweepWork& work, float width) {
 
 void draw_start(PanelFrame& frame) {
   const SweepPlan plan = plan_of(frame.ui.sweep_form);
-  const auto& sweep = frame.session.sweep;
+  const auto& sweep = frame.session.document->sweep;
   const bool running = sweep && sweep->work->running();
   const float button = frame.units(84.0f);
   if (running) {
@@ -233,7 +234,7 @@ SweepPointed draw_map(PanelFrame& frame, SweepPlot plot) {
 }
 
 void draw_results(PanelFrame& frame) {
-  const SweepWork& work = *frame.session.sweep->work;
+  const SweepWork& work = *frame.session.document->sweep->work;
   const SweepPlan& plan = work.plan();
   const knit::Parameters& now = frame.timeline()->parameters();
   SweepPlot plot{"", SweepFigure::problems, work, frame.ui.sweep, {}, {}, frame.ui.sweep_form.hovered};
@@ -253,7 +254,7 @@ void draw_sweep(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   refresh_form(frame);
   draw_form(frame);
-  const auto& sweep = frame.session.sweep;
+  const auto& sweep = frame.session.document->sweep;
   frame.ui.sweep.refresh(sweep ? sweep->work : nullptr);
   draw_start(frame);
   if (sweep) return draw_results(frame);

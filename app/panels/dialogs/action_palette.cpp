@@ -6,6 +6,8 @@
 
 #include "app/panels/dialogs/file_dialogs.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -33,21 +35,22 @@ bool needs_mesh(const CommandInfo& info) {
 }
 
 std::string why_not(const Session& session, const CommandInfo& info) {
-  if (!session.timeline && needs_mesh(info)) return no_mesh;
-  const Travel& travel = session.travel;
+  if (!session.document && needs_mesh(info)) return no_mesh;
+  const Travel nowhere;
+  const Travel& travel = session.document ? session.document->travel : nowhere;
   switch (info.command) {
     case Command::undo:
-      return unless(!session.changes.undo.empty(), "There is nothing to undo.");
+      return unless(!session.document->changes.undo.empty(), "There is nothing to undo.");
     case Command::redo:
-      return unless(!session.changes.redo.empty(), "There is nothing to redo.");
+      return unless(!session.document->changes.redo.empty(), "There is nothing to redo.");
     case Command::swap:
-      return unless(session.pinned.has_value(), "No run is pinned.");
+      return unless(session.document->pinned.has_value(), "No run is pinned.");
     case Command::next_touch:
     case Command::last_touch:
       return unless(travel.selected.has_value(), "Nothing is selected.");
     case Command::next_break:
     case Command::last_break:
-      return unless(!travel.breaks.empty(), "There is no break condition.");
+      return unless(!session.view->breaks.empty(), "There is no break condition.");
     case Command::go_back:
       return unless(!travel.history.behind.empty(), "There was no jump to go back from.");
     case Command::go_forward:
@@ -77,7 +80,7 @@ std::vector<ActionEntry> palette_entries(const Session& session, const ActionSou
   for (const CommandInfo& info : command_table()) entries.push_back(entry_of(session, info));
   for (const SaveKind& kind : save_kinds()) {
     entries.push_back({"Save the " + std::string(kind.words) + "...", "Files", "Asks for the file's name.",
-                       kind.kind, unless(session.timeline.has_value(), no_mesh), "", false});
+                       kind.kind, unless(session.document.has_value(), no_mesh), "", false});
   }
   auto others = action_entries(session, sources);
   std::move(others.begin(), others.end(), std::back_inserter(entries));
@@ -345,7 +348,7 @@ void draw_palette_inside(PanelFrame& frame) {
 
 void draw_action_palette(PanelFrame& frame) {
   ActionPaletteState& state = frame.ui.words.palette;
-  const bool wanted = frame.session.action_palette_open;
+  const bool wanted = frame.session.view->dialogs.action_palette_open;
   if (!wanted && !state.shown) return;
   if (wanted && !state.shown) {
     begin(frame.session, state);

@@ -10,6 +10,9 @@
 #include "app/base/text.h"
 #include "app/files/figures.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -67,7 +70,7 @@ Stretch stretch_of(const PanelFrame& frame) {
     case Of::row:
       return stretch_of_row(frame.session).value_or(whole);
     case Of::loop:
-      return frame.session.travel.loop.value_or(whole);
+      return frame.session.document->travel.loop.value_or(whole);
   }
   return whole;
 }
@@ -105,8 +108,8 @@ void draw_path(PanelFrame& frame, bool begins) {
 void draw_stretch(PanelFrame& frame) {
   FigureDialog& dialog = frame.ui.figure;
   std::vector<std::string_view> names{"Whole run", "This stage", "This row"};
-  if (frame.session.travel.loop) names.emplace_back("The loop");
-  if (dialog.of == Of::loop && !frame.session.travel.loop) dialog.of = Of::run;
+  if (frame.session.document->travel.loop) names.emplace_back("The loop");
+  if (dialog.of == Of::loop && !frame.session.document->travel.loop) dialog.of = Of::run;
   label(frame, "Of");
   const int clicked = segmented("of", names, static_cast<int>(dialog.of), 0.0f);
   if (clicked >= 0) dialog.of = static_cast<Of>(clicked);
@@ -288,12 +291,12 @@ void draw_figure_dialog(PanelFrame& frame) {
 }
 
 void draw_animation_progress(PanelFrame& frame) {
-  const auto& run = frame.session.animation;
+  const auto& run = frame.session.jobs->animation;
   if (!run) return;
   const Box& view = frame.layout.view;
   // Who knits along has the foot of the view for that.
   const float bottom =
-      frame.session.knit_along ? view.y + 0.5f * view.height : view.bottom() - frame.units(52.0f);
+      frame.session.view->gaze.knit_along ? view.y + 0.5f * view.height : view.bottom() - frame.units(52.0f);
   ImGui::SetNextWindowPos(ImVec2(view.right() - frame.units(12.0f), bottom), ImGuiCond_Always,
                           ImVec2(1.0f, 1.0f));
   push_raised_look(frame);

@@ -10,6 +10,8 @@
 
 #include "app/files/session_file.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -55,8 +57,8 @@ void begin_dialog(const Session& session, OpenDialog& dialog) {
   dialog.shown = true;
   std::error_code error;
   fs::path folder = dialog.folder;
-  if (folder.empty() && !session.source.file.empty())
-    folder = fs::absolute(session.source.file, error).parent_path();
+  if (folder.empty() && session.document && !session.document->source.file.empty())
+    folder = fs::absolute(session.document->source.file, error).parent_path();
   if (folder.empty()) folder = fs::current_path(error);
   enter_folder(dialog, folder.empty() ? fs::path("/") : folder);
 }
@@ -153,7 +155,7 @@ void draw_open_inside(PanelFrame& frame) {
 
 void draw_open_dialog(PanelFrame& frame) {
   OpenDialog& dialog = frame.ui.open;
-  const bool wanted = frame.session.open_dialog_open;
+  const bool wanted = frame.session.view->dialogs.open_dialog_open;
   if (!wanted && !dialog.shown) return;
   const char* const title = "Open a mesh or a session";
   if (wanted && !dialog.shown) {

@@ -4,6 +4,7 @@
 
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -14,7 +15,7 @@ void go_to(PanelFrame& frame, const Term& term) { frame.wish(ShowGlossary{true, 
 void draw_search(PanelFrame& frame) {
   GlossaryState& state = frame.ui.words.glossary;
   // Opened at a word one reads on; opened as a whole one looks something up.
-  if (!state.shown && frame.session.glossary_term.empty()) ImGui::SetKeyboardFocusHere();
+  if (!state.shown && frame.session.view->dialogs.glossary_term.empty()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##search", "Look up", state.search.data(), state.search.size());
   frame.mark("glossary/search");
@@ -72,7 +73,7 @@ void draw_term(PanelFrame& frame, const Term& term) {
 
 // The one asked for, unless something else is searched for.
 const Term* term_shown(const PanelFrame& frame, const std::vector<const Term*>& found) {
-  const Term* asked = find_term(frame.session.glossary_term);
+  const Term* asked = find_term(frame.session.view->dialogs.glossary_term);
   if (asked != nullptr && std::find(found.begin(), found.end(), asked) != found.end()) return asked;
   return found.empty() ? asked : found.front();
 }
@@ -107,7 +108,7 @@ void draw_glossary_inside(PanelFrame& frame) {
 
 void draw_glossary(PanelFrame& frame) {
   GlossaryState& state = frame.ui.words.glossary;
-  if (!frame.session.glossary_open) {
+  if (!frame.session.view->dialogs.glossary_open) {
     state = GlossaryState{};
     return;
   }

@@ -7,6 +7,7 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/view_help.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -156,7 +157,7 @@ void draw_ways_on(PanelFrame& frame) {
 }  // namespace
 
 void draw_help(PanelFrame& frame) {
-  if (!frame.session.help_open) return;
+  if (!frame.session.view->dialogs.help_open) return;
   const Box& window = frame.layout.window;
   const ImGuiStyle& look = ImGui::GetStyle();
   const float width = std::min(frame.units(1200.0f), 0.98f * window.width);

@@ -6,6 +6,8 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/lesson_marks.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -210,10 +212,10 @@ void draw_page(PanelFrame& frame, const LessonPage& page, const LessonRun& run) 
 
 void draw_end(PanelFrame& frame, const LessonRun& run) {
   const LessonScore score = run.score();
-  const auto best = frame.session.preferences.lessons.find(run.lesson->key);
+  const auto best = frame.session.program->preferences.lessons.find(run.lesson->key);
   std::string words = "You answered " + std::to_string(score.right) + " of " + std::to_string(score.of) +
                       " questions at the first try.";
-  if (best != frame.session.preferences.lessons.end() && best->second.right > score.right)
+  if (best != frame.session.program->preferences.lessons.end() && best->second.right > score.right)
     words += " Your best so far is " + std::to_string(best->second.right) + ".";
   wrapped_text(words);
   frame.mark("lesson/score");
@@ -233,7 +235,7 @@ void draw_end(PanelFrame& frame, const LessonRun& run) {
 }  // namespace
 
 void draw_lesson(PanelFrame& frame) {
-  const LessonRun& run = *frame.session.lesson;
+  const LessonRun& run = *frame.session.learning->lesson;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.units(14.0f), frame.units(6.0f)));
   begin_panel("Lesson", frame.layout.lesson, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
@@ -251,26 +253,27 @@ void draw_lesson_menu(PanelFrame& frame) {
   const bool open = ImGui::BeginMenu("Learn");
   if (!open) return frame.mark("menu/learn");
   if (key_pressed(Key::Escape)) ImGui::CloseCurrentPopup();
-  const auto& scores = frame.session.preferences.lessons;
-  for (const LessonEntry& entry : list_lessons(frame.session.assets)) {
+  const auto& scores = frame.session.program->preferences.lessons;
+  for (const LessonEntry& entry : list_lessons(frame.session.program->assets)) {
     const auto score = scores.find(entry.key);
     const std::string best = score == scores.end() ? ""
                                                    : std::to_string(score->second.right) + " of " +
                                                          std::to_string(score->second.of) + " right";
-    const bool now = frame.session.lesson && frame.session.lesson->lesson->key == entry.key;
+    const bool now =
+        frame.session.learning->lesson && frame.session.learning->lesson->lesson->key == entry.key;
     if (ImGui::MenuItem(entry.title.c_str(), best.c_str(), now, !entry.key.empty()))
       frame.wish(StartLesson{entry.key});
     frame.mark("menu/lesson/" + (entry.key.empty() ? entry.title : entry.key));
     tooltip(frame, entry.about);
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Leave the lesson", nullptr, false, frame.session.lesson != nullptr))
+  if (ImGui::MenuItem("Leave the lesson", nullptr, false, frame.session.learning->lesson != nullptr))
     frame.wish(LeaveLesson{});
   frame.mark("menu/Leave the lesson");
   const CommandInfo& predict = info_of(Command::predict);
   if (ImGui::MenuItem(words_of(predict).c_str(), keys_of(predict).c_str(),
-                      frame.session.prediction != nullptr, frame.timeline() != nullptr))
-    frame.wish(SetPredicting{frame.session.prediction == nullptr});
+                      frame.session.learning->prediction != nullptr, frame.timeline() != nullptr))
+    frame.wish(SetPredicting{frame.session.learning->prediction == nullptr});
   frame.mark("menu/predict");
   ImGui::EndMenu();
 }

@@ -10,7 +10,10 @@
 #include "app/panels/kit/panels.h"
 #include "app/panels/kit/widgets.h"
 #include "app/script/command_line.h"
+#include "app/session/document.h"
 #include "app/session/presets.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -57,7 +60,7 @@ void look_item(PanelFrame& frame, Command command) {
 void draw_panels_menu(PanelFrame& frame) {
   if (!begin_submenu(frame, "Panels")) return;
   for (const Panel panel : {Panel::parameters, Panel::side, Panel::timeline}) {
-    const bool open = frame.session.preferences.shows(panel);
+    const bool open = frame.session.program->preferences.shows(panel);
     if (check_item(frame, name_of(panel), nullptr, open)) frame.wish(ShowPanel{panel, !open});
   }
   ImGui::Separator();
@@ -71,7 +74,7 @@ void draw_theme_menu(PanelFrame& frame) {
   if (!begin_submenu(frame, "Theme")) return;
   for (std::size_t i = 0; i < theme_words.size(); ++i) {
     const auto kind = static_cast<ThemeKind>(i);
-    if (check_item(frame, theme_words[i], nullptr, frame.session.preferences.theme == kind))
+    if (check_item(frame, theme_words[i], nullptr, frame.session.program->preferences.theme == kind))
       frame.wish(SetTheme{kind});
   }
   ImGui::Separator();
@@ -81,7 +84,7 @@ void draw_theme_menu(PanelFrame& frame) {
 
 void draw_size_menu(PanelFrame& frame) {
   if (!begin_submenu(frame, "Size")) return;
-  const double now = frame.session.preferences.scale;
+  const double now = frame.session.program->preferences.scale;
   for (const NamedScale& named : named_scales) {
     if (check_item(frame, named.words, nullptr, std::abs(now - named.scale) < 1e-6))
       frame.wish(SetScale{named.scale});
@@ -95,7 +98,7 @@ void draw_size_menu(PanelFrame& frame) {
 }  // namespace
 
 void draw_recent_menu(PanelFrame& frame) {
-  const std::vector<std::string>& recent = frame.session.preferences.recent;
+  const std::vector<std::string>& recent = frame.session.program->preferences.recent;
   if (!begin_submenu(frame, "Open recent")) return;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const RecentWords words = words_of_recent(recent[i]);
@@ -122,7 +125,7 @@ void draw_look_menus(PanelFrame& frame) {
   draw_panels_menu(frame);
   draw_theme_menu(frame);
   draw_size_menu(frame);
-  const bool motion = frame.session.preferences.motion;
+  const bool motion = frame.session.program->preferences.motion;
   if (check_item(frame, "Motion", nullptr, motion)) frame.wish(SetMotion{!motion});
   tooltip(frame, "Short movements in the view that show what changed. Off: everything is there at once.");
 }
@@ -148,9 +151,10 @@ void draw_file_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "File", "menu/file")) return;
   command_item(frame, info_of(Command::open), "Open...");
   if (ImGui::BeginMenu("Examples")) {
-    const auto examples = list_examples(frame.session.assets);
+    const auto examples = list_examples(frame.session.program->assets);
     for (const std::string& name : examples) {
-      if (ImGui::MenuItem(name.c_str(), nullptr, frame.session.source.example == name)) {
+      const bool open = frame.session.document && frame.session.document->source.example == name;
+      if (ImGui::MenuItem(name.c_str(), nullptr, open)) {
         frame.wish(OpenExample{name});
       }
     }
@@ -237,7 +241,7 @@ void draw_view_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "View", "menu/view")) return;
   for (std::size_t i = 0; i < layer_count; ++i) {
     const auto layer = static_cast<Layer>(i);
-    const bool on = frame.session.shows(layer);
+    const bool on = frame.session.view->shows(layer);
     if (ImGui::MenuItem(std::string(name_of(layer)).c_str(), keys_of(info_of(layer)).c_str(), on)) {
       frame.wish(SetLayer{layer, !on});
     }

@@ -6,7 +6,12 @@
 #include <cctype>
 
 #include "app/actions/navigate.h"
+#include "app/session/document.h"
 #include "app/session/every_panel.h"
+#include "app/session/learning.h"
+#include "app/session/outbox.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -32,17 +37,18 @@ Wish step(const Session& /*session*/) {
 
 template <int direction>
 Wish play(const Session& session) {
-  return SetPlaying{!session.playback.playing || session.playback.direction != direction, direction};
+  return SetPlaying{!session.view->playback.playing || session.view->playback.direction != direction,
+                    direction};
 }
 
 template <Layer layer>
 Wish toggle(const Session& session) {
-  return SetLayer{layer, !session.shows(layer)};
+  return SetLayer{layer, !session.view->shows(layer)};
 }
 
 template <int numerator, int denominator>
 Wish speed(const Session& session) {
-  const double wanted = session.playback.steps_per_second * numerator / denominator;
+  const double wanted = session.view->playback.steps_per_second * numerator / denominator;
   return SetSpeed{std::clamp(wanted, slowest_steps_per_second, fastest_steps_per_second)};
 }
 
@@ -64,30 +70,32 @@ Wish plain(const Session& /*session*/) {
 constexpr std::array scales{smallest_scale, 0.85, 1.0, 1.1, 1.25, projector_scale, 1.75, 2.0, largest_scale};
 
 Wish larger(const Session& session) {
-  const auto next = std::find_if(scales.begin(), scales.end(),
-                                 [&](double scale) { return scale > session.preferences.scale + 1e-6; });
+  const auto next = std::find_if(scales.begin(), scales.end(), [&](double scale) {
+    return scale > session.program->preferences.scale + 1e-6;
+  });
   return next != scales.end() ? Wish(SetScale{*next}) : std::nullopt;
 }
 
 Wish smaller(const Session& session) {
-  const auto next = std::find_if(scales.rbegin(), scales.rend(),
-                                 [&](double scale) { return scale < session.preferences.scale - 1e-6; });
+  const auto next = std::find_if(scales.rbegin(), scales.rend(), [&](double scale) {
+    return scale < session.program->preferences.scale - 1e-6;
+  });
   return next != scales.rend() ? Wish(SetScale{*next}) : std::nullopt;
 }
 
 Wish other_theme(const Session& session) {
-  return SetTheme{session.preferences.theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark};
+  return SetTheme{session.program->preferences.theme == ThemeKind::dark ? ThemeKind::light : ThemeKind::dark};
 }
 
 // All panels away, or all there again.
 Wish only_view(const Session& session) {
-  const auto& panels = session.preferences.panels;
+  const auto& panels = session.program->preferences.panels;
   return ShowPanel{every_panel, std::none_of(panels.begin(), panels.end(), [](bool shown) { return shown; })};
 }
 
 // Round the row at hand, or no more.
 Wish loop(const Session& session) {
-  if (session.travel.loop || !session.timeline) return SetLoop{};
+  if (!session.document || session.document->travel.loop) return SetLoop{};
   return SetLoop{stretch_of_row(session)};
 }
 
@@ -98,11 +106,11 @@ Wish paste(const Session& /*session*/) {
 
 // Whatever is open on top; dialogs close themselves.
 Wish close(const Session& session) {
-  if (session.action_palette_open) return ShowActionPalette{false};
-  if (session.glossary_open) return ShowGlossary{false, {}};
-  if (session.help_open) return ShowHelp{false};
-  if (session.picking != Picking::nothing) return SetPicking{Picking::nothing};
-  if (!session.notices.empty()) return DismissNotice{session.notices.size() - 1};
+  if (session.view->dialogs.action_palette_open) return ShowActionPalette{false};
+  if (session.view->dialogs.glossary_open) return ShowGlossary{false, {}};
+  if (session.view->dialogs.help_open) return ShowHelp{false};
+  if (session.view->gaze.picking != Picking::nothing) return SetPicking{Picking::nothing};
+  if (!session.outbox->notices.empty()) return DismissNotice{session.outbox->notices.size() - 1};
   return std::nullopt;
 }
 
@@ -136,7 +144,7 @@ const std::array table{
     CommandInfo{Command::faster, run, "Play faster", typing('.', '+'), true, speed<3, 2>},
     CommandInfo{Command::slower, run, "Play slower", typing(',', '-'), true, speed<2, 3>},
     CommandInfo{Command::slow_motion, run, "Slow down where it matters", on(Key::M), false,
-                [](const Session& session) -> Wish { return SetSlowMotion{!session.travel.slow_motion}; }},
+                [](const Session& session) -> Wish { return SetSlowMotion{!session.view->slow_motion}; }},
     CommandInfo{Command::loop, run, "Play round and round in this row", on(Key::L), false, loop},
     CommandInfo{Command::step_over, finding, "Step over", on(Key::F10), true, deep<Depth::over, 1>},
     CommandInfo{Command::over_back, finding, "Step over, back", on(Key::F10, ctrl), true,
@@ -163,9 +171,10 @@ const std::array table{
     CommandInfo{Command::copy, changes, "Copy all parameters", on(Key::C, ctrl), false,
                 plain<CopyParameters>},
     CommandInfo{Command::paste, changes, "Paste parameters", on(Key::V, ctrl), false, paste},
-    CommandInfo{
-        Command::pin, changes, "Pin this run, or let it go", on(Key::P), false,
-        [](const Session& session) -> Wish { return session.pinned ? Wish(Unpin{}) : Wish(PinRun{}); }},
+    CommandInfo{Command::pin, changes, "Pin this run, or let it go", on(Key::P), false,
+                [](const Session& session) -> Wish {
+                  return session.document && session.document->pinned ? Wish(Unpin{}) : Wish(PinRun{});
+                }},
     CommandInfo{Command::swap, changes, "Swap with the pinned run", on(Key::X), false, plain<SwapPinned>},
     CommandInfo{Command::frame_all, view, "Frame the mesh", on(Key::F), false,
                 [](const Session&) -> Wish { return FrameAll{}; }},
@@ -182,18 +191,18 @@ const std::array table{
     layer_info<Layer::faces>(Key::Digit9),
     CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
                 [](const Session& session) -> Wish {
-                  return ShowSide{static_cast<SidePanel>((static_cast<std::size_t>(session.side) + 1) %
+                  return ShowSide{static_cast<SidePanel>((static_cast<std::size_t>(session.view->side) + 1) %
                                                          side_keys.size())};
                 }},
     CommandInfo{Command::chart, view, "The view or the chart", on(Key::T), false,
                 [](const Session& session) -> Wish {
-                  const bool chart = session.centre == CentrePanel::chart;
+                  const bool chart = session.view->centre == CentrePanel::chart;
                   return ShowCentre{chart ? CentrePanel::view : CentrePanel::chart};
                 }},
     CommandInfo{Command::knit_along, view, "Knit along, round by round", on(Key::K), false,
                 [](const Session& session) -> Wish {
-                  if (session.knit_along) return KnitAlong{std::nullopt};
-                  return KnitAlong{session.knit_along_round};
+                  if (session.view->gaze.knit_along) return KnitAlong{std::nullopt};
+                  return KnitAlong{session.view->gaze.knit_along_round};
                 }},
     CommandInfo{Command::larger,
                 view,
@@ -207,7 +216,9 @@ const std::array table{
     CommandInfo{Command::theme, view, "Switch the theme", on(Key::F8), false, other_theme},
     CommandInfo{Command::only_view, view, "All panels away, or back", on(Key::F9), false, only_view},
     CommandInfo{Command::predict, learning, "Guess each verdict before it falls", on(Key::G), false,
-                [](const Session& session) -> Wish { return SetPredicting{session.prediction == nullptr}; }},
+                [](const Session& session) -> Wish {
+                  return SetPredicting{session.learning->prediction == nullptr};
+                }},
     CommandInfo{Command::guess_near, learning, "Guess: too near", on(Key::Q), false,
                 guess<knit::Verdict::too_near>},
     CommandInfo{Command::guess_accepted, learning, "Guess: accepted", on(Key::W), false,
@@ -219,19 +230,20 @@ const std::array table{
     CommandInfo{Command::close_mesh, program, "Close the mesh", on(Key::W, ctrl), false, plain<CloseMesh>},
     CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
                 on(Key::C, ctrl_shift), false, plain<CopyLink>},
-    CommandInfo{
-        Command::action_palette, program, "All actions, by name", on(Key::P, ctrl), false,
-        [](const Session& session) -> Wish { return ShowActionPalette{!session.action_palette_open}; }},
+    CommandInfo{Command::action_palette, program, "All actions, by name", on(Key::P, ctrl), false,
+                [](const Session& session) -> Wish {
+                  return ShowActionPalette{!session.view->dialogs.action_palette_open};
+                }},
     CommandInfo{Command::glossary, program, "The glossary", on(Key::F2), false,
                 [](const Session& session) -> Wish {
-                  return ShowGlossary{!session.glossary_open, {}};
+                  return ShowGlossary{!session.view->dialogs.glossary_open, {}};
                 }},
     CommandInfo{Command::help,
                 program,
                 "Show or hide the keys",
                 {{{Key::F1, none, 0}, {Key::None, none, '?'}}},
                 false,
-                [](const Session& session) -> Wish { return ShowHelp{!session.help_open}; }},
+                [](const Session& session) -> Wish { return ShowHelp{!session.view->dialogs.help_open}; }},
     CommandInfo{Command::close, program, "Close what is on top", on(Key::Escape), false, close},
     CommandInfo{Command::quit, program, "Quit", on(Key::Q, ctrl), false,
                 [](const Session&) -> Wish { return Quit{}; }},

@@ -9,6 +9,7 @@
 
 #include "app/panels/kit/imgui_glue.h"
 #include "app/session/action.h"
+#include "app/session/view.h"
 
 namespace app {
 

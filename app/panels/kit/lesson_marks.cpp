@@ -4,13 +4,15 @@
 
 #include "app/lessons/lesson.h"
 #include "app/panels/kit/style.h"
+#include "app/session/learning.h"
+#include "app/session/view.h"
 
 namespace app {
 
 namespace {
 
 const LessonPage* page_shown(const PanelFrame& frame) {
-  return frame.session.lesson ? frame.session.lesson->shown() : nullptr;
+  return frame.session.learning->lesson ? frame.session.learning->lesson->shown() : nullptr;
 }
 
 // Fades outwards.
@@ -37,7 +39,7 @@ void bring_lit_into_view(PanelFrame& frame, const std::string& control) {
                                [&](const Light& light) { return light.control == control; });
   if (!lit) return;
   const ImGuiID id = ImGui::GetID(("lit " + control).c_str());
-  const int number = static_cast<int>(frame.session.lesson->page) + 1;
+  const int number = static_cast<int>(frame.session.learning->lesson->page) + 1;
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   if (storage.GetInt(id) == number) return;
   storage.SetInt(id, number);
@@ -46,7 +48,8 @@ void bring_lit_into_view(PanelFrame& frame, const std::string& control) {
 
 void draw_lit_controls(PanelFrame& frame) {
   const LessonPage* page = page_shown(frame);
-  const bool covered = frame.session.help_open || frame.session.open_dialog_open ||
+  const bool covered = frame.session.view->dialogs.help_open ||
+                       frame.session.view->dialogs.open_dialog_open ||
                        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (page == nullptr || covered) return;
   for (const Light& light : page->lights) {

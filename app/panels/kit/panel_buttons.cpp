@@ -7,6 +7,7 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -99,7 +100,7 @@ void draw_toggles(PanelFrame& frame) {
   const float width = frame.units(toggle_width);
   float x = menu.right() - room_for_toggles(frame) + frame.units(8.0f);
   for (const Panel panel : all_panels) {
-    const bool open = frame.session.preferences.shows(panel);
+    const bool open = frame.session.program->preferences.shows(panel);
     const std::string id = "toggle/" + key_of(panel);
     ImGui::SetCursorPos(ImVec2(x, 0.0f));
     if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, menu.height))) frame.wish(ShowPanel{panel, !open});

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "app/panels/ui.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -26,7 +28,7 @@ struct PanelFrame {
   [[nodiscard]] float units(float plain) const { return plain * layout.scale; }
   // Null while nothing is open.
   [[nodiscard]] const knit::Timeline* timeline() const {
-    return session.timeline ? &*session.timeline : nullptr;
+    return session.document ? &session.document->timeline : nullptr;
   }
 };
 

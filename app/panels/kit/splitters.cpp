@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/panels/kit/widgets.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -49,7 +50,7 @@ float dragged_to(const PanelFrame& frame, const Splitter& splitter) {
 }
 
 void handle(PanelFrame& frame, const Splitter& splitter) {
-  const double chosen = frame.session.preferences.splits[static_cast<std::size_t>(splitter.split)];
+  const double chosen = frame.session.program->preferences.splits[static_cast<std::size_t>(splitter.split)];
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     if (chosen > 0.0) frame.wish(SetSplit{splitter.split, 0.0});
     return;
@@ -98,7 +99,7 @@ void draw_splitter(PanelFrame& frame, const Splitter& splitter) {
 // Before the panels: the first window of several that stay where they are is on top.
 void draw_splitters(PanelFrame& frame) {
   const Layout& layout = frame.layout;
-  const Preferences& chosen = frame.session.preferences;
+  const Preferences& chosen = frame.session.program->preferences;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
   if (chosen.shows(Panel::parameters)) {

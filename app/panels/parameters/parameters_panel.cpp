@@ -9,6 +9,8 @@
 #include "app/panels/kit/panels.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/gauge.h"
 #include "knit/model/parameters.h"
@@ -149,7 +151,7 @@ struct Control {
 void Control::operator()(const knit::PickedVertex& picked) const {
   const bool is_start = picked.field == &knit::Parameters::start;
   const Picking kind = is_start ? Picking::start : Picking::end;
-  const bool picking = frame.session.picking == kind;
+  const bool picking = frame.session.view->gaze.picking == kind;
   VertexField& field = frame.ui.vertex_fields[std::string(info.key)];
   const std::string value = knit::value_text(info, parameters);
   if (field.shown != value) {
@@ -181,7 +183,7 @@ std::string help_text(const PanelFrame& frame, const knit::ParameterInfo& info) 
   std::string help(info.help);
   help += "\n\nRange: " + knit::range_text(info);
   if (!info.unit.empty()) help += " (" + std::string(info.unit) + ")";
-  help += ".\nDefault here: " + knit::value_text(info, frame.session.defaults) + ".";
+  help += ".\nDefault here: " + knit::value_text(info, frame.session.document->defaults) + ".";
   const bool drags =
       std::holds_alternative<knit::Number>(info.kind) || std::holds_alternative<knit::Count>(info.kind);
   if (drags) help += "\nDrag to change it, Ctrl+click to type.";
@@ -189,7 +191,7 @@ std::string help_text(const PanelFrame& frame, const knit::ParameterInfo& info) 
 }
 
 void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters, float x) {
-  const std::string initial = knit::value_text(info, frame.session.defaults);
+  const std::string initial = knit::value_text(info, frame.session.document->defaults);
   if (initial == knit::value_text(info, parameters)) return;
   const float side = ImGui::GetFrameHeight();
   ImGui::SameLine(x);
@@ -216,7 +218,7 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   ImGui::BeginGroup();
   std::visit(Control{frame, info, parameters, std::min(control, whole)}, info.kind);
   ImGui::EndGroup();
-  if (frame.session.changes.open && ImGui::IsItemDeactivated()) frame.wish(Settle{});
+  if (frame.session.document->changes.open && ImGui::IsItemDeactivated()) frame.wish(Settle{});
   bring_lit_into_view(frame, "knob/" + std::string(info.key));
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
@@ -251,7 +253,8 @@ float width_of_tools(const PanelFrame& frame) {
 
 // Undo, redo, copy and paste at the right end of a line.
 void draw_tools(PanelFrame& frame) {
-  const Changes& changes = frame.session.changes;
+  const Changes none;
+  const Changes& changes = frame.session.document ? frame.session.document->changes : none;
   const std::array<Tool, tool_count> tools{Tool{Command::undo, Icon::undo, "undo", !changes.undo.empty()},
                                            Tool{Command::redo, Icon::redo, "redo", !changes.redo.empty()},
                                            Tool{Command::copy, Icon::copy, "copy", true},

@@ -7,6 +7,7 @@
 #include "app/describe/chart_strokes.h"
 #include "app/panels/kit/style.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/view.h"
 #include "knit/pattern/chart.h"
 
 namespace app {
@@ -180,7 +181,7 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
 
 // The rounds of the text's line under the pointer, framed as one.
 void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
-  const auto& rounds = frame.session.hovered_rounds;
+  const auto& rounds = frame.session.view->gaze.hovered_rounds;
   if (!rounds) return;
   const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
   const auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
@@ -237,7 +238,7 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
       if (clicked && worked && !under) wish_round(frame, round.number);
     }
   }
-  if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
+  if (under != frame.session.view->gaze.hovered_stitch) frame.wish(HoverStitch{under});
 }
 
 }  // namespace
@@ -262,7 +263,7 @@ void draw_chart(PanelFrame& frame) {
   const ImVec2 size = sheet.size();
   sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),
                      std::floor(box.y + 0.5f * (box.height - size.y) + view.move.y));
-  draw_squares(frame, sheet, box, frame.session.hovered_stitch);
+  draw_squares(frame, sheet, box, frame.session.view->gaze.hovered_stitch);
   draw_hovered_rounds(frame, sheet);
   handle_pointer(frame, sheet);
   ImGui::End();

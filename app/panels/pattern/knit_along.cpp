@@ -5,6 +5,7 @@
 
 #include "app/panels/kit/widgets.h"
 #include "app/panels/pattern/chart_panel.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -49,23 +50,23 @@ void draw_strip(const PanelFrame& frame, const knit::ChartRow& row) {
 }  // namespace
 
 std::int32_t round_at_hand(const PanelFrame& frame) {
-  if (frame.session.knit_along) return *frame.session.knit_along;
+  if (frame.session.view->gaze.knit_along) return *frame.session.view->gaze.knit_along;
   return row_at_hand(frame);
 }
 
 void wish_round(PanelFrame& frame, std::int32_t number) {
   wish_row(frame, number);
-  if (frame.session.knit_along) frame.wish(KnitAlong{number});
+  if (frame.session.view->gaze.knit_along) frame.wish(KnitAlong{number});
 }
 
 std::optional<RoundSpan> rounds_meant(const Session& session) {
-  if (session.hovered_rounds) return session.hovered_rounds;
-  if (!session.hovered_stitch) return std::nullopt;
-  return RoundSpan{session.hovered_stitch->row, session.hovered_stitch->row};
+  if (session.view->gaze.hovered_rounds) return session.view->gaze.hovered_rounds;
+  if (!session.view->gaze.hovered_stitch) return std::nullopt;
+  return RoundSpan{session.view->gaze.hovered_stitch->row, session.view->gaze.hovered_stitch->row};
 }
 
 void draw_knit_along(PanelFrame& frame) {
-  const auto& along = frame.session.knit_along;
+  const auto& along = frame.session.view->gaze.knit_along;
   if (!along || frame.timeline() == nullptr) return;
   const ChartCache& cache = frame.ui.chart;
   const std::int32_t last = cache.rounds();

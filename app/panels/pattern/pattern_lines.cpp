@@ -1,5 +1,7 @@
 #include "app/panels/pattern/pattern_lines.h"
 
+#include "app/session/view.h"
+
 #include <imgui.h>
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 
 #include "app/panels/kit/imgui_glue.h"
 #include "app/session/session.h"
+#include "app/session/view.h"
 #include "knit/pattern/written_pattern.h"
 
 namespace app {

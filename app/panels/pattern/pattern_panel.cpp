@@ -7,6 +7,7 @@
 
 #include "app/files/pattern_export.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -143,12 +144,13 @@ namespace {
 
 // What is typed stays as it is typed; only options that came from elsewhere replace it.
 void refresh_fields(const Session& session, PatternFields& fields) {
-  if (fields.shown == session.pattern) return;
-  fields.shown = session.pattern;
-  fields.title.set(session.pattern.title);
-  fields.yarn.set(session.pattern.yarn);
-  fields.colour.set(session.pattern.colour);
-  fields.needle.set(session.pattern.needle_mm ? knit::number_text(*session.pattern.needle_mm) : "");
+  if (fields.shown == session.view->pattern) return;
+  fields.shown = session.view->pattern;
+  fields.title.set(session.view->pattern.title);
+  fields.yarn.set(session.view->pattern.yarn);
+  fields.colour.set(session.view->pattern.colour);
+  fields.needle.set(session.view->pattern.needle_mm ? knit::number_text(*session.view->pattern.needle_mm)
+                                                    : "");
   fields.trouble.clear();
 }
 

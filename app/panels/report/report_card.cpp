@@ -8,6 +8,8 @@
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
 
 namespace app {
 
@@ -113,8 +115,10 @@ void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
   const Grid grid = grid_of(frame);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
   bool first = true;
+  const auto& document = frame.session.document;
+  const knit::Closeness* closeness = document ? document->closeness.get() : nullptr;
   for (const CardGroup& group :
-       card_groups(quality, frame.session.closeness.get(), frame.session.measuring)) {
+       card_groups(quality, closeness, frame.session.jobs->run.measuring.has_value())) {
     if (!first) draw_rule(frame, grid, frame.units(7.0f));
     first = false;
     if (group.headed) draw_header(frame, grid);
@@ -235,8 +239,8 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
     values.made.push_back(row.stitches);
     values.ideal.push_back(row.ideal);
   }
-  if (frame.session.pinned) {
-    for (const auto& row : frame.session.pinned->end.rows)
+  if (frame.session.document && frame.session.document->pinned) {
+    for (const auto& row : frame.session.document->pinned->end.rows)
       values.pinned.push_back(static_cast<double>(row->stitches.size()));
   }
   const auto clicked = draw_row_plot(frame, row_plot(frame, values), ImVec2(room.x, heights.rows));

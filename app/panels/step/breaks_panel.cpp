@@ -5,6 +5,8 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -16,13 +18,13 @@ constexpr std::array<std::string_view, 9> usual{"stall",        "gap",       "ov
 constexpr float shortest_break_list = 48.0f;  // plain units; below that the panel scrolls as a whole
 
 void wish_with(PanelFrame& frame, const knit::BreakCondition& condition) {
-  auto conditions = frame.session.travel.breaks;
+  auto conditions = frame.session.view->breaks;
   conditions.push_back(condition);
   frame.wish(SetBreaks{std::move(conditions)});
 }
 
 void wish_without(PanelFrame& frame, std::size_t i) {
-  auto conditions = frame.session.travel.breaks;
+  auto conditions = frame.session.view->breaks;
   conditions.erase(conditions.begin() + static_cast<std::ptrdiff_t>(i));
   frame.wish(SetBreaks{std::move(conditions)});
 }
@@ -54,7 +56,7 @@ void take_typed(PanelFrame& frame) {
 
 // There and back, and a field for any condition.
 void draw_head(PanelFrame& frame) {
-  ImGui::BeginDisabled(frame.timeline() == nullptr || frame.session.travel.breaks.empty());
+  ImGui::BeginDisabled(frame.timeline() == nullptr || frame.session.view->breaks.empty());
   way_button(frame, Command::last_break, Icon::back, "break/last");
   way_button(frame, Command::next_break, Icon::forward, "break/next");
   ImGui::EndDisabled();
@@ -79,14 +81,15 @@ void draw_head(PanelFrame& frame) {
 
 // "12", or "12..." while the run is not known to its end.
 std::string count_words(const PanelFrame& frame, std::size_t i) {
-  const BreakHits& hits = frame.session.travel.hits;
+  const BreakHits none;
+  const BreakHits& hits = frame.session.document ? frame.session.document->travel.hits : none;
   return with_commas(hits.count(i)) + (hits.whole() ? "" : "...");
 }
 
 void draw_condition(PanelFrame& frame, std::size_t i) {
-  const Travel& travel = frame.session.travel;
-  const knit::BreakCondition& condition = travel.breaks[i];
-  const bool here = frame.timeline() != nullptr && travel.hits.holds(i, frame.timeline()->position());
+  const auto& document = frame.session.document;
+  const knit::BreakCondition& condition = frame.session.view->breaks[i];
+  const bool here = document && document->travel.hits.holds(i, document->timeline.position());
   const float line = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float dot = 0.24f * line;
@@ -119,7 +122,7 @@ void draw_condition(PanelFrame& frame, std::size_t i) {
 
 // Buttons in lines, as many as fit.
 void draw_usual(PanelFrame& frame) {
-  const auto& have = frame.session.travel.breaks;
+  const auto& have = frame.session.view->breaks;
   faint_text(have.empty() ? "Play, N and Shift+N stop at:" : "Also stop at:");
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   const float gap = frame.units(4.0f);
@@ -144,7 +147,7 @@ void draw_breaks(PanelFrame& frame) {
   draw_head(frame);
   const float height = std::max(frame.units(shortest_break_list), ImGui::GetContentRegionAvail().y);
   ImGui::BeginChild("break list", ImVec2(0.0f, height), true);
-  for (std::size_t i = 0; i < frame.session.travel.breaks.size(); ++i) draw_condition(frame, i);
+  for (std::size_t i = 0; i < frame.session.view->breaks.size(); ++i) draw_condition(frame, i);
   draw_usual(frame);
   ImGui::EndChild();
 }

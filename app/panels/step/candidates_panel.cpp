@@ -10,6 +10,7 @@
 #include "app/panels/kit/panels.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -240,7 +241,7 @@ std::optional<std::int32_t> order_at_hand(const PanelFrame& frame) {
 }
 
 std::optional<std::int32_t> selected_order(const PanelFrame& frame) {
-  const auto& selected = frame.session.travel.selected;
+  const auto& selected = frame.session.document->travel.selected;
   if (!selected) return std::nullopt;
   return frame.ui.candidates.order_of(*frame.timeline(), *selected);
 }

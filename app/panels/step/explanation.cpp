@@ -11,6 +11,7 @@
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/pseudo_code_panel.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -86,7 +87,7 @@ struct Tab {
 
 // A word over a line that is thick below the chosen one.
 void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont* font) {
-  const bool chosen = tab.side == frame.session.side;
+  const bool chosen = tab.side == frame.session.view->side;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = size.x;
   const float height = size.y;
@@ -168,18 +169,18 @@ void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
   const std::string rows_name = counted("Rows", rows);
   const std::string problems_name = counted("Problems", count_problems(frame));
-  const std::string breaks_name = counted("Breaks", frame.session.travel.breaks.size());
+  const std::string breaks_name = counted("Breaks", frame.session.view->breaks.size());
   std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
   // The number of rows gives way where there is too little room: the list ends with it.
   const std::string rows_alone = counted("Rows", 0);
   if (width_of_buttons(names) > ImGui::GetContentRegionAvail().x) names.front() = rows_alone;
   ImGui::BeginGroup();
-  const int clicked = segmented("list", names, static_cast<int>(frame.session.list), 0.0f);
+  const int clicked = segmented("list", names, static_cast<int>(frame.session.view->list), 0.0f);
   ImGui::EndGroup();
   frame.mark("list");
-  if (clicked >= 0 && clicked != static_cast<int>(frame.session.list))
+  if (clicked >= 0 && clicked != static_cast<int>(frame.session.view->list))
     frame.wish(ShowList{static_cast<RunList>(clicked)});
-  switch (frame.session.list) {
+  switch (frame.session.view->list) {
     case RunList::rows:
       return draw_rows(frame);
     case RunList::candidates:
@@ -247,7 +248,7 @@ void draw_layers(PanelFrame& frame) {
   const Cells cells{layer_count, ImGui::GetCursorScreenPos(), 0.54f * ImGui::GetContentRegionAvail().x, line};
   for (std::size_t i = 0; i < layer_count; ++i) {
     const auto layer = static_cast<Layer>(i);
-    bool on = frame.session.shows(layer);
+    bool on = frame.session.view->shows(layer);
     const ImVec2 at = cells.at(i);
     ImGui::SetCursorScreenPos(at);
     // A wide fallback font must not reach into the other column.
@@ -306,8 +307,8 @@ void draw_step_side(PanelFrame& frame) {
 void draw_explanation(PanelFrame& frame) {
   begin_panel("Explanation", frame.layout.explanation);
   draw_tabs(frame);
-  if (frame.session.side != SidePanel::step) leave_variables(frame);
-  switch (frame.session.side) {
+  if (frame.session.view->side != SidePanel::step) leave_variables(frame);
+  switch (frame.session.view->side) {
     case SidePanel::step:
       draw_step_side(frame);
       break;

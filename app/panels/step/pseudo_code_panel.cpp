@@ -8,6 +8,7 @@
 
 #include "app/explain/code_variables.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/learning.h"
 
 namespace app {
 
@@ -54,7 +55,7 @@ void take_pointing(Page& page, const Variable& variable, ImVec2 at, ImVec2 size,
 }
 
 void light_pointed(const Page& page, std::string_view name, ImVec2 at, ImVec2 size) {
-  if (name != page.frame.session.pointed_variable) return;
+  if (name != page.frame.session.learning->pointed_variable) return;
   const float edge = page.frame.units(2.0f);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x - edge, at.y),
                                             ImVec2(at.x + size.x + edge, at.y + size.y),
@@ -223,7 +224,7 @@ void draw_aside(Page& page) {
 bool& pointing() { return *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("pointing")); }
 
 void wish_pointed(PanelFrame& frame, std::string_view name) {
-  if (name == frame.session.pointed_variable) return;
+  if (name == frame.session.learning->pointed_variable) return;
   if (name.empty() && !pointing()) return;
   pointing() = !name.empty();
   frame.wish(PointAt{std::string(name)});
@@ -232,7 +233,7 @@ void wish_pointed(PanelFrame& frame, std::string_view name) {
 }  // namespace
 
 void leave_variables(PanelFrame& frame) {
-  if (!frame.session.pointed_variable.empty()) frame.wish(PointAt{});
+  if (!frame.session.learning->pointed_variable.empty()) frame.wish(PointAt{});
 }
 
 void draw_pseudo_code(PanelFrame& frame) {

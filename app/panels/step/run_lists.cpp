@@ -5,6 +5,7 @@
 #include "app/explain/why_words.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why.h"
 
@@ -121,10 +122,10 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
     if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
     --i;
   }
-  const auto& mended = frame.session.mended;
+  const auto& mended = frame.session.document->mended;
   if (i < mended.size()) return {"Mesh: " + mended[i].did, std::nullopt, ""};
   i -= mended.size();
-  const auto& findings = frame.session.findings;
+  const auto& findings = frame.session.document->findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
   return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
@@ -161,8 +162,9 @@ std::optional<knit::MendKind> mend_of(knit::FindingKind finding) {
 
 // Over the list: mends of what stands in it, and the way back.
 void draw_mends(PanelFrame& frame) {
-  const Source& source = frame.session.source;
-  for (const knit::Finding& finding : frame.session.findings) {
+  if (!frame.session.document) return;
+  const Source& source = frame.session.document->source;
+  for (const knit::Finding& finding : frame.session.document->findings) {
     const auto kind = mend_of(finding.kind);
     if (!kind || source.file.empty()) continue;
     const bool faces = kind == knit::MendKind::reorient;
@@ -175,7 +177,7 @@ void draw_mends(PanelFrame& frame) {
     tooltip(frame,
             finding.sentence + "\n\nOpens the mesh again, mended, with its own parameters; can be undone.");
   }
-  if (!frame.session.before_mend) return;
+  if (!frame.session.document->before_mend) return;
   if (ImGui::SmallButton("Undo the mends")) frame.wish(UndoMend{});
   frame.mark("mend/undo-here");
   tooltip(frame, "Back to what was open before.");
@@ -197,8 +199,8 @@ void wish_row(PanelFrame& frame, std::int32_t number) {
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
-  return frame.session.mended.size() + frame.session.findings.size() + frame.ui.run.problems().size() +
-         (frame.timeline()->stop() != nullptr ? 1 : 0);
+  return frame.session.document->mended.size() + frame.session.document->findings.size() +
+         frame.ui.run.problems().size() + (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
 void draw_rows(PanelFrame& frame) {
@@ -272,8 +274,8 @@ float width_of_buttons(const PanelFrame& frame) {
 }  // namespace
 
 void draw_selected(PanelFrame& frame) {
-  const auto& selected = frame.session.travel.selected;
-  if (!selected || frame.timeline() == nullptr) return;
+  if (!frame.session.document || !frame.session.document->travel.selected) return;
+  const std::optional<knit::Thing>& selected = frame.session.document->travel.selected;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(5.0f), frame.units(2.0f)));
   const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width_of_buttons(frame);
   ImGui::AlignTextToFramePadding();

@@ -6,6 +6,8 @@
 
 #include "app/panels/kit/track.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -25,7 +27,7 @@ void lay_loop(PanelFrame& frame, const Track& track) {
   if (!drag && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && over_track(frame, track))
     drag = LoopDrag{track.position_at(x), x, false};
   if (!drag) return;
-  const std::optional<Stretch>& now = frame.session.travel.loop;
+  const std::optional<Stretch>& now = frame.session.document->travel.loop;
   drag->moved = drag->moved || std::abs(x - drag->x) > frame.units(4.0f);
   const std::size_t to = track.position_at(x);
   const Stretch wanted{std::min(drag->from, to), std::max(drag->from, to)};
@@ -36,7 +38,7 @@ void lay_loop(PanelFrame& frame, const Track& track) {
 }
 
 void draw_loop(const PanelFrame& frame, const Track& track, ImDrawList& list) {
-  const std::optional<Stretch>& loop = frame.session.travel.loop;
+  const std::optional<Stretch>& loop = frame.session.document->travel.loop;
   if (!loop) return;
   const float left = track.x_of(loop->begin);
   const float right = std::max(track.x_of(loop->end), left + frame.units(2.0f));
@@ -56,7 +58,7 @@ void draw_loop(const PanelFrame& frame, const Track& track, ImDrawList& list) {
 
 // As many as pixels at most, however many hits there are.
 void draw_hits(const PanelFrame& frame, const Track& track, ImDrawList& list) {
-  const BreakHits& hits = frame.session.travel.hits;
+  const BreakHits& hits = frame.session.document->travel.hits;
   const float half = frame.units(3.0f);
   const float y = track.top - frame.units(3.0f);
   for (auto position = hits.from(0); position && *position <= track.steps;) {

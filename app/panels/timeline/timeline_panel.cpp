@@ -9,6 +9,8 @@
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/track.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -44,7 +46,7 @@ void transport_button(PanelFrame& frame, Command command, Icon icon, std::string
 
 void draw_buttons(PanelFrame& frame) {
   const auto unit = static_cast<std::size_t>(frame.ui.unit);
-  const Playback& playback = frame.session.playback;
+  const Playback& playback = frame.session.view->playback;
   const bool forward = playback.playing && playback.direction > 0;
   transport_button(frame, Command::first, Icon::first, "first");
   transport_button(frame, back_commands[unit], Icon::back, "back");
@@ -82,7 +84,7 @@ void draw_speed(PanelFrame& frame, bool words_before) {
     faint_text(speed_words);
     ImGui::SameLine();
   }
-  double speed = frame.session.playback.steps_per_second;
+  double speed = frame.session.view->playback.steps_per_second;
   const double low = slowest_steps_per_second;
   const double high = fastest_steps_per_second;
   const char* words = speed >= high  ? "as fast as it goes"
@@ -102,10 +104,10 @@ void draw_speed(PanelFrame& frame, bool words_before) {
 }
 
 void draw_ways_of_playing(PanelFrame& frame) {
-  const Travel& travel = frame.session.travel;
   ImGui::SameLine(0.0f, frame.units(ways_gap));
-  transport_button(frame, Command::slow_motion, Icon::slow, "slow-motion", travel.slow_motion);
-  transport_button(frame, Command::loop, Icon::loop, "loop", travel.loop.has_value());
+  transport_button(frame, Command::slow_motion, Icon::slow, "slow-motion", frame.session.view->slow_motion);
+  transport_button(frame, Command::loop, Icon::loop, "loop",
+                   frame.session.document && frame.session.document->travel.loop);
 }
 
 std::string position_text(const knit::Timeline& timeline, bool whole) {
@@ -170,7 +172,7 @@ void right_aligned(const PanelFrame& frame, const std::string& words, float befo
 // The position at the right, and before it why another place is shown than the one asked for; where there is
 // no room for both, that alone.
 void draw_position(PanelFrame& frame, bool whole) {
-  const std::string& note = frame.session.place_note;
+  const std::string& note = frame.session.document->place_note;
   const std::string words = position_text(*frame.timeline(), whole);
   push_font(frame.fonts.mono);
   const float width = ImGui::CalcTextSize(words.c_str()).x;
@@ -323,7 +325,7 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
     words += "\n\n" + knit::narrate(timeline.step(step), timeline.parameters_of_step(step));
   }
   // A mark covers a few units: the hit nearest below its right edge.
-  const BreakHits& hits = frame.session.travel.hits;
+  const BreakHits& hits = frame.session.document->travel.hits;
   const auto hit = hits.before(track.position_at(ImGui::GetIO().MousePos.x + frame.units(4.0f)) + 1);
   if (hit && std::abs(track.x_of(*hit) - ImGui::GetIO().MousePos.x) <= frame.units(4.0f))
     words += "\n\nBreak: " + knit::words_of(*hits.condition_at(*hit)) + ".";

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "app/panels/kit/widgets.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -20,8 +22,8 @@ void draw_choice(PanelFrame& frame) {
 }  // namespace
 
 void draw_mend_offer(PanelFrame& frame) {
-  const auto& offer = frame.session.mend_offer;
-  if (!offer || frame.session.opening) return;  // what is chosen is on its way
+  const auto& offer = frame.session.jobs->mend_offer;
+  if (!offer || frame.session.jobs->opening) return;  // what is chosen is on its way
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = std::min(frame.units(520.0f), view.width - 2.0f * margin);
@@ -52,7 +54,7 @@ void draw_mend_offer(PanelFrame& frame) {
 // The offer of a session that was saved aside before a crash: a calm banner at the foot of the view.
 
 void draw_rescue(PanelFrame& frame) {
-  if (!frame.session.rescued) return;
+  if (!frame.session.program->rescued) return;
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = std::min(frame.units(460.0f), view.width - 2.0f * margin);
@@ -67,7 +69,7 @@ void draw_rescue(PanelFrame& frame) {
   pop_raised_look();
   wrapped_text("The last session ended without being closed:");
   push_font(frame.fonts.strong);
-  wrapped_text(frame.session.rescued->words);
+  wrapped_text(frame.session.program->rescued->words);
   pop_font();
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
   const ImVec2 size(frame.units(90.0f), 0.0f);

@@ -5,13 +5,16 @@
 #include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
 namespace {
 
 void draw_streak(PanelFrame& frame, const Prediction& prediction) {
-  const std::int32_t longest = frame.session.preferences.longest_streak;
+  const std::int32_t longest = frame.session.program->preferences.longest_streak;
   const std::string words = "streak " + std::to_string(prediction.streak) +
                             (longest > 0 ? ", longest " + std::to_string(longest) : "");
   const float side = ImGui::GetFrameHeight();
@@ -51,13 +54,13 @@ void draw_guesses(PanelFrame& frame) {
 }  // namespace
 
 void draw_prediction(PanelFrame& frame) {
-  if (!frame.session.prediction || frame.timeline() == nullptr) return;
-  const Prediction& prediction = *frame.session.prediction;
+  if (!frame.session.learning->prediction || frame.timeline() == nullptr) return;
+  const Prediction& prediction = *frame.session.learning->prediction;
   const Box& view = frame.layout.view;
   const float margin = frame.units(14.0f);
   const float width = std::min(view.width - 2.0f * margin, frame.units(560.0f));
   // Who knits along has the foot for that.
-  const bool top = frame.session.knit_along.has_value();
+  const bool top = frame.session.view->gaze.knit_along.has_value();
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, top ? view.y + margin : view.bottom() - margin),
                           ImGuiCond_Always, ImVec2(0.5f, top ? 0.0f : 1.0f));
   ImGui::SetNextWindowSize(ImVec2(width, 0.0f));

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/panels/kit/widgets.h"
+#include "app/session/learning.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -14,8 +16,11 @@ namespace {
 // What the mesh's colours say.
 void draw_time_ramp(const PanelFrame& frame) {
   const Session& session = frame.session;
-  if (frame.timeline() == nullptr || !session.shows(Layer::surface) || !session.shows(Layer::times)) return;
-  if (frame.scene.timed_vertices == 0 || session.knit_along || session.prediction) return;
+  if (frame.timeline() == nullptr || !session.view->shows(Layer::surface) ||
+      !session.view->shows(Layer::times))
+    return;
+  if (frame.scene.timed_vertices == 0 || session.view->gaze.knit_along || session.learning->prediction)
+    return;
   const Box& view = frame.layout.view;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = frame.units(90.0f);
@@ -92,9 +97,9 @@ void draw_coarse_note(const PanelFrame& frame) {
 void draw_view_legend(PanelFrame& frame) {
   draw_coarse_note(frame);
   const knit::Timeline* timeline = frame.timeline();
-  if (timeline == nullptr || frame.session.knit_along) return;
+  if (timeline == nullptr || frame.session.view->gaze.knit_along) return;
   const bool labelled = !timeline->state().transitions.empty();
-  const bool seen = frame.session.shows(Layer::faces) || frame.session.shows(Layer::stitches);
+  const bool seen = frame.session.view->shows(Layer::faces) || frame.session.view->shows(Layer::stitches);
   if (labelled && seen) return draw_labels(frame);
   draw_time_ramp(frame);
 }

@@ -6,6 +6,10 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/welcome.h"
+#include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/outbox.h"
+#include "app/session/view.h"
 #include "knit/insight/narrate.h"
 
 namespace app {
@@ -41,7 +45,7 @@ const char* name_of(Notice::Kind kind) {
 }
 
 void draw_notice(PanelFrame& frame, std::size_t i) {
-  const Notice& notice = frame.session.notices[i];
+  const Notice& notice = frame.session.outbox->notices[i];
   const float side = ImGui::GetFrameHeight();
   ImGui::PushID(static_cast<int>(i));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -67,7 +71,7 @@ void draw_notice(PanelFrame& frame, std::size_t i) {
 
 // The newest on top; when there are many, they scroll.
 void draw_notices(PanelFrame& frame) {
-  if (frame.session.notices.empty()) return;
+  if (frame.session.outbox->notices.empty()) return;
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = view.width - 2.0f * margin;
@@ -76,11 +80,11 @@ void draw_notices(PanelFrame& frame) {
   push_raised_look(frame);
   ImGui::Begin("Notices", nullptr, floating);
   pop_raised_look();
-  for (std::size_t i = frame.session.notices.size(); i-- > 0;) {
+  for (std::size_t i = frame.session.outbox->notices.size(); i-- > 0;) {
     draw_notice(frame, i);
     if (i > 0) ImGui::Separator();
   }
-  if (frame.session.before_mend) {
+  if (frame.session.document && frame.session.document->before_mend) {
     ImGui::Separator();
     if (ImGui::Button("Undo the mends")) frame.wish(UndoMend{});
     frame.mark("mend/undo");
@@ -90,14 +94,14 @@ void draw_notices(PanelFrame& frame) {
 }
 
 void draw_picking(PanelFrame& frame) {
-  if (frame.session.picking == Picking::nothing) return;
+  if (frame.session.view->gaze.picking == Picking::nothing) return;
   const Box& view = frame.layout.view;
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.bottom() - frame.units(40.0f)),
                           ImGuiCond_Always, ImVec2(0.5f, 1.0f));
   push_raised_look(frame);
   ImGui::Begin("Picking", nullptr, floating);
   pop_raised_look();
-  const bool start = frame.session.picking == Picking::start;
+  const bool start = frame.session.view->gaze.picking == Picking::start;
   ImGui::AlignTextToFramePadding();
   text(start ? "Click the start vertex in the view (t = 0)." : "Click the end vertex in the view (t = 1).");
   ImGui::SameLine();
@@ -111,7 +115,7 @@ constexpr double worth_a_word_s = 0.25;  // only what a person would notice wait
 
 void begin_waiting(const PanelFrame& frame) {
   const Box& view = frame.layout.view;
-  const float down = frame.session.timeline ? 0.5f : 0.9f;  // below the card of what can be opened
+  const float down = frame.session.document ? 0.5f : 0.9f;  // below the card of what can be opened
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + down * view.height), ImGuiCond_Always,
                           ImVec2(0.5f, 0.5f));
   push_raised_look(frame);
@@ -120,7 +124,7 @@ void begin_waiting(const PanelFrame& frame) {
 }
 
 void draw_opening(PanelFrame& frame) {
-  const Opening& opening = *frame.session.opening;
+  const Opening& opening = *frame.session.jobs->opening;
   if (opening.seconds < worth_a_word_s) return;
   begin_waiting(frame);
   const double share = opening.progress->share();
@@ -138,8 +142,8 @@ void draw_opening(PanelFrame& frame) {
 }
 
 void draw_waiting(PanelFrame& frame) {
-  if (frame.session.opening) return draw_opening(frame);
-  const auto& step = frame.session.long_step;
+  if (frame.session.jobs->opening) return draw_opening(frame);
+  const auto& step = frame.session.jobs->run.long_step;
   if (!step || step->seconds < worth_a_word_s) return;
   begin_waiting(frame);
   const knit::Timeline& timeline = *frame.timeline();

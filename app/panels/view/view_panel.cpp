@@ -10,6 +10,8 @@
 #include "app/panels/kit/view_help.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/view_legend.h"
+#include "app/session/document.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -92,7 +94,7 @@ void handle_plain_click(PanelFrame& frame) {
       frame.wish(AnswerLesson{click->thing ? text_of(*click->thing) : ""});
     } else if (click->thing) {
       frame.wish(ShowWhy{*click->thing});
-    } else if (frame.session.travel.selected) {
+    } else if (frame.session.document && frame.session.document->travel.selected) {
       frame.wish(Select{});
     }
     click.reset();
@@ -102,13 +104,13 @@ void handle_plain_click(PanelFrame& frame) {
     frame.ui.drag.moved = true;  // its release is no click
   }
   const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
-  if (!released || frame.ui.drag.moved || frame.session.picking != Picking::nothing) return;
+  if (!released || frame.ui.drag.moved || frame.session.view->gaze.picking != Picking::nothing) return;
   click = PendingClick{thing_clicked(frame), ImGui::GetTime() + static_cast<double>(io.MouseDoubleClickTime)};
 }
 
 void handle_clicks(PanelFrame& frame) {
   handle_plain_click(frame);
-  const bool picking = frame.session.picking != Picking::nothing;
+  const bool picking = frame.session.view->gaze.picking != Picking::nothing;
   if (picking && ImGui::IsItemDeactivated() && !frame.ui.drag.moved &&
       ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
     if (const auto vertex = pick_vertex(frame.session, pointer_in(frame.layout.view))) {
@@ -159,8 +161,8 @@ void draw_view(PanelFrame& frame) {
       const double reach = static_cast<double>(frame.units(hover_reach) / view.height);
       under = pick_stitch(frame.session, pointer_in(view), 2.0 * reach);
     }
-    if (under != frame.session.hovered_stitch) frame.wish(HoverStitch{under});
-    const bool aims = frame.session.picking != Picking::nothing || wanted_click(frame.session);
+    if (under != frame.session.view->gaze.hovered_stitch) frame.wish(HoverStitch{under});
+    const bool aims = frame.session.view->gaze.picking != Picking::nothing || wanted_click(frame.session);
     if (hovered && aims) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     draw_captions(frame);
     if (hovered) draw_hint(frame);

@@ -7,6 +7,9 @@
 #include "app/files/preferences_file.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/jobs.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
 
 namespace app {
 
@@ -42,7 +45,7 @@ void draw_first_ways(PanelFrame& frame) {
 
 // Side by side, as many in a line as there is room for.
 void draw_examples(PanelFrame& frame) {
-  const auto examples = list_examples(frame.session.assets);
+  const auto examples = list_examples(frame.session.program->assets);
   if (examples.empty()) return;
   heading(frame, "Examples");
   const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -59,7 +62,7 @@ void draw_examples(PanelFrame& frame) {
 }
 
 void draw_recent(PanelFrame& frame) {
-  const std::vector<std::string>& recent = frame.session.preferences.recent;
+  const std::vector<std::string>& recent = frame.session.program->preferences.recent;
   if (recent.empty()) return;
   heading(frame, "Opened lately");
   for (std::size_t i = 0; i < std::min(recent.size(), most_shown); ++i) {
@@ -83,7 +86,7 @@ void draw_recent(PanelFrame& frame) {
 }  // namespace
 
 void draw_welcome(PanelFrame& frame) {
-  if (frame.timeline() != nullptr || frame.session.lesson || frame.session.mend_offer) return;
+  if (frame.timeline() != nullptr || frame.session.learning->lesson || frame.session.jobs->mend_offer) return;
   const Box& view = frame.layout.view;
   const float width = std::min(frame.units(card_width), 0.94f * view.width);
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.48f * view.height), ImGuiCond_Always,

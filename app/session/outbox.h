@@ -1,0 +1,36 @@
+// What is to be handed over or said: the loop takes it after the next frame, and the panels show the notices.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Notice {
+  enum class Kind : std::uint8_t { info, warning, error } kind = Kind::info;
+  std::string text;
+  friend bool operator==(const Notice&, const Notice&) = default;
+};
+
+// A picture that the loop takes (figures.h).
+struct FigureWish {
+  std::filesystem::path path;
+  int width = 0, height = 0;
+  bool panels = false, transparent = false;
+  friend bool operator==(const FigureWish&, const FigureWish&) = default;
+};
+
+struct Outbox {
+  std::vector<FigureWish> pictures;
+  std::vector<std::filesystem::path> pages;        // patterns with a picture
+  std::vector<std::filesystem::path> screenshots;  // of the whole window
+  std::optional<std::string> clipboard;
+  std::vector<Notice> notices;  // newest last
+  bool quit = false;
+  friend bool operator==(const Outbox&, const Outbox&) = default;
+};
+
+}  // namespace app
