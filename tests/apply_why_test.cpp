@@ -12,7 +12,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -160,14 +160,14 @@ TEST_CASE("a refused vertex shows its anchor, the distance and the band") {
   const knit::VertexId vertex = refused_vertex(session.document->timeline);
   apply(session, ShowWhy{knit::VertexThing{vertex}});
   const auto& step = session.document->timeline.step(position(session) - 1);
-  REQUIRE(std::holds_alternative<knit::CandidateMeasured>(step.what));
-  CHECK(std::get<knit::CandidateMeasured>(step.what).candidate == vertex);
+  REQUIRE(knit::is<knit::CandidateMeasured>(step));
+  CHECK(knit::get_if<knit::CandidateMeasured>(step)->candidate == vertex);
   CHECK(why_words(session.document->timeline, knit::VertexThing{vertex}).find("Passed over") == 0);
   apply(session, ToLast{});
   Describer describer;
   const Scene scene = describer.describe(session);
   REQUIRE(scene.band);
-  const auto& measured = std::get<knit::CandidateMeasured>(step.what);
+  const auto& measured = *knit::get_if<knit::CandidateMeasured>(step);
   const auto& anchor = session.document->timeline.input().mesh.positions[measured.anchor];
   CHECK(glm::distance(glm::dvec3(scene.band->centre), anchor) < 1e-5);
   CHECK(scene.band->inner == Approx(0.15));

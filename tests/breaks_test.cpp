@@ -128,9 +128,9 @@ TEST_CASE("stages, rows and labels break where they begin and where they are pla
   }
   std::vector<std::size_t> increases, mains;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto* shaping = std::get_if<ShapingPlaced>(&steps[i].what);
+    const auto* shaping = knit::get_if<ShapingPlaced>(steps[i]);
     if (shaping != nullptr && shaping->label == Label::m1l) increases.push_back(i);
-    if (std::holds_alternative<MainPlaced>(steps[i].what)) mains.push_back(i);
+    if (knit::is<MainPlaced>(steps[i])) mains.push_back(i);
   }
   REQUIRE_FALSE(increases.empty());
   CHECK(hits_of(timeline, "label=m1l") == increases);
@@ -175,10 +175,10 @@ TEST_CASE("gaps, stalls and more than twice the row before break at the step tha
   std::vector<std::size_t> gaps, stalls, doubles;
   for (std::size_t i = 0; i < timeline.known(); ++i) {
     const auto& what = timeline.step(i).what;
-    if (const auto* closed = std::get_if<RowClosed>(&what); closed != nullptr && !closed->in_band)
+    if (const auto* closed = knit::get_if<RowClosed>(what); closed != nullptr && !closed->in_band)
       gaps.push_back(i);
-    if (std::holds_alternative<BandMissed>(what)) stalls.push_back(i);
-    const auto* resampled = std::get_if<RowResampled>(&what);
+    if (knit::is<BandMissed>(what)) stalls.push_back(i);
+    const auto* resampled = knit::get_if<RowResampled>(what);
     if (resampled != nullptr && resampled->from > 2 * resampled->below &&
         resampled->reason == ResampleReason::more_than_double)
       doubles.push_back(i);
@@ -205,7 +205,7 @@ TEST_CASE("a run that stops for it breaks at its stop, after the last step", "[b
   fine.resample = Resample::off;
   const Timeline stopped = whole_run(fine);
   REQUIRE(stopped.stop() != nullptr);
-  CHECK(std::get<Stopped>(stopped.stop()->what).reason == StopReason::changes_too_much);
+  CHECK(knit::get_if<Stopped>(*stopped.stop())->reason == StopReason::changes_too_much);
   CHECK(hits_of(stopped, "over-double") == std::vector{stopped.known()});
 }
 

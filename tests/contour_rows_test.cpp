@@ -174,7 +174,7 @@ TEST_CASE("contour rows: stitches too fine to be held stop the run before the me
     timeline.extend_to_end();
     REQUIRE(timeline.stop() != nullptr);
     CHECK(narrate(*timeline.stop(), timeline.parameters_of_stop()).ends_with("make them wider or higher."));
-    return std::get<Stopped>(timeline.stop()->what);
+    return *knit::get_if<Stopped>(*timeline.stop());
   };
   const Stopped rows = stop_of(0.1, 1e-7);
   CHECK(rows.reason == StopReason::too_fine);

@@ -122,12 +122,11 @@ TEST_CASE("in pieces coarse shapes are made over some frames, at once they are w
 TEST_CASE("a step's movement ends where it says, and is not there without a place or a wish for it") {
   Session session = test_support::finished_small_session();
   apply(session, ToFirst{});
-  while (last_step(session) == nullptr ||
-         !std::holds_alternative<knit::CandidateMeasured>(last_step(session)->what))
+  while (last_step(session) == nullptr || !knit::is<knit::CandidateMeasured>(*last_step(session)))
     apply(session, StepBy{Unit::item, 1});
   const auto at = place_of_step(session, *last_step(session));
   REQUIRE(at.has_value());
-  const auto& measured = std::get<knit::CandidateMeasured>(last_step(session)->what);
+  const auto& measured = *knit::get_if<knit::CandidateMeasured>(*last_step(session));
   CHECK(*at == glm::vec3(session.document->timeline.input().mesh.positions[measured.candidate]));
   const auto points = [&](double appeared) {
     return Describer().describe(session, {600.0, appeared}).points;
@@ -145,12 +144,9 @@ TEST_CASE("every step that makes something at one place has it") {
   for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
     apply(session, SeekTo{i + 1});
     const knit::Step& step = session.document->timeline.step(i);
-    const bool places = std::holds_alternative<knit::VertexTimed>(step.what) ||
-                        std::holds_alternative<knit::StitchCastOn>(step.what) ||
-                        std::holds_alternative<knit::CandidateMeasured>(step.what) ||
-                        std::holds_alternative<knit::MainPlaced>(step.what) ||
-                        std::holds_alternative<knit::ShapingPlaced>(step.what) ||
-                        std::holds_alternative<knit::FaceMade>(step.what);
+    const bool places = knit::is<knit::VertexTimed>(step) || knit::is<knit::StitchCastOn>(step) ||
+                        knit::is<knit::CandidateMeasured>(step) || knit::is<knit::MainPlaced>(step) ||
+                        knit::is<knit::ShapingPlaced>(step) || knit::is<knit::FaceMade>(step);
     if (places != place_of_step(session, step).has_value()) FAIL_CHECK("step " << i);
   }
 }

@@ -10,7 +10,7 @@
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -50,9 +50,9 @@ template <class Kind>
 Kind seek_to(Session& session, const knit::Place& from) {
   for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
     const knit::Step& step = session.document->timeline.step(i);
-    if (step.place < from || !std::holds_alternative<Kind>(step.what)) continue;
+    if (step.place < from || !knit::is<Kind>(step)) continue;
     apply(session, SeekTo{i + 1});
-    return std::get<Kind>(step.what);
+    return *knit::get_if<Kind>(step);
   }
   FAIL("the run has no such step");
   return {};
@@ -264,7 +264,7 @@ TEST_CASE("where a run stops at a split the loops and the saddle to blame are sh
   CAPTURE(axis);
   Session session = torus_session(axis);
   REQUIRE(stop_shown(session) != nullptr);
-  const auto& stopped = std::get<knit::Stopped>(stop_shown(session)->what);
+  const auto& stopped = *knit::get_if<knit::Stopped>(*stop_shown(session));
   REQUIRE(stopped.reason == knit::StopReason::splits);
   const auto& criticals = session.document->timeline.state().timing->criticals;
   const auto& place = session.document->timeline.input().mesh.positions[stopped.vertex];

@@ -9,6 +9,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
 #include "tests/support/catch.h"
@@ -31,7 +32,7 @@ glm::vec3 vertex_place(const Session& session, knit::VertexId vertex) {
 template <class Kind, class Test>
 Kind seek_to_step(Session& session, Test test) {
   for (std::size_t i = session.document->timeline.position(); i < session.document->timeline.known(); ++i) {
-    const auto* what = std::get_if<Kind>(&session.document->timeline.step(i).what);
+    const auto* what = knit::get_if<Kind>(session.document->timeline.step(i));
     if (what == nullptr || !test(*what)) continue;
     apply(session, SeekTo{i + 1});
     return *what;
@@ -114,7 +115,7 @@ TEST_CASE("the mesh: every vertex with its normal outward, and times up to the v
   apply(session, SeekTo{51});
   scene = scene_of(session);
   CHECK(scene.timed_vertices == 50);
-  const auto& timed = std::get<knit::VertexTimed>(last_step(session)->what);
+  const auto& timed = *knit::get_if<knit::VertexTimed>(*last_step(session));
   CHECK(timed.vertex == 49);
   CHECK(has_point(scene, vertex_place(session, 49), dark_theme.accepted));
   CHECK(scene.times->at(49) == static_cast<float>(timed.time));
@@ -270,8 +271,8 @@ TEST_CASE("labels are placed as coloured stitches, each with its name as it is p
   std::set<std::string> seen;
   std::size_t wrong = 0;
   while (session.document->timeline.place().stage == Stage::stitches) {
-    const auto* shaping = std::get_if<knit::ShapingPlaced>(&last_step(session)->what);
-    const bool main = std::holds_alternative<knit::MainPlaced>(last_step(session)->what);
+    const auto* shaping = knit::get_if<knit::ShapingPlaced>(*last_step(session));
+    const bool main = knit::is<knit::MainPlaced>(*last_step(session));
     const Scene scene = scene_of(session);
     if (shaping != nullptr || main) {
       const knit::Label label = main ? knit::Label::main : shaping->label;
@@ -323,7 +324,7 @@ TEST_CASE("faces appear one by one, the newest outlined, the last of a row too")
   std::size_t wrong = 0;
   for (int i = 0; i < 60; ++i) {
     apply(session, StepBy{});
-    const auto& made = std::get<knit::FaceMade>(last_step(session)->what);
+    const auto& made = *knit::get_if<knit::FaceMade>(*last_step(session));
     const Scene scene = scene_of(session);
     const auto corners = static_cast<std::size_t>(made.corner_count);
     wrong += count_triangles(scene) == before + corners - 2 ? 0U : 1U;

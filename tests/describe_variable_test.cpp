@@ -10,6 +10,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -32,7 +33,7 @@ glm::vec3 place_of(const Session& session, knit::VertexId vertex) {
 template <class Kind, class Test>
 Kind seek_to(Session& session, Test test) {
   for (std::size_t i = 0; i < session.document->timeline.known(); ++i) {
-    const auto* what = std::get_if<Kind>(&session.document->timeline.step(i).what);
+    const auto* what = knit::get_if<Kind>(session.document->timeline.step(i));
     if (what == nullptr || !test(*what)) continue;
     apply(session, SeekTo{i + 1});
     return *what;
@@ -129,9 +130,9 @@ TEST_CASE("every variable may be pointed at anywhere, and one that has a place s
   std::set<std::string> shown;
   for (Session& session : runs) {
     Describer describer;
-    std::set<std::size_t> seen;
+    std::set<std::string_view> seen;
     for (std::size_t position = 1; position <= session.document->timeline.known(); ++position) {
-      const bool news = seen.insert(session.document->timeline.step(position - 1).what.index()).second;
+      const bool news = seen.insert(knit::kind_name(session.document->timeline.step(position - 1))).second;
       if (!news && position % 11 != 0 && position != session.document->timeline.known()) continue;
       apply(session, SeekTo{position});
       apply(session, PointAt{""});

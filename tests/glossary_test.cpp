@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

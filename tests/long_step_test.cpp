@@ -27,7 +27,7 @@ std::set<std::string> run_briefly(Timeline& timeline) {
 }
 
 std::set<std::string> solves() {
-  const auto name = [](const Happening& what) { return std::string(kind_name({{}, what})); };
+  const auto name = [](const Event& what) { return std::string(kind_name({{}, what})); };
   return {name(FieldSolved{}), name(HeightsMeasured{}), name(CriticalsFound{}), name(LevelsGrouped{})};
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   collect(run(small_sphere(), contours), contours);
   contours.timing = TimingKind::geodesic;
   collect(run(small_sphere(), contours), contours);
-  CHECK(sentences.size() == std::variant_size_v<Happening>);
+  CHECK(sentences.size() == event_count);
   for (const auto& [kind, sentence] : sentences) {
     CAPTURE(kind, sentence);
     CHECK(sentence.size() > 20);
@@ -91,7 +91,7 @@ TEST_CASE("a stop leaves the state as it was, and comes again") {
   const auto input = small_sphere();
   Timeline timeline = run(input, strict);
   REQUIRE(timeline.stop() != nullptr);
-  const auto& stopped = std::get<Stopped>(timeline.stop()->what);
+  const auto& stopped = *knit::get_if<Stopped>(*timeline.stop());
   CHECK(stopped.reason == StopReason::stall);
   CHECK(stopped.time == timeline.furthest().timing->levels.times[static_cast<std::size_t>(stopped.level)]);
   State state = timeline.furthest();
@@ -111,12 +111,12 @@ TEST_CASE("a stall is logged each time it is bridged") {
   std::size_t missed = 0;
   std::size_t at_ends = 0;  // of rings: too far was the first stitch, not a candidate
   for (const Step& step : timeline.steps()) {
-    const auto* measured = std::get_if<CandidateMeasured>(&step.what);
+    const auto* measured = knit::get_if<CandidateMeasured>(step);
     too_far += measured != nullptr && measured->verdict == Verdict::too_far ? 1U : 0U;
-    if (!std::holds_alternative<BandMissed>(step.what)) continue;
+    if (!knit::is<BandMissed>(step)) continue;
     ++missed;
-    at_ends += std::holds_alternative<CandidateMeasured>((&step - 1)->what) &&
-                       std::get<CandidateMeasured>((&step - 1)->what).verdict != Verdict::too_far
+    at_ends += knit::is<CandidateMeasured>(*(&step - 1)) &&
+                       knit::get_if<CandidateMeasured>(*(&step - 1))->verdict != Verdict::too_far
                    ? 1U
                    : 0U;
     CHECK(is_unusual(step, rough));

@@ -28,7 +28,7 @@ std::vector<std::size_t> sizes_of(const Timeline& timeline) {
 std::map<std::pair<VertexId, VertexId>, double> distances_of(const Timeline& timeline) {
   std::map<std::pair<VertexId, VertexId>, double> distances;
   for (const Step& step : timeline.steps()) {
-    if (const auto* measured = std::get_if<CandidateMeasured>(&step.what))
+    if (const auto* measured = knit::get_if<CandidateMeasured>(step))
       distances.emplace(std::pair{measured->anchor, measured->candidate}, measured->distance);
   }
   return distances;
@@ -117,7 +117,7 @@ TEST_CASE("a stall far from the ring's end is measured however far it is") {
   const Timeline timeline = run(input, strict, Metric::geodesic);
   REQUIRE(timeline.stop() != nullptr);
   for (const Step& step : timeline.steps()) {
-    if (const auto* measured = std::get_if<CandidateMeasured>(&step.what)) CHECK(measured->distance < 10.0);
+    if (const auto* measured = knit::get_if<CandidateMeasured>(step)) CHECK(measured->distance < 10.0);
   }
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("a row that is refused at its end leaves the state as it was, by every
       last = advance(*input, parameters, state);
     }
     REQUIRE(is_stop(*last));
-    CHECK(std::get<Stopped>(last->what).reason == StopReason::changes_too_much);
+    CHECK(knit::get_if<Stopped>(*last)->reason == StopReason::changes_too_much);
     CHECK(state == before);
   }
 }

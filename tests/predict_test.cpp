@@ -7,7 +7,7 @@
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -26,9 +26,9 @@ Session at_a_verdict() {
 }
 
 knit::Verdict coming(const Session& session) {
-  return std::get<knit::CandidateMeasured>(
-             session.document->timeline.step(session.document->timeline.position()).what)
-      .verdict;
+  return knit::get_if<knit::CandidateMeasured>(
+             session.document->timeline.step(session.document->timeline.position()))
+      ->verdict;
 }
 
 knit::Verdict another(knit::Verdict verdict) {
@@ -102,8 +102,7 @@ TEST_CASE("playing pauses before each verdict and goes on after the guess") {
   // Every verdict on the way was asked for, and over the rows' ends it played by itself.
   std::size_t measured = 0;
   for (std::size_t i = 0; i < session.document->timeline.position(); ++i)
-    measured +=
-        std::holds_alternative<knit::CandidateMeasured>(session.document->timeline.step(i).what) ? 1U : 0U;
+    measured += knit::is<knit::CandidateMeasured>(session.document->timeline.step(i)) ? 1U : 0U;
   CHECK(measured == 200);
   CHECK(session.learning->prediction->guessed == 200);
   CHECK(session.document->timeline.place().row > 2);
@@ -154,8 +153,8 @@ TEST_CASE("the view marks the vertex that is asked about and does not say how fa
   const AskedVertex asked = *asked_vertex(session);
   Describer describer;
   const Scene scene = describer.describe(session);
-  const auto& step = std::get<knit::CandidateMeasured>(
-      session.document->timeline.step(session.document->timeline.position()).what);
+  const auto& step = *knit::get_if<knit::CandidateMeasured>(
+      session.document->timeline.step(session.document->timeline.position()));
   const glm::vec3 at(session.document->timeline.input().mesh.positions[asked.candidate]);
   const std::string distance = knit::short_number(step.distance);
   int marks = 0;

@@ -28,7 +28,7 @@ TEST_CASE("problems are exactly the unusual steps", "[problems]") {
 TEST_CASE("each kind of problem is told and measured", "[problems]") {
   Parameters parameters = test_support::small_parameters();  // width 0.3, epsilon 0.15
   const Place place{Stage::rows, 5, 7};
-  const auto of = [&](const Happening& what) { return problem_of({place, what}, 3, parameters).value(); };
+  const auto of = [&](const Event& what) { return problem_of({place, what}, 3, parameters).value(); };
   CHECK(of(RowResampled{24, 12, 6, ResampleReason::more_than_double, 1.0}) ==
         Problem{3, ProblemKind::row_resampled, 2.0});
   CHECK(of(BandMissed{1, 2, 3, 4, 0.9, -1.0}).kind == ProblemKind::band_missed);

@@ -16,7 +16,7 @@ bool begins(const std::string& name, const std::string& with) { return name.rfin
 void seek_to_candidate(Desk& desk) {
   desk.session.document->timeline.seek(
       desk.session.document->timeline.position_of({knit::Stage::rows, 4, 6}));
-  REQUIRE(std::holds_alternative<knit::CandidateMeasured>(last_step(desk.session)->what));
+  REQUIRE(knit::is<knit::CandidateMeasured>(*last_step(desk.session)));
   desk.settle();
 }
 

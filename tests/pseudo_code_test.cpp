@@ -13,6 +13,7 @@
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -79,7 +80,7 @@ std::vector<Session> all_ways() {
 }
 
 struct Reached {
-  std::set<std::size_t> kinds;  // of Happening
+  std::set<std::string_view> kinds;
   std::set<std::pair<Listing, std::size_t>> lines;
   std::size_t wrong = 0;  // steps beyond their listing
 
@@ -88,7 +89,7 @@ struct Reached {
     const LinesRun run = lines_of(step, parameters);
     wrong += run.first <= run.last && run.last < code_of(listing).lines.size() ? 0U : 1U;
     wrong += line_of(step, parameters) == run.last ? 0U : 1U;
-    kinds.insert(step.what.index());
+    kinds.insert(knit::kind_name(step));
     for (std::size_t line = run.first; line <= run.last; ++line) lines.emplace(listing, line);
   }
   void take(const knit::Timeline& timeline) {
@@ -140,7 +141,7 @@ TEST_CASE("every kind of step has its line, and every line that is no mere head 
   for (const Session& session : all_ways()) reached.take(session.document->timeline);
   take_crowded_rows(reached);
   CHECK(reached.wrong == 0);
-  CHECK(reached.kinds.size() == std::variant_size_v<knit::Happening>);
+  CHECK(reached.kinds.size() == knit::event_count);
   for (const Listing listing : all_listings()) {
     const PseudoCode& code = code_of(listing);
     for (std::size_t line = 0; line < code.lines.size(); ++line) {
@@ -232,7 +233,7 @@ TEST_CASE("every number of a step is the value of a variable") {
     for (std::size_t position = 1; position <= known; position += stride) {
       session.document->timeline.seek(position);
       const knit::Step* step = last_step(session);
-      if (std::holds_alternative<knit::FieldSolved>(step->what)) continue;
+      if (knit::is<knit::FieldSolved>(*step)) continue;
       const std::vector<Variable> variables = variables_of(session);
       for (const auto& number : numbers_of(*step)) {
         const bool found = std::any_of(variables.begin(), variables.end(), [&](const Variable& variable) {
@@ -249,7 +250,7 @@ TEST_CASE("every number of a step is the value of a variable") {
 TEST_CASE("the variables of a measured candidate are those of its step, by the thesis's symbols") {
   Session session = test_support::finished_small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 5, 9}});
-  const auto& step = std::get<knit::CandidateMeasured>(last_step(session)->what);
+  const auto& step = *knit::get_if<knit::CandidateMeasured>(*last_step(session));
   const std::vector<Variable> variables = variables_of(session);
   const auto value = [&](std::string_view symbol) {
     const auto at = std::find_if(variables.begin(), variables.end(),

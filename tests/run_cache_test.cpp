@@ -55,8 +55,8 @@ TEST_CASE("labels are tallied as they are placed, forwards and back") {
     const LabelTally::Counts counts = tally.count(timeline.state());
     std::size_t shaping = 0, mains = 0;
     for (std::size_t i = 0; i < position; ++i) {
-      shaping += std::holds_alternative<knit::ShapingPlaced>(timeline.step(i).what) ? 1 : 0;
-      mains += std::holds_alternative<knit::MainPlaced>(timeline.step(i).what) ? 1 : 0;
+      shaping += knit::is<knit::ShapingPlaced>(timeline.step(i)) ? 1 : 0;
+      mains += knit::is<knit::MainPlaced>(timeline.step(i)) ? 1 : 0;
     }
     CHECK(counts[1] + counts[2] + counts[3] + counts[4] == shaping);
     CHECK(counts[6] == mains);

@@ -7,7 +7,6 @@
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/insight/candidates.h"
-#include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -55,7 +54,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   act(RunToBreak{1});
   const knit::Step* step = last_step(session);
   REQUIRE(step != nullptr);
-  const auto* stall = std::get_if<knit::BandMissed>(&step->what);
+  const auto* stall = knit::get_if<knit::BandMissed>(*step);
   REQUIRE(stall != nullptr);
   const knit::Place place = step->place;
   INFO(sentence(session));
@@ -74,7 +73,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   // Why not the one on the other side of the band? What decided on it comes later; the step that touched it
   // before is the one that found it too far. And back again.
   const knit::Step& before = session.document->timeline.step(session.document->timeline.position() - 2);
-  const auto refused = std::get<knit::CandidateMeasured>(before.what);
+  const auto refused = *knit::get_if<knit::CandidateMeasured>(before);
   CHECK(refused.verdict == knit::Verdict::too_far);
   CHECK(refused.distance > table.band.high);
   act(ShowWhy{knit::VertexThing{refused.candidate}});

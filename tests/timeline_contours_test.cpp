@@ -28,7 +28,7 @@ template <class Kind>
 std::size_t position_after_step(const Timeline& timeline, const Place& from) {
   for (std::size_t i = 0; i < timeline.known(); ++i) {
     const Step& step = timeline.step(i);
-    if (step.place >= from && std::holds_alternative<Kind>(step.what)) return i + 1;
+    if (step.place >= from && knit::is<Kind>(step)) return i + 1;
   }
   return timeline.known() + 1;
 }
@@ -37,7 +37,7 @@ template <class Kind>
 std::vector<Kind> steps_of(const Timeline& timeline) {
   std::vector<Kind> found;
   for (const Step& step : timeline.steps()) {
-    if (const auto* what = std::get_if<Kind>(&step.what)) found.push_back(*what);
+    if (const auto* what = knit::get_if<Kind>(step)) found.push_back(*what);
   }
   return found;
 }
@@ -212,7 +212,7 @@ TEST_CASE("contours: where the surface is pinched to a needle the run stops and 
     Timeline timeline(make_input(mesh), parameters);
     timeline.extend_to_end();
     REQUIRE(timeline.stop() != nullptr);
-    CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::not_a_ring);
+    CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::not_a_ring);
     CHECK(narrate(*timeline.stop(), parameters).find("pinched to a point") != std::string::npos);
   }
 }

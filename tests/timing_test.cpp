@@ -78,7 +78,7 @@ TEST_CASE("picked vertices: the time runs along their line, and what lies beyond
   const Timing& timing = *timeline.furthest().timing;
   CHECK(timing.outside > 0);
   for (const double time : timing.times) CHECK((time >= 0.0 && time <= 1.0));
-  const auto* grouped = std::get_if<LevelsGrouped>(&timeline.step(timeline.known() - 1).what);
+  const auto* grouped = knit::get_if<LevelsGrouped>(timeline.step(timeline.known() - 1));
   REQUIRE(grouped != nullptr);
   CHECK(grouped->outside == timing.outside);
 }
@@ -90,7 +90,7 @@ TEST_CASE("a mesh without extent along the axis stops with a word") {
   const Timeline timeline = run(make_input(flat), {});
   REQUIRE(timeline.stop() != nullptr);
   CHECK(timeline.known() == 0);
-  CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::no_extent);
+  CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::no_extent);
   CHECK(narrate(*timeline.stop(), {}).find("choose another axis") != std::string::npos);
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("the torus stops in words about splitting") {
   const auto ring = make_input(torus(48, 24, 1.0, 0.4));
   const Timeline timeline = run(ring, {});
   REQUIRE(timeline.stop() != nullptr);
-  CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::splits);
+  CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::splits);
   CHECK(narrate(*timeline.stop(), {}).find("splits into 2 loops") != std::string::npos);
   CHECK(timeline.furthest().stage() == Stage::cast_on);
 }
@@ -163,7 +163,7 @@ TEST_CASE("the torus stops in words about splitting") {
 TEST_CASE("a mesh without rings stops at the cast on and says what to do") {
   const Timeline timeline = run(make_input(icosphere(3)), test_support::small_parameters());
   REQUIRE(timeline.stop() != nullptr);
-  CHECK(std::get<Stopped>(timeline.stop()->what).reason == StopReason::not_a_ring);
+  CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::not_a_ring);
   CHECK(narrate(*timeline.stop(), {}).find("use a mesh with rings") != std::string::npos);
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("cast on: polar levels too short for stitches are passed over at both 
   Parameters parameters;  // w = 0.1: rings shorter than 0.15 are no rows
   Timeline timeline(input, parameters);
   timeline.extend(input->mesh.positions.size() + 4);
-  const auto* found = std::get_if<CycleFound>(&timeline.step(timeline.known() - 1).what);
+  const auto* found = knit::get_if<CycleFound>(timeline.step(timeline.known() - 1));
   REQUIRE(found != nullptr);
   CHECK(found->level == 1);  // 2 pi sin(pi / 128) = 0.154
   CHECK(found->last_level == 127);

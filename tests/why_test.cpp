@@ -150,10 +150,10 @@ TEST_CASE("why: every vertex of the mesh has a story that its steps bear out") {
     const VertexStory story = story_of(timeline, v);
     ++fates[story.fate];
     REQUIRE(story.decided);
-    const Happening& what = timeline.step(*story.decided).what;
+    const Event& what = timeline.step(*story.decided).what;
     switch (story.fate) {
       case Fate::accepted: {
-        const auto* s = std::get_if<CandidateMeasured>(&what);
+        const auto* s = knit::get_if<CandidateMeasured>(what);
         wrong += s != nullptr && s->candidate == v && s->verdict == Verdict::accepted ? 0U : 1U;
         // The stitch that it became was chosen there, and kept later.
         const StitchThing stitch{story.row, s != nullptr ? s->stitch : 0};
@@ -162,21 +162,21 @@ TEST_CASE("why: every vertex of the mesh has a story that its steps bear out") {
         break;
       }
       case Fate::refused: {
-        const auto* s = std::get_if<CandidateMeasured>(&what);
+        const auto* s = knit::get_if<CandidateMeasured>(what);
         wrong += s != nullptr && s->candidate == v && s->verdict != Verdict::accepted ? 0U : 1U;
         break;
       }
       case Fate::begins_row:
-        wrong += std::holds_alternative<CycleOrdered>(what) ? 0U : 1U;
+        wrong += knit::is<CycleOrdered>(what) ? 0U : 1U;
         break;
       case Fate::taken:
-        wrong += std::holds_alternative<BandMissed>(what) ? 0U : 1U;
+        wrong += knit::is<BandMissed>(what) ? 0U : 1U;
         break;
       case Fate::cast_on:
-        wrong += std::holds_alternative<CycleFound>(what) ? 0U : 1U;
+        wrong += knit::is<CycleFound>(what) ? 0U : 1U;
         break;
       default:
-        wrong += std::get<VertexTimed>(what).vertex == v ? 0U : 1U;
+        wrong += get_if<VertexTimed>(what)->vertex == v ? 0U : 1U;
     }
   }
   CHECK(wrong == 0);
@@ -228,11 +228,11 @@ TEST_CASE("why: a stitch is touched by what measured, kept, labelled and joined 
   std::size_t measured = 0;
   std::size_t faces = 0;
   for (const std::size_t i : touching) {
-    if (const auto* s = std::get_if<CandidateMeasured>(&timeline.step(i).what)) {
+    if (const auto* s = knit::get_if<CandidateMeasured>(timeline.step(i))) {
       ++measured;
       CHECK((s->stitch == 4 || (s->stitch == 3 && s->verdict == Verdict::accepted)));
     }
-    faces += std::holds_alternative<FaceMade>(timeline.step(i).what) ? 1U : 0U;
+    faces += knit::is<FaceMade>(timeline.step(i)) ? 1U : 0U;
   }
   CHECK(measured >= 2);
   CHECK(faces >= 4);
@@ -261,7 +261,7 @@ TEST_CASE("candidates: one line a vertex of the ring, with the verdict of its la
     CHECK(wrong == 0);
     const auto closed = count_decided_by(timeline, row);
     REQUIRE(closed);
-    if (const auto* s = std::get_if<RowClosed>(&timeline.step(*closed).what))
+    if (const auto* s = knit::get_if<RowClosed>(timeline.step(*closed)))
       CHECK(static_cast<std::size_t>(s->stitches) == chosen);
   }
 }

@@ -16,10 +16,8 @@ namespace {
 
 // What may take longer than a frame on a large mesh, told from what was done.
 bool was_long(const knit::Step& step) {
-  return std::holds_alternative<knit::FieldSolved>(step.what) ||
-         std::holds_alternative<knit::HeightsMeasured>(step.what) ||
-         std::holds_alternative<knit::CriticalsFound>(step.what) ||
-         std::holds_alternative<knit::LevelsGrouped>(step.what);
+  return knit::is<knit::FieldSolved>(step) || knit::is<knit::HeightsMeasured>(step) ||
+         knit::is<knit::CriticalsFound>(step) || knit::is<knit::LevelsGrouped>(step);
 }
 
 std::size_t count_long(const knit::Timeline& timeline, std::size_t from) {

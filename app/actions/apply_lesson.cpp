@@ -206,8 +206,7 @@ void tend_lesson(Session& session, const Action& action) {
 namespace {
 
 const knit::CandidateMeasured* measured_at(const knit::Timeline& timeline, std::size_t index) {
-  return index < timeline.known() ? std::get_if<knit::CandidateMeasured>(&timeline.step(index).what)
-                                  : nullptr;
+  return index < timeline.known() ? knit::get_if<knit::CandidateMeasured>(timeline.step(index)) : nullptr;
 }
 
 }  // namespace

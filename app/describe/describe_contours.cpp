@@ -5,7 +5,7 @@
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/contour.h"
 #include "knit/timing/heights.h"
 
@@ -82,7 +82,7 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
   const knit::Step* step = step_shown(session);
   if (step == nullptr || !session.view->shows(Layer::cycle)) return add_stitches(session, work, scene);
   const knit::Cut& cut = work.plan->cuts[static_cast<std::size_t>(work.cut)];
-  if (std::holds_alternative<knit::RowsPlanned>(step->what)) add_plan(*work.plan, scene);
+  if (knit::is<knit::RowsPlanned>(*step)) add_plan(*work.plan, scene);
   if (knit::is_stop(*step)) {
     for (const auto& loop : cut.loops) add_loop(*loop, scene.theme->problem, 3.0F, scene.lines);
     return;
@@ -102,12 +102,12 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
   add_loop(ring, scene.theme->anchor, work.phase == knit::ContourPhase::place ? 1.6F : 2.6F, scene.lines);
   const glm::vec3 start(ring.points.front());
   scene.points.push_back({start, scene.theme->anchor, 10.0F});
-  if (const auto* measured = std::get_if<knit::LengthMeasured>(&step->what))
+  if (const auto* measured = knit::get_if<knit::LengthMeasured>(*step))
     scene.captions.push_back({start, "L = " + knit::short_number(measured->length), scene.theme->anchor});
-  if (const auto* chosen = std::get_if<knit::CountChosen>(&step->what))
+  if (const auto* chosen = knit::get_if<knit::CountChosen>(*step))
     scene.captions.push_back({start, std::to_string(chosen->count) + " stitches", scene.theme->anchor});
   add_stitches(session, work, scene);
-  if (std::holds_alternative<knit::StitchPlaced>(step->what) && !work.stitches.empty())
+  if (knit::is<knit::StitchPlaced>(*step) && !work.stitches.empty())
     scene.points.push_back({glm::vec3(work.stitches.back().position), scene.theme->accepted, 10.0F});
 }
 
@@ -136,8 +136,8 @@ void describe_criticals(const Session& session, Scene& scene) {
                                                                           : nullptr;
   if (criticals == nullptr || !session.view->shows(Layer::criticals)) return;
   const knit::Step* step = step_shown(session);
-  const auto* stopped = step != nullptr ? std::get_if<knit::Stopped>(&step->what) : nullptr;
-  const bool news = step != nullptr && std::holds_alternative<knit::CriticalsFound>(step->what);
+  const auto* stopped = step != nullptr ? knit::get_if<knit::Stopped>(*step) : nullptr;
+  const bool news = step != nullptr && knit::is<knit::CriticalsFound>(*step);
   std::size_t names = 0;
   for (const knit::CriticalPoint& point : criticals->points) {
     const bool to_blame = stopped != nullptr && stopped->reason == knit::StopReason::splits &&

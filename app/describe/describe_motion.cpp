@@ -58,7 +58,7 @@ struct PlaceOf {
 }  // namespace
 
 std::optional<glm::vec3> place_of_step(const Session& session, const knit::Step& step) {
-  return std::visit(PlaceOf{session, step.place}, step.what);
+  return knit::visit_event(PlaceOf{session, step.place}, step.what);
 }
 
 void describe_motion(const Session& session, double appeared, Scene& scene) {

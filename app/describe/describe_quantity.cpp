@@ -7,7 +7,7 @@
 #include "app/explain/code_variables.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/ring.h"
 
 namespace app {
@@ -89,10 +89,10 @@ std::vector<knit::VertexId> picked_vertices(const knit::Timeline& timeline) {
   knit::VertexId anchor = knit::no_vertex;
   bool dropped = false;
   for (std::size_t i = last; i-- > 0 && timeline.step(i).place.row == place.row;) {
-    const knit::Happening& what = timeline.step(i).what;
-    if (const auto* closed = std::get_if<knit::RowClosed>(&what)) dropped = closed->dropped_last;
-    const auto* measured = std::get_if<knit::CandidateMeasured>(&what);
-    const auto* missed = std::get_if<knit::BandMissed>(&what);
+    const knit::Event& what = timeline.step(i).what;
+    if (const auto* closed = knit::get_if<knit::RowClosed>(what)) dropped = closed->dropped_last;
+    const auto* measured = knit::get_if<knit::CandidateMeasured>(what);
+    const auto* missed = knit::get_if<knit::BandMissed>(what);
     const bool took =
         missed != nullptr || (measured != nullptr && measured->verdict == knit::Verdict::accepted);
     if (took) picked.push_back(missed != nullptr ? missed->taken : measured->candidate);
@@ -165,11 +165,11 @@ void add_band_ticks(const knit::Ring& ring, const RingArc& gap, const knit::Band
 void describe_quantity(const Session& session, Scene& scene) {
   const knit::Step* step = last_step(session);
   if (step == nullptr) return;
-  if (const auto* timed = std::get_if<knit::VertexTimed>(&step->what)) {
+  if (const auto* timed = knit::get_if<knit::VertexTimed>(*step)) {
     describe_time(session, *timed, scene);
-  } else if (const auto* cast_on = std::get_if<knit::StitchCastOn>(&step->what)) {
+  } else if (const auto* cast_on = knit::get_if<knit::StitchCastOn>(*step)) {
     describe_cast_on(session, *step, *cast_on, scene);
-  } else if (const auto* shared = std::get_if<knit::GapShared>(&step->what)) {
+  } else if (const auto* shared = knit::get_if<knit::GapShared>(*step)) {
     describe_shares(session, *step, *shared, scene);
   } else {
     describe_gap(session, scene);

@@ -11,7 +11,7 @@
 #include "app/session/document.h"
 #include "app/session/learning.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/rows.h"
 
 namespace app {
@@ -42,8 +42,8 @@ std::string describe_measuring(const Session& session, const knit::VertexThing& 
   const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
   if (!story.decided || story.measured.empty() || *story.decided != story.measured.back()) return name;
   const knit::Step& step = timeline.step(*story.decided);
-  const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what);
-  const auto* missed = std::get_if<knit::BandMissed>(&step.what);
+  const auto* measured = knit::get_if<knit::CandidateMeasured>(step);
+  const auto* missed = knit::get_if<knit::BandMissed>(step);
   if (measured == nullptr && missed == nullptr) return name;
   const knit::VertexId anchor = measured != nullptr ? measured->anchor : missed->anchor;
   const double distance = measured != nullptr ? measured->distance : missed->distance;

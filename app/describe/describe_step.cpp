@@ -8,7 +8,7 @@
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/rows.h"
 #include "knit/stitches/faces.h"
 
@@ -114,29 +114,29 @@ void describe_last_face(const Session& session, std::int32_t row, std::int32_t i
 }
 
 void describe_last_step(const Session& session, const knit::Step& step, Scene& scene) {
-  if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step.what)) {
+  if (const auto* measured = knit::get_if<knit::CandidateMeasured>(step)) {
     if (session.view->shows(Layer::cycle)) {
       describe_distance(session, scene, measured->anchor, measured->candidate, measured->distance,
                         colour_of(*scene.theme, measured->verdict));
     }
-  } else if (const auto* missed = std::get_if<knit::BandMissed>(&step.what)) {
+  } else if (const auto* missed = knit::get_if<knit::BandMissed>(step)) {
     if (session.view->shows(Layer::cycle)) {
       describe_distance(session, scene, missed->anchor, missed->taken, missed->distance,
                         scene.theme->problem);
     }
-  } else if (const auto* timed = std::get_if<knit::VertexTimed>(&step.what)) {
+  } else if (const auto* timed = knit::get_if<knit::VertexTimed>(step)) {
     if (session.view->shows(Layer::times)) {
       scene.points.push_back({place_of(session, timed->vertex), scene.theme->accepted, 7.0F});
     }
-  } else if (const auto* ends = std::get_if<knit::EndsFound>(&step.what)) {
+  } else if (const auto* ends = knit::get_if<knit::EndsFound>(step)) {
     if (session.view->shows(Layer::times)) describe_ends(session, *ends, scene);
-  } else if (const auto* main = std::get_if<knit::MainPlaced>(&step.what)) {
+  } else if (const auto* main = knit::get_if<knit::MainPlaced>(step)) {
     if (session.view->shows(Layer::stitches))
       describe_last_label(session, step.place.row, main->cell, knit::Label::main, scene);
-  } else if (const auto* shaping = std::get_if<knit::ShapingPlaced>(&step.what)) {
+  } else if (const auto* shaping = knit::get_if<knit::ShapingPlaced>(step)) {
     if (session.view->shows(Layer::stitches))
       describe_last_label(session, step.place.row, shaping->cell, shaping->label, scene);
-  } else if (const auto* made = std::get_if<knit::FaceMade>(&step.what)) {
+  } else if (const auto* made = knit::get_if<knit::FaceMade>(step)) {
     if (session.view->shows(Layer::faces)) describe_last_face(session, step.place.row, made->index, scene);
   }
 }
@@ -298,8 +298,8 @@ knit::VertexId anchor_shown(const Session& session, knit::VertexId of_walk) {
   if (const auto asked = asked_vertex(session)) return asked->anchor;
   const knit::Step* step = last_step(session);
   if (step == nullptr) return of_walk;
-  if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step->what)) return measured->anchor;
-  if (const auto* missed = std::get_if<knit::BandMissed>(&step->what)) return missed->anchor;
+  if (const auto* measured = knit::get_if<knit::CandidateMeasured>(*step)) return measured->anchor;
+  if (const auto* missed = knit::get_if<knit::BandMissed>(*step)) return missed->anchor;
   return of_walk;
 }
 

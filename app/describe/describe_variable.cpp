@@ -10,7 +10,7 @@
 #include "app/session/document.h"
 #include "app/session/learning.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/ring.h"
 
 namespace app {
@@ -44,7 +44,7 @@ class VariableLight {
  private:
   template <class Kind>
   [[nodiscard]] const Kind* step_as() const {
-    return at_.step != nullptr ? std::get_if<Kind>(&at_.step->what) : nullptr;
+    return at_.step != nullptr ? knit::get_if<Kind>(*at_.step) : nullptr;
   }
   [[nodiscard]] glm::vec3 place(knit::VertexId vertex) const {
     return glm::vec3(session_.document->timeline.input().mesh.positions[vertex]);

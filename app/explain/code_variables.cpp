@@ -10,6 +10,7 @@
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -190,19 +191,19 @@ std::string_view variable_of_field(std::string_view kind, std::string_view field
 
 // The step's own numbers, as its table has them.
 void add_step(const knit::Step& step, const knit::Input& input, const knit::State& state, Values& values) {
-  if (const auto* stop = std::get_if<knit::Stopped>(&step.what)) return add_stop(*stop, values);
-  if (const auto* solve = std::get_if<knit::FieldSolved>(&step.what)) return add_solve(*solve, values);
+  if (const auto* stop = knit::get_if<knit::Stopped>(step)) return add_stop(*stop, values);
+  if (const auto* solve = knit::get_if<knit::FieldSolved>(step)) return add_solve(*solve, values);
   const auto fields = knit::fields_of(step);
   const auto numbers = numbers_of(step);
   for (std::size_t i = 0; i < fields.size(); ++i)
     values.set(variable_of_field(knit::kind_name(step), fields[i].name), numbers[i].second);
   const knit::Ends* ends = ends_shown(state);
-  const auto* timed = std::get_if<knit::VertexTimed>(&step.what);
+  const auto* timed = knit::get_if<knit::VertexTimed>(step);
   if (timed != nullptr && ends != nullptr) {
     const auto& positions = input.mesh.positions;
     values.set("diff", vector_text(positions[timed->vertex] - positions[ends->start]));
   }
-  if (std::holds_alternative<knit::LineWritten>(step.what)) values.set("row", step.place.row);
+  if (knit::is<knit::LineWritten>(step)) values.set("row", step.place.row);
 }
 
 const knit::Cut* cut_of(const knit::ContourWork& work) {

@@ -265,11 +265,11 @@ const PseudoCode& code_of(Listing listing) {
 }
 
 Listing listing_of(const knit::Step& step, const knit::Parameters& parameters) {
-  return std::visit(ListingOf{listing_at(step.place.stage, parameters)}, step.what);
+  return knit::visit_event(ListingOf{listing_at(step.place.stage, parameters)}, step.what);
 }
 
 LinesRun lines_of(const knit::Step& step, const knit::Parameters& parameters) {
-  return std::visit(LinesOf{listing_of(step, parameters), step.place}, step.what);
+  return knit::visit_event(LinesOf{listing_of(step, parameters), step.place}, step.what);
 }
 
 std::size_t line_of(const knit::Step& step, const knit::Parameters& parameters) {

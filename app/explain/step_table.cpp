@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
+#include "knit/model/words.h"
 
 namespace app {
 

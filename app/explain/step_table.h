@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "knit/model/step.h"
+#include "knit/run/step.h"
 
 namespace app {
 

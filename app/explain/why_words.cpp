@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 #include "knit/rows/rows.h"
 
 namespace app {
@@ -67,7 +68,7 @@ std::string said_by(const knit::Timeline& timeline, std::size_t step) {
 }
 
 std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStory& story) {
-  const auto* s = std::get_if<knit::CandidateMeasured>(&timeline.step(*story.decided).what);
+  const auto* s = knit::get_if<knit::CandidateMeasured>(timeline.step(*story.decided));
   if (s == nullptr) return "";
   const knit::Band band = knit::band_of(timeline.parameters_of_step(*story.decided));
   return "Passed over in row " + str(story.row) + ": it lies " + knit::short_number(s->distance) +
@@ -113,7 +114,7 @@ std::string stitch_words(const knit::Timeline& timeline, const knit::StitchThing
   if (chosen) words += " Kept at step " + str(static_cast<std::int64_t>(*made) + 1) + ".";
   const auto moved = knit::moved_by(timeline, stitch);
   if (!moved) return words;
-  const bool spread = std::holds_alternative<knit::RowResampled>(timeline.step(*moved).what);
+  const bool spread = knit::is<knit::RowResampled>(timeline.step(*moved));
   return words + (spread ? " The row was spread evenly afterwards." : " Moved when the gap was shared out.");
 }
 

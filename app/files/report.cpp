@@ -4,6 +4,7 @@
 
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
+#include "knit/model/words.h"
 #include "knit/quality/measures.h"
 
 namespace app {

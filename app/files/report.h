@@ -6,9 +6,9 @@
 
 #include "app/session/session.h"
 #include "knit/model/parameters.h"
-#include "knit/model/step.h"
 #include "knit/quality/closeness.h"
 #include "knit/quality/quality.h"
+#include "knit/run/step.h"
 #include "knit/stitches/pattern.h"
 
 namespace app {

@@ -10,6 +10,7 @@
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/model/gauge.h"
+#include "knit/model/words.h"
 #include "knit/rows/rows.h"
 
 namespace app::truths {
@@ -23,10 +24,10 @@ namespace {
 // The step that takes the next stitch of the row in the making.
 std::optional<std::size_t> next_taken(const knit::Timeline& timeline) {
   for (std::size_t i = timeline.position(); i < timeline.known(); ++i) {
-    const knit::Happening& what = timeline.step(i).what;
-    const auto* measured = std::get_if<knit::CandidateMeasured>(&what);
+    const knit::Event& what = timeline.step(i).what;
+    const auto* measured = knit::get_if<knit::CandidateMeasured>(what);
     if (measured != nullptr && measured->verdict == knit::Verdict::accepted) return i;
-    if (std::holds_alternative<knit::BandMissed>(what)) return i;
+    if (knit::is<knit::BandMissed>(what)) return i;
     if (measured == nullptr) return std::nullopt;
   }
   return std::nullopt;
@@ -42,9 +43,9 @@ Truth next_vertex(const Session& session, const JudgeCall& /*call*/) {
                ? not_yet()
                : untold("No stitch is looked for at this place; set the page up again.");
   }
-  const auto* measured = std::get_if<knit::CandidateMeasured>(&timeline.step(*step).what);
+  const auto* measured = knit::get_if<knit::CandidateMeasured>(timeline.step(*step));
   const knit::VertexId vertex =
-      measured != nullptr ? measured->candidate : std::get<knit::BandMissed>(timeline.step(*step).what).taken;
+      measured != nullptr ? measured->candidate : knit::get_if<knit::BandMissed>(timeline.step(*step))->taken;
   return {{vertex_name(vertex)}, said_by(timeline, *step), 0.0};
 }
 
@@ -52,7 +53,7 @@ std::string why_not_next(const Session& session, const JudgeCall& /*call*/, cons
   const knit::Timeline& timeline = session.document->timeline;
   const auto taken = next_taken(timeline);
   for (std::size_t i = timeline.position(); taken && i < *taken; ++i) {
-    const auto* measured = std::get_if<knit::CandidateMeasured>(&timeline.step(i).what);
+    const auto* measured = knit::get_if<knit::CandidateMeasured>(timeline.step(i));
     if (measured != nullptr && vertex_name(measured->candidate) == answer) return said_by(timeline, i);
   }
   return "The vertices are tried one after another from the anchor on, and the first one in the band is "
@@ -63,7 +64,7 @@ Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
   const knit::Timeline& timeline = session.document->timeline;
   if (timeline.position() == timeline.known())
     return timeline.complete() ? untold("The run is over here; set the page up again.") : not_yet();
-  const auto* next = std::get_if<knit::CandidateMeasured>(&timeline.step(timeline.position()).what);
+  const auto* next = knit::get_if<knit::CandidateMeasured>(timeline.step(timeline.position()));
   if (next == nullptr) return untold("No vertex is measured next at this place; set the page up again.");
   constexpr std::array<const char*, 3> keys{"too-near", "accepted", "too-far"};
   return {{keys.at(static_cast<std::size_t>(next->verdict))}, said_by(timeline, timeline.position()), 0.0};
@@ -201,7 +202,7 @@ Truth closing_gap(const Session& session, const JudgeCall& call) {
   const auto closed = first_of_kind<knit::RowClosed>(timeline, Stage::rows, call.row);
   if (!closed)
     return timeline.complete() ? untold("Row " + str(call.row) + " closes with no gap.") : not_yet();
-  const auto& what = std::get<knit::RowClosed>(timeline.step(*closed).what);
+  const auto& what = *knit::get_if<knit::RowClosed>(timeline.step(*closed));
   const knit::Band band = knit::band_of(timeline.parameters_of_step(*closed));
   const char* key = what.gap < band.low ? "shorter" : what.gap > band.high ? "longer" : "inside";
   return {{key}, said_by(timeline, *closed), 0.0};
@@ -209,9 +210,9 @@ Truth closing_gap(const Session& session, const JudgeCall& call) {
 
 namespace {
 
-bool is_odd(const knit::Happening& what, const std::string& word) {
-  if (word == "stall") return std::holds_alternative<knit::BandMissed>(what);
-  return std::holds_alternative<knit::RowResampled>(what);
+bool is_odd(const knit::Event& what, const std::string& word) {
+  if (word == "stall") return knit::is<knit::BandMissed>(what);
+  return knit::is<knit::RowResampled>(what);
 }
 
 struct ClosedRowGap {
@@ -224,7 +225,7 @@ Truth widest_gaps(const knit::Timeline& timeline, std::int32_t answered) {
   std::vector<ClosedRowGap> rows;
   double farthest = 0.0;
   for (std::size_t i = 0; i < timeline.known(); ++i) {
-    const auto* shared = std::get_if<knit::GapShared>(&timeline.step(i).what);
+    const auto* shared = knit::get_if<knit::GapShared>(timeline.step(i));
     if (shared == nullptr) continue;
     rows.push_back({i, std::abs(shared->gap_after - timeline.parameters_of_step(i).stitch_width)});
     farthest = std::max(farthest, rows.back().off);
@@ -277,7 +278,7 @@ double near_enough(const Session& session) {
 
 Truth end_vertex(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
-  const auto* ends = timeline.known() > 0 ? std::get_if<knit::EndsFound>(&timeline.step(0).what) : nullptr;
+  const auto* ends = timeline.known() > 0 ? knit::get_if<knit::EndsFound>(timeline.step(0)) : nullptr;
   if (ends == nullptr) return not_yet();
   const knit::VertexId vertex = call.word == "start" ? ends->start : ends->end;
   return {{vertex_name(vertex)}, said_by(timeline, 0), near_enough(session)};
@@ -297,14 +298,14 @@ Truth ending(const Session& session, const JudgeCall& /*call*/) {
   if (stop == nullptr) return {{"finishes"}, "The run goes on to its last stage; nothing stops it.", 0.0};
   constexpr std::array<const char*, 7> keys{"no-extent", "no-row-levels",    "not-a-ring", "splits",
                                             "stall",     "changes-too-much", "too-fine"};
-  const auto reason = static_cast<std::size_t>(std::get<knit::Stopped>(stop->what).reason);
+  const auto reason = static_cast<std::size_t>(knit::get_if<knit::Stopped>(*stop)->reason);
   return {{keys.at(reason)}, knit::narrate(*stop, timeline.parameters_of_stop()), 0.0};
 }
 
 Truth split_vertex(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Step* stop = timeline.stop();
-  const auto* what = stop != nullptr ? std::get_if<knit::Stopped>(&stop->what) : nullptr;
+  const auto* what = stop != nullptr ? knit::get_if<knit::Stopped>(*stop) : nullptr;
   if (what == nullptr || what->reason != knit::StopReason::splits) {
     return timeline.complete() ? untold("Nothing splits in this run; set the page up again.")
                                : ending(session, call);

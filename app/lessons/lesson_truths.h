@@ -44,8 +44,7 @@ std::optional<std::size_t> first_step(const knit::Timeline& timeline, knit::Stag
 template <class What>
 std::optional<std::size_t> first_of_kind(const knit::Timeline& timeline, knit::Stage stage,
                                          std::int32_t row) {
-  return first_step(timeline, stage, row,
-                    [](const knit::Happening& what) { return std::holds_alternative<What>(what); });
+  return first_step(timeline, stage, row, [](const knit::Event& what) { return knit::is<What>(what); });
 }
 
 // What is right.

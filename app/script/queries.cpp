@@ -14,6 +14,7 @@
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/gauge.h"
+#include "knit/model/words.h"
 
 namespace app {
 

@@ -7,6 +7,7 @@
 #include "app/session/program.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace knit {
 
@@ -120,23 +120,21 @@ Parsed with_value(const Form& form, std::string_view value) {
 
 // The label that a step gives to a stitch.
 std::optional<Label> label_given(const Step& step) {
-  if (const auto* shaping = std::get_if<ShapingPlaced>(&step.what)) return shaping->label;
-  if (std::holds_alternative<MainPlaced>(step.what)) return Label::main;
-  const bool cast = std::holds_alternative<StitchCastOn>(step.what) ||
-                    (std::holds_alternative<StitchPlaced>(step.what) && step.place.stage == Stage::cast_on);
+  if (const auto* shaping = get_if<ShapingPlaced>(step)) return shaping->label;
+  if (is<MainPlaced>(step)) return Label::main;
+  const bool cast = is<StitchCastOn>(step) || (is<StitchPlaced>(step) && step.place.stage == Stage::cast_on);
   return cast ? std::optional(Label::cast) : std::nullopt;
 }
 
 // Most steps of a run are of a kind at which only the beginning of a row or stage can be a hit.
 bool is_common(const Step& step) {
-  return std::holds_alternative<CandidateMeasured>(step.what) ||
-         std::holds_alternative<VertexTimed>(step.what) || std::holds_alternative<FaceMade>(step.what);
+  return is<CandidateMeasured>(step) || is<VertexTimed>(step) || is<FaceMade>(step);
 }
 
 bool wants_over_double(const Step& step) {
-  if (const auto* resampled = std::get_if<RowResampled>(&step.what))
+  if (const auto* resampled = get_if<RowResampled>(step))
     return resampled->reason == ResampleReason::more_than_double;
-  const auto* chosen = std::get_if<CountChosen>(&step.what);
+  const auto* chosen = get_if<CountChosen>(step);
   return chosen != nullptr && chosen->reason == CountReason::at_most_double;
 }
 
@@ -164,7 +162,7 @@ struct Sight {
 };
 
 bool holds(const BreakCondition& condition, const Step& step, const Sight& sight) {
-  const auto* closed = std::get_if<RowClosed>(&step.what);
+  const auto* closed = get_if<RowClosed>(step);
   switch (condition.kind) {
     case BreakKind::stage:
       return sight.begins_stage && step.place.stage == condition.stage;
@@ -179,7 +177,7 @@ bool holds(const BreakCondition& condition, const Step& step, const Sight& sight
     case BreakKind::gap:
       return closed != nullptr && !closed->in_band;
     case BreakKind::stall:
-      return std::holds_alternative<BandMissed>(step.what);
+      return is<BandMissed>(step);
     case BreakKind::over_double:
       return wants_over_double(step);
     case BreakKind::wider:
@@ -255,10 +253,10 @@ std::string words_of(const BreakCondition& condition) {
 }
 
 std::optional<std::int32_t> finished_row_size(const Step& step) {
-  if (const auto* shared = std::get_if<GapShared>(&step.what)) return shared->stitches;
-  if (const auto* placed = std::get_if<StitchPlaced>(&step.what); placed != nullptr)
+  if (const auto* shared = get_if<GapShared>(step)) return shared->stitches;
+  if (const auto* placed = get_if<StitchPlaced>(step); placed != nullptr)
     return placed->stitch == placed->of ? std::optional(placed->of) : std::nullopt;
-  if (const auto* cast = std::get_if<StitchCastOn>(&step.what); cast != nullptr)
+  if (const auto* cast = get_if<StitchCastOn>(step); cast != nullptr)
     return cast->stitch == cast->of ? std::optional(cast->of) : std::nullopt;
   return std::nullopt;
 }
@@ -294,7 +292,7 @@ void BreakScanner::take(const Step& step, const Parameters& parameters, std::spa
 }
 
 void BreakScanner::take_stop(const Step& stop) {
-  const auto* stopped = std::get_if<Stopped>(&stop.what);
+  const auto* stopped = get_if<Stopped>(stop);
   if (stopped == nullptr) return;
   // Of a change that is too much, `count` is the row's size and `other` that of the row before.
   const bool over_double =

@@ -30,7 +30,7 @@ CandidateVerdict verdict_of(Verdict verdict) {
 
 // Enters what one step of the row says; `anchor`: the order of the anchor before the step.
 void enter(const Step& step, std::size_t index, std::int32_t anchor, std::vector<Candidate>& candidates) {
-  if (const auto* s = std::get_if<CandidateMeasured>(&step.what)) {
+  if (const auto* s = get_if<CandidateMeasured>(step)) {
     Candidate& candidate = candidates[static_cast<std::size_t>(s->candidate_order)];
     const bool itself = s->candidate_order == 0 && s->anchor_order == 0;
     candidate.anchor_order = s->anchor_order;
@@ -38,7 +38,7 @@ void enter(const Step& step, std::size_t index, std::int32_t anchor, std::vector
     candidate.distance = s->distance;
     candidate.verdict = itself ? CandidateVerdict::first : verdict_of(s->verdict);
     candidate.step = index;
-  } else if (const auto* missed = std::get_if<BandMissed>(&step.what)) {
+  } else if (const auto* missed = get_if<BandMissed>(step)) {
     Candidate& candidate = candidates[static_cast<std::size_t>(missed->taken_order)];
     candidate.anchor_order = anchor;
     candidate.stitch = missed->stitch;
@@ -85,9 +85,9 @@ CandidateTable candidates_of(const Timeline& timeline, std::int32_t row) {
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
     const Step& step = timeline.step(i);
     enter(step, i, anchor, table.candidates);
-    if (const auto* s = std::get_if<CandidateMeasured>(&step.what)) {
+    if (const auto* s = get_if<CandidateMeasured>(step)) {
       anchor = s->verdict == Verdict::accepted ? s->candidate_order : s->anchor_order;
-    } else if (const auto* missed = std::get_if<BandMissed>(&step.what)) {
+    } else if (const auto* missed = get_if<BandMissed>(step)) {
       anchor = missed->taken_order;
     }
   }

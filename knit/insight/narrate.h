@@ -3,10 +3,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "knit/model/parameters.h"
-#include "knit/model/step.h"
 #include "knit/run/state.h"
+#include "knit/run/step.h"
 
 namespace knit {
 
@@ -18,12 +19,5 @@ std::string_view work_ahead(const State& state);
 
 // A short name of the step's kind, the same in step logs and tests: "candidate-measured".
 std::string_view kind_name(const Step& step);
-
-std::string_view name_of(Label label);      // "M1R"
-std::string_view name_of(Rule rule);        // "remainder last (R4)"
-std::string_view name_of(Verdict verdict);  // "too near"
-
-// Three significant digits are enough for a sentence: "0.0483".
-std::string short_number(double value);
 
 }  // namespace knit

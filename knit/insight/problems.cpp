@@ -18,13 +18,13 @@ double ratio(std::int32_t a, std::int32_t b) {
 std::optional<Problem> problem_of(const Step& step, std::size_t index, const Parameters& parameters) {
   if (!is_unusual(step, parameters)) return std::nullopt;
   const double width = parameters.stitch_width;
-  if (const auto* resampled = std::get_if<RowResampled>(&step.what))
+  if (const auto* resampled = get_if<RowResampled>(step))
     return Problem{index, ProblemKind::row_resampled, ratio(resampled->from, resampled->to)};
-  if (const auto* shared = std::get_if<GapShared>(&step.what))
+  if (const auto* shared = get_if<GapShared>(step))
     return Problem{index, ProblemKind::gap_left_open, std::abs(shared->gap_after - width) / width};
-  if (const auto* missed = std::get_if<BandMissed>(&step.what))
+  if (const auto* missed = get_if<BandMissed>(step))
     return Problem{index, ProblemKind::band_missed, std::abs(missed->distance - width) / width};
-  if (std::holds_alternative<VertexTimed>(step.what)) return Problem{index, ProblemKind::time_clamped, 0.0};
+  if (is<VertexTimed>(step)) return Problem{index, ProblemKind::time_clamped, 0.0};
   return Problem{index, ProblemKind::stopped, 0.0};
 }
 

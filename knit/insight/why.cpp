@@ -31,14 +31,14 @@ Made made_of(const State& state, std::int32_t row) {
 }
 
 // The same after a step of the row, read from the step; none: the step changes nothing about it.
-std::optional<Made> made_after(const Happening& what) {
-  if (const auto* s = std::get_if<StitchCastOn>(&what)) return Made{s->stitch, s->stitch == s->of};
-  if (const auto* s = std::get_if<StitchPlaced>(&what)) return Made{s->stitch, s->stitch == s->of};
-  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+std::optional<Made> made_after(const Event& what) {
+  if (const auto* s = get_if<StitchCastOn>(what)) return Made{s->stitch, s->stitch == s->of};
+  if (const auto* s = get_if<StitchPlaced>(what)) return Made{s->stitch, s->stitch == s->of};
+  if (const auto* s = get_if<CandidateMeasured>(what))
     return s->verdict == Verdict::accepted ? std::optional(Made{s->stitch, false}) : std::nullopt;
-  if (const auto* s = std::get_if<BandMissed>(&what)) return Made{s->stitch, false};
-  if (const auto* s = std::get_if<RowClosed>(&what)) return Made{s->stitches, true};
-  if (const auto* s = std::get_if<RowResampled>(&what)) return Made{s->to, true};
+  if (const auto* s = get_if<BandMissed>(what)) return Made{s->stitch, false};
+  if (const auto* s = get_if<RowClosed>(what)) return Made{s->stitches, true};
+  if (const auto* s = get_if<RowResampled>(what)) return Made{s->to, true};
   return std::nullopt;
 }
 
@@ -57,9 +57,7 @@ std::optional<std::size_t> first_with(const Timeline& timeline, std::int32_t row
   return std::nullopt;
 }
 
-bool is_plan(const Happening& what) {
-  return std::holds_alternative<SpacingChosen>(what) || std::holds_alternative<RowsMatched>(what);
-}
+bool is_plan(const Event& what) { return is<SpacingChosen>(what) || is<RowsMatched>(what); }
 
 // The step that places a label, or plans a row in which the cell stays plain.
 std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelThing& label) {
@@ -68,12 +66,12 @@ std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelTh
   std::optional<std::size_t> plan;
   std::int32_t cells = 0;
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
-    const Happening& what = timeline.step(i).what;
-    if (const auto* counted = std::get_if<TransitionCounted>(&what))
+    const Event& what = timeline.step(i).what;
+    if (const auto* counted = get_if<TransitionCounted>(what))
       cells = std::max(counted->below, counted->above);
     if (is_plan(what)) plan = i;
-    const auto* main = std::get_if<MainPlaced>(&what);
-    const auto* shaping = std::get_if<ShapingPlaced>(&what);
+    const auto* main = get_if<MainPlaced>(what);
+    const auto* shaping = get_if<ShapingPlaced>(what);
     if ((main != nullptr && main->cell == label.cell) || (shaping != nullptr && shaping->cell == label.cell))
       return i;
   }
@@ -86,7 +84,7 @@ std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelTh
 std::optional<std::size_t> face_made_by(const Timeline& timeline, std::int32_t row, std::int32_t face) {
   const StepRange steps = steps_of_row(timeline, Stage::faces, row);
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
-    const auto* made = std::get_if<FaceMade>(&timeline.step(i).what);
+    const auto* made = get_if<FaceMade>(timeline.step(i));
     if (made != nullptr && made->index == face + 1) return i;
   }
   return std::nullopt;
@@ -160,14 +158,14 @@ std::optional<std::size_t> made_by(const Timeline& timeline, const Thing& thing)
 std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchThing& stitch) {
   const StepRange steps = steps_of_row(timeline, stage_of_row(stitch.row), stitch.row);
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
-    const Happening& what = timeline.step(i).what;
-    const auto* measured = std::get_if<CandidateMeasured>(&what);
-    const auto* missed = std::get_if<BandMissed>(&what);
+    const Event& what = timeline.step(i).what;
+    const auto* measured = get_if<CandidateMeasured>(what);
+    const auto* missed = get_if<BandMissed>(what);
     // Numbers in steps are the anchor's, from 1: the one taken comes next.
     const bool taken = (measured != nullptr && measured->verdict == Verdict::accepted &&
                         measured->stitch == stitch.stitch) ||
                        (missed != nullptr && missed->stitch == stitch.stitch);
-    if (taken || (stitch.stitch == 0 && std::holds_alternative<CycleOrdered>(what))) return i;
+    if (taken || (stitch.stitch == 0 && is<CycleOrdered>(what))) return i;
   }
   return std::nullopt;
 }
@@ -178,12 +176,12 @@ std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchThing&
   const StepRange steps = steps_of_row(timeline, stage_of_row(stitch.row), stitch.row);
   std::optional<std::size_t> moved;
   for (std::size_t i = *made + 1; i < steps.end; ++i) {
-    const Happening& what = timeline.step(i).what;
-    const auto* shared = std::get_if<GapShared>(&what);
+    const Event& what = timeline.step(i).what;
+    const auto* shared = get_if<GapShared>(what);
     // By the thesis's rule the first stitch stays.
     const bool by_gap =
         shared != nullptr && shared->shared && (shared->how == Closing::arc || stitch.stitch > 0);
-    if (by_gap || std::holds_alternative<RowResampled>(what)) moved = i;
+    if (by_gap || is<RowResampled>(what)) moved = i;
   }
   return moved;
 }
@@ -192,10 +190,9 @@ std::optional<std::size_t> count_decided_by(const Timeline& timeline, std::int32
   const StepRange steps = steps_of_row(timeline, stage_of_row(row), row);
   std::optional<std::size_t> decided;
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
-    const Happening& what = timeline.step(i).what;
+    const Event& what = timeline.step(i).what;
     const bool decides =
-        std::holds_alternative<RowClosed>(what) || std::holds_alternative<RowResampled>(what) ||
-        std::holds_alternative<CountChosen>(what) || std::holds_alternative<StitchCastOn>(what);
+        is<RowClosed>(what) || is<RowResampled>(what) || is<CountChosen>(what) || is<StitchCastOn>(what);
     if (decides) decided = i;
   }
   return decided;

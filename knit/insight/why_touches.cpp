@@ -31,42 +31,41 @@ std::int32_t next_cell(const Transition& t, std::int32_t cell) {
 }
 
 // The cells a step works on, in the transition of its row; -1: none.
-std::array<std::int32_t, 2> cells_of(const Transition& t, const Happening& what) {
-  if (const auto* s = std::get_if<MainPlaced>(&what)) return {s->cell, -1};
-  if (const auto* s = std::get_if<ShapingPlaced>(&what)) return {s->cell, s->partner};
-  if (const auto* s = std::get_if<FaceMade>(&what)) return {s->index - 1, next_cell(t, s->index - 1)};
+std::array<std::int32_t, 2> cells_of(const Transition& t, const Event& what) {
+  if (const auto* s = get_if<MainPlaced>(what)) return {s->cell, -1};
+  if (const auto* s = get_if<ShapingPlaced>(what)) return {s->cell, s->partner};
+  if (const auto* s = get_if<FaceMade>(what)) return {s->index - 1, next_cell(t, s->index - 1)};
   return {-1, -1};
 }
 
 // A row's own steps: measured from the stitch, or to it, made it, moved it. Stitches from 0.
-bool makes_stitch(const Happening& what, std::int32_t stitch) {
-  if (const auto* s = std::get_if<StitchCastOn>(&what)) return s->stitch == stitch + 1;
-  if (const auto* s = std::get_if<StitchPlaced>(&what)) return s->stitch == stitch + 1;
-  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+bool makes_stitch(const Event& what, std::int32_t stitch) {
+  if (const auto* s = get_if<StitchCastOn>(what)) return s->stitch == stitch + 1;
+  if (const auto* s = get_if<StitchPlaced>(what)) return s->stitch == stitch + 1;
+  if (const auto* s = get_if<CandidateMeasured>(what))
     return s->stitch == stitch + 1 || (s->verdict == Verdict::accepted && s->stitch == stitch);
-  if (const auto* s = std::get_if<BandMissed>(&what)) return s->stitch == stitch + 1 || s->stitch == stitch;
-  if (const auto* s = std::get_if<RowClosed>(&what)) return stitch == 0 || stitch + 1 == s->stitches;
-  if (std::holds_alternative<CycleOrdered>(what)) return stitch == 0;
-  if (std::holds_alternative<RowResampled>(what)) return true;
-  const auto* shared = std::get_if<GapShared>(&what);
+  if (const auto* s = get_if<BandMissed>(what)) return s->stitch == stitch + 1 || s->stitch == stitch;
+  if (const auto* s = get_if<RowClosed>(what)) return stitch == 0 || stitch + 1 == s->stitches;
+  if (is<CycleOrdered>(what)) return stitch == 0;
+  if (is<RowResampled>(what)) return true;
+  const auto* shared = get_if<GapShared>(what);
   return shared != nullptr && shared->shared && (shared->how == Closing::arc || stitch > 0);
 }
 
 // From a stitch to the next: measured the way, made its ends, moved them.
-bool makes_edge(const Happening& what, std::int32_t stitch) {
+bool makes_edge(const Event& what, std::int32_t stitch) {
   const auto placed = [&](std::int32_t made, std::int32_t of) {
     return made == stitch + 2 || (made == of && stitch + 1 == of);
   };
-  if (const auto* s = std::get_if<StitchCastOn>(&what)) return placed(s->stitch, s->of);
-  if (const auto* s = std::get_if<StitchPlaced>(&what)) return placed(s->stitch, s->of);
+  if (const auto* s = get_if<StitchCastOn>(what)) return placed(s->stitch, s->of);
+  if (const auto* s = get_if<StitchPlaced>(what)) return placed(s->stitch, s->of);
   // The one measures the way, the next keeps its end.
-  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+  if (const auto* s = get_if<CandidateMeasured>(what))
     return s->verdict == Verdict::accepted && (s->stitch == stitch + 1 || s->stitch == stitch + 2);
-  if (const auto* s = std::get_if<BandMissed>(&what))
-    return s->stitch == stitch + 1 || s->stitch == stitch + 2;
-  if (const auto* s = std::get_if<RowClosed>(&what)) return stitch + 2 >= s->stitches;
-  if (std::holds_alternative<RowResampled>(what)) return true;
-  const auto* shared = std::get_if<GapShared>(&what);
+  if (const auto* s = get_if<BandMissed>(what)) return s->stitch == stitch + 1 || s->stitch == stitch + 2;
+  if (const auto* s = get_if<RowClosed>(what)) return stitch + 2 >= s->stitches;
+  if (is<RowResampled>(what)) return true;
+  const auto* shared = get_if<GapShared>(what);
   return shared != nullptr && shared->shared;
 }
 
@@ -101,7 +100,7 @@ struct Touches {
   bool operator()(const RowEdgeThing& e) const {
     const Place& at = step().place;
     if (at.stage == stage_of_row(e.row) && at.row == e.row) return makes_edge(step().what, e.stitch);
-    const auto* face = std::get_if<FaceMade>(&step().what);
+    const auto* face = get_if<FaceMade>(step());
     const Transition* t = face != nullptr ? transition() : nullptr;
     if (t == nullptr) return false;
     const CellEnds from = ends_of(*t, face->index - 1);
@@ -111,28 +110,25 @@ struct Touches {
   }
   bool operator()(const ColumnEdgeThing& e) const { return on_cell(e.row, e.edge); }
   bool operator()(const FaceThing& f) const {
-    const auto* face = std::get_if<FaceMade>(&step().what);
+    const auto* face = get_if<FaceMade>(step());
     if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
     const Transition* t = transition();
     if (t == nullptr || t->row != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
     return on_cell(f.row, f.face) || on_cell(f.row, next_cell(*t, f.face));
   }
   bool operator()(const LabelThing& l) const {
-    if (step().place.row == l.row && (std::holds_alternative<SpacingChosen>(step().what) ||
-                                      std::holds_alternative<RowsMatched>(step().what)))
-      return true;
+    if (step().place.row == l.row && (is<SpacingChosen>(step()) || is<RowsMatched>(step()))) return true;
     return on_cell(l.row, l.cell);
   }
   bool operator()(const VertexThing& v) const {
     const std::vector<VertexId>& twin = timeline.input().twin;
     if (v.vertex >= twin.size()) return false;
     const auto is = [&](VertexId other) { return other < twin.size() && twin[other] == twin[v.vertex]; };
-    if (const auto* s = std::get_if<EndsFound>(&step().what)) return is(s->start) || is(s->end);
-    if (const auto* s = std::get_if<VertexTimed>(&step().what)) return s->vertex == v.vertex;
-    if (const auto* s = std::get_if<CycleOrdered>(&step().what)) return is(s->first);
-    if (const auto* s = std::get_if<CandidateMeasured>(&step().what))
-      return is(s->anchor) || is(s->candidate);
-    if (const auto* s = std::get_if<BandMissed>(&step().what)) return is(s->anchor) || is(s->taken);
+    if (const auto* s = get_if<EndsFound>(step())) return is(s->start) || is(s->end);
+    if (const auto* s = get_if<VertexTimed>(step())) return s->vertex == v.vertex;
+    if (const auto* s = get_if<CycleOrdered>(step())) return is(s->first);
+    if (const auto* s = get_if<CandidateMeasured>(step())) return is(s->anchor) || is(s->candidate);
+    if (const auto* s = get_if<BandMissed>(step())) return is(s->anchor) || is(s->taken);
     return false;
   }
   [[nodiscard]] bool on_cell(std::int32_t row, std::int32_t cell) const {

@@ -29,10 +29,10 @@ struct Taken {
   VertexId candidate = no_vertex;
   bool refused = false, by_band = true;
 };
-std::optional<Taken> measured_in(const Happening& what) {
-  if (const auto* s = std::get_if<CandidateMeasured>(&what))
+std::optional<Taken> measured_in(const Event& what) {
+  if (const auto* s = get_if<CandidateMeasured>(what))
     return Taken{s->candidate, s->verdict != Verdict::accepted, true};
-  if (const auto* s = std::get_if<BandMissed>(&what)) return Taken{s->taken, false, false};
+  if (const auto* s = get_if<BandMissed>(what)) return Taken{s->taken, false, false};
   return std::nullopt;
 }
 
@@ -52,8 +52,8 @@ void follow_walk(const Timeline& timeline, VertexId vertex, VertexStory& story) 
   }
   const StepRange steps = steps_of_row(timeline, Stage::rows, story.row);
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
-    const Happening& what = timeline.step(i).what;
-    const auto* ordered = std::get_if<CycleOrdered>(&what);
+    const Event& what = timeline.step(i).what;
+    const auto* ordered = get_if<CycleOrdered>(what);
     if (ordered != nullptr && ordered->first == meant) {
       story.fate = Fate::begins_row;
       story.decided = i;
@@ -72,12 +72,12 @@ void follow_walk(const Timeline& timeline, VertexId vertex, VertexStory& story) 
 std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex) {
   const std::size_t known = timeline.known();
   std::size_t first = 0;  // a few solves stand before
-  while (first < known && !std::holds_alternative<VertexTimed>(timeline.step(first).what)) {
+  while (first < known && !is<VertexTimed>(timeline.step(first))) {
     if (timeline.step(first).place.stage != Stage::timing) return std::nullopt;
     ++first;
   }
   const std::size_t step = first + vertex;
-  const auto* timed = step < known ? std::get_if<VertexTimed>(&timeline.step(step).what) : nullptr;
+  const auto* timed = step < known ? get_if<VertexTimed>(timeline.step(step)) : nullptr;
   return timed != nullptr && timed->vertex == vertex ? std::optional(step) : std::nullopt;
 }
 

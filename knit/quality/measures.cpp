@@ -94,16 +94,12 @@ const Stitch& stitch_at(const State& state, std::uint32_t number) {
 }
 
 bool is_unusual(const Step& step, const Parameters& parameters) {
-  if (std::holds_alternative<BandMissed>(step.what) || std::holds_alternative<RowResampled>(step.what))
-    return true;
-  if (const auto* timed = std::get_if<VertexTimed>(&step.what)) return timed->clamped;
-  if (const auto* shared = std::get_if<GapShared>(&step.what)) {
-    const double low = parameters.stitch_width - parameters.epsilon;
-    const double high = parameters.stitch_width + parameters.epsilon;
-    // A row spread evenly instead was reported by the step that spread it.
-    return !shared->shared && !shared->resampled && (shared->gap_after < low || shared->gap_after > high);
-  }
-  return is_stop(step);
+  return visit_event(
+      [&](const auto& event) {
+        if constexpr (requires { event.unusual(parameters); }) return event.unusual(parameters);
+        return std::is_same_v<decltype(event), const Stopped&>;
+      },
+      step.what);
 }
 
 }  // namespace knit

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "knit/model/parameters.h"
-#include "knit/model/step.h"
 #include "knit/run/state.h"
+#include "knit/run/step.h"
 
 namespace knit {
 

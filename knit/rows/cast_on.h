@@ -6,7 +6,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/parameters.h"
 #include "knit/model/products.h"
-#include "knit/model/step.h"
+#include "knit/model/stopped.h"
 
 namespace knit {
 

@@ -11,7 +11,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/parameters.h"
 #include "knit/model/products.h"
-#include "knit/model/step.h"
+#include "knit/rows/contour_events.h"
 #include "knit/rows/frame.h"
 
 namespace knit {

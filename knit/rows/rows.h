@@ -12,7 +12,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/parameters.h"
 #include "knit/model/products.h"
-#include "knit/model/step.h"
+#include "knit/rows/ring_events.h"
 
 namespace knit {
 

@@ -7,8 +7,8 @@
 
 #include "knit/mesh/mesh.h"
 #include "knit/model/parameters.h"
-#include "knit/model/step.h"
 #include "knit/run/state.h"
+#include "knit/run/step.h"
 
 namespace knit {
 
@@ -18,14 +18,5 @@ Step advance(const Input& input, const Parameters& parameters, State& state);
 // Whether the step to come may take longer than a frame: a solve over a large surface. Requires
 // !state.finished().
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state);
-
-// The machine's parts, one a stage, in calling order. Each takes one step of its own stage.
-Happening advance_timing(const Input& input, const Parameters& parameters, State& state);
-Happening advance_cast_on(const Input& input, const Parameters& parameters, State& state);
-Happening advance_contours(const Input& input, const Parameters& parameters, State& state);
-Happening advance_rows(const Input& input, const Parameters& parameters, State& state);
-Happening advance_stitches(const Parameters& parameters, State& state);
-Happening advance_faces(State& state);
-Happening advance_pattern(State& state);
 
 }  // namespace knit

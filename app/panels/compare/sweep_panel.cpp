@@ -8,7 +8,7 @@
 #include "app/panels/compare/sweep_plot.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include "app/base/text.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

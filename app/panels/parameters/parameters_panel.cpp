@@ -11,9 +11,9 @@
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
 #include "knit/model/gauge.h"
 #include "knit/model/parameters.h"
+#include "knit/model/words.h"
 #include "knit/rows/frame.h"
 
 namespace app {

@@ -11,7 +11,7 @@
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -234,9 +234,8 @@ Colour colour_of(CandidateVerdict verdict) {
 std::optional<std::int32_t> order_at_hand(const PanelFrame& frame) {
   const knit::Step* step = last_step(frame.session);
   if (step == nullptr) return std::nullopt;
-  if (const auto* measured = std::get_if<knit::CandidateMeasured>(&step->what))
-    return measured->candidate_order;
-  if (const auto* missed = std::get_if<knit::BandMissed>(&step->what)) return missed->taken_order;
+  if (const auto* measured = knit::get_if<knit::CandidateMeasured>(*step)) return measured->candidate_order;
+  if (const auto* missed = knit::get_if<knit::BandMissed>(*step)) return missed->taken_order;
   return std::nullopt;
 }
 

@@ -12,7 +12,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/pseudo_code_panel.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

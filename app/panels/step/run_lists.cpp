@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -110,7 +111,7 @@ struct Problem {
 
 // What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
 std::string short_line(const knit::Step& step) {
-  const auto* missed = std::get_if<knit::BandMissed>(&step.what);
+  const auto* missed = knit::get_if<knit::BandMissed>(step);
   if (missed == nullptr) return "";
   return "Row " + std::to_string(step.place.row) + ", stitch " + std::to_string(missed->stitch) +
          ": nothing in the band, " + knit::short_number(missed->distance) + " taken";

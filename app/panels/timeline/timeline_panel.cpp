@@ -12,6 +12,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/session/learning.h"
 #include "app/session/view.h"
-#include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

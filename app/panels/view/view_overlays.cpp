@@ -11,6 +11,7 @@
 #include "app/session/outbox.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/words.h"
 
 namespace app {
 

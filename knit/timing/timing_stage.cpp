@@ -1,7 +1,8 @@
+#include "knit/timing/timing_stage.h"
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "knit/run/machine.h"
 #include "knit/timing/critical.h"
 #include "knit/timing/heights.h"
 #include "knit/timing/levels.h"
@@ -18,7 +19,8 @@ double pinned(const Ends& ends, VertexId vertex, double value) {
   return vertex == ends.start ? 0.0 : vertex == ends.end ? 1.0 : value;
 }
 
-Happening find_ends_of_knitting(const Input& input, const Parameters& parameters, TimingWork& work) {
+Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const Parameters& parameters,
+                                            TimingWork& work) {
   auto found = find_ends(input, parameters);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   work.ends = std::get<Ends>(found);
@@ -27,7 +29,7 @@ Happening find_ends_of_knitting(const Input& input, const Parameters& parameters
 }
 
 // Distances from the start become a field; without a picked end the farthest vertex is the end.
-Happening take_distances(const Input& input, const Parameters& parameters, TimingWork& work) {
+Advanced<TimingEvent> take_distances(const Input& input, const Parameters& parameters, TimingWork& work) {
   std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start);
   const auto farthest = std::max_element(field.begin(), field.end());
   if (parameters.end == no_vertex) work.ends->end = static_cast<VertexId>(farthest - field.begin());
@@ -39,7 +41,7 @@ Happening take_distances(const Input& input, const Parameters& parameters, Timin
   return step;
 }
 
-Happening solve_next(const Input& input, const Parameters& parameters, TimingWork& work) {
+Advanced<TimingEvent> solve_next(const Input& input, const Parameters& parameters, TimingWork& work) {
   const VertexId start = work.ends->start;
   const auto vertices = static_cast<std::int64_t>(input.mesh.positions.size());
   if (!work.net) {
@@ -66,7 +68,7 @@ double clamped_projection(const Input& input, const Ends& ends, VertexId vertex)
   return std::clamp(pinned(ends, vertex, time_of(ends, input.mesh.positions[vertex])), 0.0, 1.0);
 }
 
-Happening measure(const Input& input, TimingWork& work) {
+HeightsMeasured measure(const Input& input, TimingWork& work) {
   if (!work.field) {
     std::vector<double> field(input.mesh.positions.size());
     for (VertexId v = 0; v < field.size(); ++v) field[v] = clamped_projection(input, *work.ends, v);
@@ -76,7 +78,7 @@ Happening measure(const Input& input, TimingWork& work) {
   return HeightsMeasured{static_cast<std::int32_t>(work.scale->values.size()) - 1, work.scale->total()};
 }
 
-Happening time_next_vertex(const Input& input, TimingWork& work) {
+VertexTimed time_next_vertex(const Input& input, TimingWork& work) {
   const auto vertex = static_cast<VertexId>(work.times.size());
   const Ends& ends = *work.ends;
   const bool solved = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
@@ -90,13 +92,14 @@ Happening time_next_vertex(const Input& input, TimingWork& work) {
   return VertexTimed{vertex, outside, time};
 }
 
-Happening find_critical_points(const Input& input, TimingWork& work) {
+CriticalsFound find_critical_points(const Input& input, TimingWork& work) {
   work.criticals = Shared(find_criticals(input, work.times.to_vector()));
   const Criticals& found = *work.criticals;
   return CriticalsFound{found.minima, found.saddles, found.maxima, found.euler};
 }
 
-Happening group(const Input& input, const Parameters& parameters, State& state, const TimingWork& work) {
+Advanced<TimingEvent> group(const Input& input, const Parameters& parameters, const TimingWork& work,
+                            Shared<Timing>& made) {
   Timing timing;
   timing.ends = *work.ends;
   timing.outside = work.outside;
@@ -109,23 +112,38 @@ Happening group(const Input& input, const Parameters& parameters, State& state, 
   const auto& split = timing.levels.split;
   const LevelsGrouped grouped{timing.levels.count(), timing.outside, split ? split->level : -1,
                               split ? split->loops : 1, parameters.level_tolerance};
-  state.timing = Shared(std::move(timing));
-  state.work = CastOnWork{};
-  state.next = {Stage::cast_on, 1, 0};
-  return grouped;
+  made = Shared(std::move(timing));
+  return {grouped, Ended::stage};
 }
 
 }  // namespace
 
-Happening advance_timing(const Input& input, const Parameters& parameters, State& state) {
-  auto& work = std::get<TimingWork>(state.work);
+Advanced<TimingEvent> advance_timing(const Input& input, const Parameters& parameters, TimingWork& work,
+                                     Shared<Timing>& timing) {
   if (!work.ends) return find_ends_of_knitting(input, parameters, work);
   const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
   if (solved_for && !work.field) return solve_next(input, parameters, work);
   if (is_retimed(work.kind) && !work.scale) return measure(input, work);
   if (work.times.size() < input.mesh.positions.size()) return time_next_vertex(input, work);
   if (!work.criticals) return find_critical_points(input, work);
-  return group(input, parameters, state, work);
+  return group(input, parameters, work, timing);
+}
+
+bool next_is_a_solve(const Input& input, const Parameters& parameters, const TimingWork& work) {
+  const bool all_timed = work.times.size() == input.mesh.positions.size();
+  const TimingKind kind = work.ends ? work.kind : parameters.timing;
+  if (kind == TimingKind::linear) return all_timed;
+  return work.ends && (!work.times.empty() ? all_timed : !work.field || !work.scale);
+}
+
+std::string_view work_ahead(const TimingWork& work) {
+  if (!work.ends) return "working";
+  if (!work.times.empty()) return work.criticals ? "sorting the levels" : "finding critical points";
+  if (work.field || work.kind == TimingKind::arc_length) return "measuring heights";
+  if (!work.net) return "laying out the surface";
+  if (work.kind == TimingKind::harmonic) return "solving for the harmonic field";
+  if (!work.heat) return "spreading heat";
+  return work.slopes ? "solving for the distance" : "turning the slopes of the heat";
 }
 
 }  // namespace knit

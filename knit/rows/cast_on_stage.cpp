@@ -1,6 +1,9 @@
+#include "knit/rows/cast_on_stage.h"
+
+#include <algorithm>
+
 #include "knit/rows/cast_on.h"
 #include "knit/rows/ring.h"
-#include "knit/run/machine.h"
 
 namespace knit {
 
@@ -8,8 +11,8 @@ namespace {
 
 constexpr std::int32_t default_cast_on = 6;
 
-Happening find_cycle(const Input& input, const Parameters& parameters, State& state, CastOnWork& work) {
-  const Timing& timing = *state.timing;
+Advanced<CastOnEvent> find_cycle(const Input& input, const Parameters& parameters, const Timing& timing,
+                                 CastOnWork& work, std::int32_t& last_level) {
   auto found = find_first_cycle(input, timing, parameters);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   auto& cycle = std::get<FirstCycle>(found);
@@ -21,36 +24,29 @@ Happening find_cycle(const Input& input, const Parameters& parameters, State& st
                         cycle.ring.length};
   work.level = cycle.level;
   work.ring = Shared(std::move(cycle.ring));
-  state.last_level = cycle.last_level;
+  last_level = cycle.last_level;
   return step;
 }
 
-void finish_cast_on(State& state, CastOnWork& work) {
-  const double time = state.timing->levels.times[static_cast<std::size_t>(work.level)];
-  state.rows.emplace_back(Row{0, 1, work.level, time, work.ring, std::move(work.stitches)});
-  const std::int32_t next_level = work.level + 1;
-  if (next_level > state.last_level) {
-    state.work = IndexWork{};
-    state.next = {Stage::stitches, 2, 0};
-  } else {
-    state.work = row_work_at(next_level);
-    state.next = {Stage::rows, 2, 0};
-  }
+Row finished_row(const Timing& timing, CastOnWork& work) {
+  const double time = timing.levels.times[static_cast<std::size_t>(work.level)];
+  return {0, 1, work.level, time, work.ring, std::move(work.stitches)};
 }
 
 }  // namespace
 
-Happening advance_cast_on(const Input& input, const Parameters& parameters, State& state) {
-  auto& work = std::get<CastOnWork>(state.work);
-  if (!work.ring) return find_cycle(input, parameters, state, work);
+Advanced<CastOnEvent> advance_cast_on(const Input& input, const Parameters& parameters, const Timing& timing,
+                                      CastOnWork& work, CastOnMade made) {
+  if (!work.ring) return find_cycle(input, parameters, timing, work, made.last_level);
   // The count may be edited half way; a stitch already cast on stays.
   const auto placed = static_cast<std::int32_t>(work.stitches.size());
   const std::int32_t wanted = parameters.cast_on > 0 ? parameters.cast_on : default_cast_on;
   const std::int32_t count = std::max(wanted, placed + 1);
   const double arc = work.ring->length * placed / count;
   work.stitches.push_back({point_at(*work.ring, arc), no_vertex});
-  if (placed + 1 == count) finish_cast_on(state, work);
-  return StitchCastOn{placed + 1, count, arc};
+  const bool last = placed + 1 == count;
+  if (last) made.row = Shared(finished_row(timing, work));
+  return {StitchCastOn{placed + 1, count, arc}, last ? Ended::stage : Ended::step};
 }
 
 }  // namespace knit

@@ -1,0 +1,43 @@
+// Stages 2 and 3 with contours, one smallest step at a time: rows from cuts through the surface.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "knit/mesh/mesh.h"
+#include "knit/model/event.h"
+#include "knit/model/products.h"
+#include "knit/rows/contour_events.h"
+
+namespace knit {
+
+enum class ContourPhase : std::uint8_t { plan, cut, loop, measure, count, place };
+struct ContourWork {
+  ContourPhase phase = ContourPhase::plan;
+  Shared<CutPlan> plan;
+  std::int32_t cut = 0;    // of plan->cuts: the one at hand
+  std::int32_t count = 0;  // of stitches, once chosen
+  std::vector<Stitch> stitches;
+  // Roughly, beside its own size.
+  [[nodiscard]] std::size_t copy_bytes() const { return stitches.size() * sizeof(Stitch); }
+  [[nodiscard]] auto fields() const { return std::tie(phase, plan, cut, count, stitches); }
+  friend bool operator==(const ContourWork&, const ContourWork&) = default;
+};
+
+// Where a row is worked.
+struct ContourRow {
+  const Timing& timing;
+  std::int32_t number;  // the row's
+  std::int32_t below;   // stitches of the row below; 0: there is none
+  double from;          // the time of the row below, or 0
+};
+// `row`: the product, once the row has ended; then `work` is that of the next row.
+Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& parameters,
+                                        const ContourRow& at, ContourWork& work, Shared<Row>& row);
+
+// Whether the step to come plans cuts.
+bool next_plans_cuts(const Parameters& parameters, const ContourWork& work);
+
+}  // namespace knit

@@ -1,0 +1,75 @@
+#include "knit/rows/stop_words.h"
+
+#include "knit/model/words.h"
+#include "knit/rows/rows.h"
+
+namespace knit {
+
+namespace {
+
+// Why a level set falls into several loops, and what a person may do.
+std::string split_text(const std::string& where, const Stopped& s) {
+  const std::string head = where + ": at level " + std::to_string(s.level) + ", t = " + short_number(s.time) +
+                           ", the level set splits into " + std::to_string(s.count) + " loops, ";
+  const std::string saddle =
+      "the saddle at " + vertex_text(s.vertex) + " (t = " + short_number(s.value) + ")";
+  const std::string why =
+      s.cause == CriticalKind::saddle
+          ? "because the surface parts at " + saddle
+          : "because another lowest part of the shape has begun, which joins the first only at " + saddle;
+  return head + why +
+         ". One tube of knitting cannot follow several; choose an axis or a timing along which the shape "
+         "does "
+         "not branch.";
+}
+
+}  // namespace
+
+std::string band_text(const Parameters& parameters) {
+  const Band band = band_of(parameters);
+  return "[" + short_number(band.low) + ", " + short_number(band.high) + "]";
+}
+
+std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
+  std::string where = at.place.stage == Stage::cast_on ? "Cast on" : at.row();
+  const std::string level = "level " + std::to_string(s.level) + " at t = " + short_number(s.time);
+  switch (s.reason) {
+    case StopReason::no_extent:
+      break;
+    case StopReason::no_row_levels:
+      if (at.parameters.rows == RowSource::contours) {
+        return "Cast on: none of " + plural(s.level, "cut", "cuts") +
+               " is long enough for three half stitches; make the stitches narrower than " +
+               short_number(s.value) + " or lower.";
+      }
+      return "Cast on: none of the " + std::to_string(s.level) +
+             " levels of this mesh makes a first row between start and end; use a mesh with rings across the "
+             "axis, "
+             "another axis, or a stitch width below " +
+             short_number(s.value) + ".";
+    case StopReason::not_a_ring:
+      if (s.vertex == no_vertex) {
+        return where + ": the surface is pinched to a point where it is cut at t = " + short_number(s.time) +
+               "; mend the mesh there, or choose another axis.";
+      }
+      return where + ": no closed ring can be made of the " + plural(s.count, "vertex", "vertices") + " of " +
+             level + " (" + vertex_text(s.vertex) +
+             "); use a mesh with rings across the axis, another axis, or a larger level tolerance.";
+    case StopReason::splits:
+      return split_text(where, s);
+    case StopReason::stall:
+      return where + ": nothing within " + band_text(at.parameters) + " of stitch " +
+             std::to_string(s.count) + " (" + vertex_text(s.vertex) + "); nearest " + short_number(s.value) +
+             ". Widen epsilon, change the stitch width, or continue on a stall.";
+    case StopReason::changes_too_much:
+      return where + ": " + stitch_count_text(s.count) + " cannot follow " + std::to_string(s.other) +
+             "; a row may at most double or halve. Change the stitch width, or let such rows be resampled.";
+    case StopReason::too_fine:
+      return where + ": stitches as small as these make " +
+             (s.value > 0.0 ? short_number(s.value) + " stitches" : std::to_string(s.count) + " rows") +
+             ", more than the " + std::to_string(s.other) + " that can be worked; make them wider or higher.";
+  }
+  return where;
+}
+
+}  // namespace knit

@@ -1,0 +1,29 @@
+// Stage 5, faces, one smallest step at a time.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "knit/model/event.h"
+#include "knit/model/products.h"
+#include "knit/stitches/faces_events.h"
+
+namespace knit {
+
+struct FacesWork {
+  Shared<Strip> plan;
+  std::int32_t made = 0;  // of plan->faces
+  [[nodiscard]] auto fields() const { return std::tie(plan, made); }
+  friend bool operator==(const FacesWork&, const FacesWork&) = default;
+};
+
+// Where faces are made.
+struct StripAt {
+  const Transition& transition;
+  std::uint32_t first_below;  // the number along the knitting path of the first stitch of the row below
+  bool last;                  // no strip follows
+};
+// `strip`: the product, once it has ended; then `work` is that of the next one.
+Advanced<FacesEvent> advance_faces(const StripAt& at, FacesWork& work, Shared<Strip>& strip);
+
+}  // namespace knit

@@ -1,0 +1,63 @@
+#include "knit/stitches/index_events.h"
+
+#include "knit/model/words.h"
+
+namespace knit {
+
+std::string TransitionCounted::sentence(const Telling& at) const {
+  std::string text = at.row() + ": from " + std::to_string(below) + " to " + stitch_count_text(above) + ", ";
+  if (change == 0) return text + "nothing to shape.";
+  const std::string what = change > 0 ? plural(change, "increase", "increases")
+                                      : plural(-std::int64_t{change}, "decrease", "decreases");
+  return text + what + " around " + plural(mains_wanted, "main stitch", "main stitches") +
+         "; the row before has " + plural(mains_before, "main", "mains") + ".";
+}
+StepFields TransitionCounted::numbers() const {
+  return {{"below", below},
+          {"above", above},
+          {"change", change},
+          {"mains_wanted", mains_wanted},
+          {"mains_before", mains_before}};
+}
+
+std::string SpacingChosen::sentence(const Telling& at) const {
+  std::string text =
+      at.row() + ": " + plural(mains, "main", "mains") + ", spaced by the rule " + std::string(name_of(rule));
+  if (spacing > 0)
+    text += ", step " + std::to_string(spacing) +
+            (remainder > 0 ? ", remainder " + std::to_string(remainder) : "");
+  if (fell_back) text += "; " + std::string(name_of(tried)) + " left too little room";
+  return text + ".";
+}
+StepFields SpacingChosen::numbers() const {
+  StepFields fields{
+      {"rule", name_of(rule)}, {"mains", mains}, {"spacing", spacing}, {"remainder", remainder}};
+  if (fell_back) fields.emplace_back("tried", name_of(tried));
+  return fields;
+}
+
+std::string RowsMatched::sentence(const Telling& at) const {
+  return at.row() + ": " + plural(links, "link", "links") +
+         " join the two rows with the least sum of squares, " + short_number(sum_of_squares) + "; " +
+         stitch_count_text(doubled) + (doubled == 1 ? " has" : " have") + " two, and the longest link is " +
+         short_number(longest) + ".";
+}
+StepFields RowsMatched::numbers() const {
+  return {{"links", links}, {"doubled", doubled}, {"sum_of_squares", sum_of_squares}, {"longest", longest}};
+}
+
+std::string MainPlaced::sentence(const Telling& at) const {
+  return at.row() + ": main stitch " + std::to_string(of_mains) + " goes to cell " + std::to_string(cell) +
+         ".";
+}
+StepFields MainPlaced::numbers() const { return {{"cell", cell}, {"main", of_mains}}; }
+
+std::string ShapingPlaced::sentence(const Telling& at) const {
+  return at.row() + ": " + std::string(name_of(label)) + " goes to cell " + std::to_string(cell) +
+         ", working with cell " + std::to_string(partner) + " (" + std::to_string(count) + " placed).";
+}
+StepFields ShapingPlaced::numbers() const {
+  return {{"label", name_of(label)}, {"cell", cell}, {"partner", partner}, {"placed", count}};
+}
+
+}  // namespace knit

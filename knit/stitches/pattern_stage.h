@@ -1,0 +1,29 @@
+// Stage 6, pattern, one smallest step at a time.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "knit/model/event.h"
+#include "knit/model/products.h"
+#include "knit/stitches/pattern_events.h"
+
+namespace knit {
+
+struct PatternWork {
+  [[nodiscard]] auto fields() const { return std::tuple<>(); }
+  friend bool operator==(const PatternWork&, const PatternWork&) = default;
+};
+
+// Which line is written.
+struct LineAt {
+  std::int32_t row;
+  std::int32_t stitches;   // of the row
+  const Transition* into;  // the row; null: it is the cast on
+  bool bind_off;           // the last line, after that of the last row
+  bool last_row;
+};
+// `line`: the product.
+Advanced<PatternEvent> advance_pattern(const LineAt& at, Shared<PatternLine>& line);
+
+}  // namespace knit
