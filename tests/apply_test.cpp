@@ -268,7 +268,7 @@ TEST_CASE("tuning keeps the place and counts from the start") {
             {SeekPlace{place}, Tune{with(test_support::small_parameters(), "cast-on", "8")}, PassTime{0.0}});
   CHECK(session.timeline->base_parameters().cast_on == 8);
   CHECK(session.timeline->place() == place);
-  CHECK(session.timeline->state().rows[0]->stitches.size() == 8);
+  CHECK(session.timeline->state().fabric.rows()[0]->stitches.size() == 8);
   CHECK(session.defaults.cast_on == 0);
   CHECK(session.notices.empty());
 }
@@ -333,7 +333,7 @@ TEST_CASE("where rows come from cannot change from here once they have begun") {
   CHECK(session.notices.size() == 2);
   CHECK(session.timeline->state().finished());
   CHECK(session.timeline->base_parameters().rows == knit::RowSource::rings);
-  CHECK(session.timeline->state().rows[3]->ring->ordered_by == knit::OrderedBy::cut);
+  CHECK(session.timeline->state().fabric.rows()[3]->ring->ordered_by == knit::OrderedBy::cut);
 }
 
 TEST_CASE("welding runs on the merged mesh, at the same place, and back again") {
@@ -384,7 +384,8 @@ TEST_CASE("picking start and end vertices") {
   CHECK(session.timeline->parameters().end == 0);
   CHECK(session.timeline->parameters().start == top);
   apply(session, ToLast{});
-  CHECK(session.timeline->furthest().rows.front()->stitches.front().position.y > 0.0);  // now from the top
+  CHECK(session.timeline->furthest().fabric.rows().front()->stitches.front().position.y >
+        0.0);  // now from the top
 
   apply(session, SetPicking{Picking::end});
   check_refused(session, PickVertex{top}, "two different");

@@ -35,7 +35,7 @@ TEST_CASE("the chart stands in the view's place, before there is anything to cha
   show_chart(desk);
   CHECK(desk.ui.controls.count("view") == 0);
   CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
-  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.timeline->furthest().rows.size()));
+  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.timeline->furthest().fabric.rows().size()));
 }
 
 TEST_CASE("a square under the pointer is shown everywhere, and a click goes to its round") {
@@ -94,7 +94,7 @@ TEST_CASE("the round at hand is lit in the view") {
   Describer describer;
   const std::size_t before = describer.describe(desk.session).lines.size();
   desk.act({KnitAlong{4}});
-  const std::size_t stitches = desk.session.timeline->state().rows[3]->stitches.size();
+  const std::size_t stitches = desk.session.timeline->state().fabric.rows()[3]->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   desk.act({HoverStitch{StitchAt{2, 1}}});
   const Scene scene = describer.describe(desk.session);

@@ -98,11 +98,11 @@ TEST_CASE("the thesis's preset gives the thesis's sphere its golden counts, from
   other.last_anchor = knit::LastAnchor::drop;
   apply(session, Tune{other});
   apply(session, ToLast{});
-  CHECK(knit::count_stitches(session.timeline->state()) != 3372);
+  CHECK(session.timeline->state().fabric.stitch_count() != 3372);
   apply(session, ApplyPreset{"thesis"});
   apply(session, ToLast{});
   CHECK(session.notices.empty());
-  CHECK(knit::count_stitches(session.timeline->state()) == 3372);
+  CHECK(session.timeline->state().fabric.stitch_count() == 3372);
   CHECK(knit::count_faces(session.timeline->state()).quads == 3307);
   CHECK(knit::count_faces(session.timeline->state()).triangles == 118);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "knit/model/label.h"
 #include "knit/model/parameters.h"
 #include "knit/model/products.h"
 #include "knit/model/stage.h"
@@ -174,7 +175,7 @@ struct MainPlaced {
   friend bool operator==(const MainPlaced&, const MainPlaced&) = default;
 };
 struct ShapingPlaced {
-  std::int32_t cell, partner, count;  // count: shaping placed so far in this transition
+  std::int32_t cell, partner, count;  // count: shaping placed so far in this join
   Label label;
   friend bool operator==(const ShapingPlaced&, const ShapingPlaced&) = default;
 };

@@ -83,10 +83,21 @@ bool step_is_long(const Input& input, const Parameters& parameters, const State&
                                                  : !timing->field || !timing->scale);
 }
 
+const Join* planned_join(const State& state, RowId into) {
+  const auto* work = std::get_if<IndexWork>(&state.work);
+  const bool in_progress = work != nullptr && work->plan && work->plan->to == into;
+  return in_progress ? &*work->plan : state.fabric.join_into(into);
+}
+
+const Strip* planned_strip(const State& state, RowId into) {
+  const auto* work = std::get_if<FacesWork>(&state.work);
+  const bool in_progress = work != nullptr && work->plan && work->plan->to == into;
+  return in_progress ? &*work->plan : state.fabric.strip_into(into);
+}
+
 std::size_t copy_bytes(const State& state) {
   std::size_t bytes = sizeof(State);
-  bytes += sizeof(void*) * 2 *
-           (state.rows.size() + state.transitions.size() + state.strips.size() + state.lines.size());
+  bytes += state.fabric.copy_bytes() + sizeof(void*) * 2 * state.lines.size();
   if (const auto* timing = std::get_if<TimingWork>(&state.work)) bytes += timing->times.copy_bytes();
   if (const auto* cast_on = std::get_if<CastOnWork>(&state.work))
     bytes += cast_on->stitches.size() * sizeof(Stitch);

@@ -27,7 +27,7 @@ Happening find_cycle(const Input& input, const Parameters& parameters, State& st
 
 void finish_cast_on(State& state, CastOnWork& work) {
   const double time = state.timing->levels.times[static_cast<std::size_t>(work.level)];
-  state.rows.emplace_back(Row{0, 1, work.level, time, work.ring, std::move(work.stitches)});
+  state.fabric.add(Row{0, 1, {}, work.level, time, work.ring, std::move(work.stitches)});
   const std::int32_t next_level = work.level + 1;
   if (next_level > state.last_level) {
     state.work = IndexWork{};

@@ -13,9 +13,7 @@ const Cut& cut_at_hand(const ContourWork& work) {
 }
 const Ring& ring_at_hand(const ContourWork& work) { return *cut_at_hand(work).loops.front(); }
 
-std::int32_t stitches_below(const State& state) {
-  return state.rows.empty() ? 0 : static_cast<std::int32_t>(state.rows.back()->stitches.size());
-}
+std::int32_t stitches_below(const State& state) { return state.fabric.live().size(); }
 
 void finish_rows(State& state) {
   state.work = IndexWork{};
@@ -23,7 +21,7 @@ void finish_rows(State& state) {
 }
 
 Happening plan(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
-  const double from = state.rows.empty() ? 0.0 : state.rows.back()->time;
+  const double from = state.fabric.empty() ? 0.0 : state.fabric.rows().back()->time;
   auto planned = plan_cuts(input, *state.timing, parameters, from);
   if (const auto* stopped = std::get_if<Stopped>(&planned)) return *stopped;
   work.plan = Shared(std::get<CutPlan>(std::move(planned)));
@@ -73,7 +71,8 @@ Happening count(const Parameters& parameters, const State& state, ContourWork& w
 void finish_row(State& state, ContourWork work) {
   const Cut& cut = cut_at_hand(work);
   const std::int32_t number = state.next.row;
-  state.rows.emplace_back(Row{0, number, work.cut, cut.time, cut.loops.front(), std::move(work.stitches)});
+  state.fabric.add(
+      Row{0, number, state.fabric.live(), work.cut, cut.time, cut.loops.front(), std::move(work.stitches)});
   if (work.cut + 1 == static_cast<std::int32_t>(work.plan->cuts.size())) return finish_rows(state);
   ContourWork next;
   next.phase = ContourPhase::cut;

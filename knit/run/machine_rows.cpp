@@ -60,7 +60,7 @@ Happening close(const Input& input, const Parameters& parameters, const State& s
   if (stop_on_stall && stalled(work.walk)) return stall(state, work);
   ClosedRow closed = close_row(work.walk, *work.ring, input, parameters);
   const auto picked = static_cast<std::int32_t>(closed.stitches.size());
-  const std::int32_t below = size_of(*state.rows.back());
+  const std::int32_t below = state.fabric.live().size();
   const auto needed = needed_count(picked, below, work.ring->length, parameters.stitch_width);
   const bool changes_too_much = needed && needed->reason != ResampleReason::too_few;
   if (changes_too_much && parameters.resample == Resample::off) {
@@ -77,7 +77,7 @@ Happening close(const Input& input, const Parameters& parameters, const State& s
 
 Happening resample(const Parameters& parameters, const State& state, RowWork& work) {
   const auto picked = static_cast<std::int32_t>(work.closed.stitches.size());
-  const std::int32_t below = size_of(*state.rows.back());
+  const std::int32_t below = state.fabric.live().size();
   // Parameters may have been edited since the row closed; a row that now fits is still spread evenly.
   const auto needed = needed_count(picked, below, work.ring->length, parameters.stitch_width)
                           .value_or(NeededCount{picked, ResampleReason::too_few});
@@ -100,8 +100,8 @@ Happening share(const Parameters& parameters, State& state, RowWork& work) {
                        shared.gap};
   const std::int32_t number = state.next.row;
   const std::int32_t level = work.level;
-  state.rows.emplace_back(
-      Row{0, number, level, time_of_level(state, level), work.ring, std::move(shared.stitches)});
+  state.fabric.add(Row{0, number, state.fabric.live(), level, time_of_level(state, level), work.ring,
+                       std::move(shared.stitches)});
   if (level < state.last_level) {
     state.work = row_work_at(level + 1);
     state.next = {Stage::rows, number + 1, 0};
