@@ -281,7 +281,7 @@ TEST_CASE("tuning keeps the place and counts from the start") {
             {SeekPlace{place}, Tune{with(test_support::small_parameters(), "cast-on", "8")}, PassTime{0.0}});
   CHECK(session.document->timeline.base_parameters().cast_on == 8);
   CHECK(session.document->timeline.place() == place);
-  CHECK(session.document->timeline.state().rows[0]->stitches.size() == 8);
+  CHECK(session.document->timeline.state().fabric.rows()[0]->stitches.size() == 8);
   CHECK(session.document->defaults.cast_on == 0);
   CHECK(session.outbox->notices.empty());
 }
@@ -342,13 +342,12 @@ TEST_CASE("where rows come from cannot change from here once they have begun") {
                   "whole run");
     CHECK(contains(session.outbox->notices.back().text, "from rings already"));
   }
-  apply_all(session,
-            {SeekPlace{{knit::Stage::cast_on, 0, 0}},
-             EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
+  apply_all(session, {SeekPlace{{knit::Stage::cast_on, 0, 0}},
+                      EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
   CHECK(session.outbox->notices.size() == 2);
   CHECK(session.document->timeline.state().finished());
   CHECK(session.document->timeline.base_parameters().rows == knit::RowSource::rings);
-  CHECK(session.document->timeline.state().rows[3]->ring->ordered_by == knit::OrderedBy::cut);
+  CHECK(session.document->timeline.state().fabric.rows()[3]->ring->ordered_by == knit::OrderedBy::cut);
 }
 
 TEST_CASE("welding runs on the merged mesh, at the same place, and back again") {
@@ -399,7 +398,7 @@ TEST_CASE("picking start and end vertices") {
   CHECK(session.document->timeline.parameters().end == 0);
   CHECK(session.document->timeline.parameters().start == top);
   apply(session, ToLast{});
-  CHECK(session.document->timeline.furthest().rows.front()->stitches.front().position.y >
+  CHECK(session.document->timeline.furthest().fabric.rows().front()->stitches.front().position.y >
         0.0);  // now from the top
 
   apply(session, SetPicking{Picking::end});

@@ -203,13 +203,13 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
   const PickReach reach{0.01, 0.006};
   std::size_t seen = 0;
   std::size_t right = 0;
-  for (const auto& row : state.rows) {
+  for (const auto& row : state.fabric.rows()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(row->stitches.size()); ++i) {
       const glm::dvec3& place = row->stitches[static_cast<std::size_t>(i)].position;
       if (!faces_eye(session, place)) continue;
       ++seen;
       right += pick_thing(session, on_screen(session, place), reach) ==
-                       std::optional<knit::Thing>(knit::StitchThing{row->number, i})
+                       std::optional<knit::Thing>(knit::StitchThing{row->id, i})
                    ? 1U
                    : 0U;
     }
@@ -217,13 +217,13 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
   CHECK(seen > 20);
   CHECK(right == seen);
   // Between stitches an edge; with edges hidden the face; with faces hidden the mesh.
-  const auto& row = *state.rows[state.rows.size() / 2];
+  const auto& row = *state.fabric.rows()[state.fabric.rows().size() / 2];
   for (std::size_t i = 0; i + 1 < row.stitches.size(); ++i) {
     const glm::dvec3 middle = 0.5 * (row.stitches[i].position + row.stitches[i + 1].position);
     if (!faces_eye(session, middle)) continue;
     const auto edge = pick_thing(session, on_screen(session, middle), reach);
     REQUIRE(edge);
-    CHECK(*edge == knit::Thing(knit::RowEdgeThing{row.number, static_cast<std::int32_t>(i)}));
+    CHECK(*edge == knit::Thing(knit::RowEdgeThing{row.id, static_cast<std::int32_t>(i)}));
   }
   apply(session, SetLayer{Layer::row_edges, false});
   apply(session, SetLayer{Layer::column_edges, false});
@@ -242,7 +242,7 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
 TEST_CASE("candidates of the row in the making can be clicked, though edges run through them") {
   Session session = test_support::small_session();
   while (!std::holds_alternative<knit::RowWork>(session.document->timeline.state().work) ||
-         session.document->timeline.state().rows.size() < 7 ||
+         session.document->timeline.state().fabric.rows().size() < 7 ||
          std::get<knit::RowWork>(session.document->timeline.state().work).walk.kept.size() < 6)
     apply(session, StepBy{});
   const auto& work = std::get<knit::RowWork>(session.document->timeline.state().work);

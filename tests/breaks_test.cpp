@@ -34,7 +34,7 @@ Parameters contour_parameters() {
 std::vector<std::size_t> hits_of(const Timeline& timeline, const std::string& text) {
   BreakScanner scanner({condition(text)});
   for (std::size_t i = 0; i < timeline.known(); ++i)
-    scanner.take(timeline.step(i), timeline.parameters_of_step(i), timeline.furthest().rows);
+    scanner.take(timeline.step(i), timeline.parameters_of_step(i), timeline.furthest().fabric);
   if (timeline.stop() != nullptr) scanner.take_stop(*timeline.stop());
   std::vector<std::size_t> steps;
   for (const BreakHit& hit : scanner.hits()) steps.push_back(hit.step);
@@ -58,7 +58,7 @@ std::vector<std::size_t> ends_of_rows(const Timeline& timeline) {
 template <class Test>
 std::vector<std::size_t> rows_where(const Timeline& timeline, Test test) {
   const auto ends = ends_of_rows(timeline);
-  const auto& rows = timeline.furthest().rows;
+  const auto& rows = timeline.furthest().fabric.rows();
   REQUIRE(ends.size() == rows.size());
   std::vector<std::size_t> steps;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("stages, rows and labels break where they begin and where they are pla
   REQUIRE_FALSE(increases.empty());
   CHECK(hits_of(timeline, "label=m1l") == increases);
   CHECK(hits_of(timeline, "label=main") == mains);
-  CHECK(hits_of(timeline, "label=cast").size() == timeline.furthest().rows.front()->stitches.size());
+  CHECK(hits_of(timeline, "label=cast").size() == timeline.furthest().fabric.rows().front()->stitches.size());
 }
 
 TEST_CASE("rows that grow, shrink, or have a wide or a narrow stitch break where they are finished",
@@ -159,7 +159,7 @@ TEST_CASE("rows that grow, shrink, or have a wide or a narrow stitch break where
             rows_where(timeline, [&](const Rows& rows, std::size_t i) {
               return any_width(*rows[i], w, bound, false);
             }));
-      parted = parted || (!wide.empty() && wide.size() < timeline.furthest().rows.size());
+      parted = parted || (!wide.empty() && wide.size() < timeline.furthest().fabric.rows().size());
     }
     CHECK(parted);
     CHECK_FALSE(hits_of(timeline, "grows>0").empty());
@@ -213,7 +213,7 @@ TEST_CASE("several conditions hit in the order of steps, and each is counted", "
   const Timeline timeline = whole_run(test_support::small_parameters());
   BreakScanner scanner({condition("row=3"), condition("stage=rows"), condition("label=k2tog")});
   for (std::size_t i = 0; i < timeline.known(); ++i)
-    scanner.take(timeline.step(i), timeline.parameters_of_step(i), timeline.furthest().rows);
+    scanner.take(timeline.step(i), timeline.parameters_of_step(i), timeline.furthest().fabric);
   const auto& hits = scanner.hits();
   CHECK(std::is_sorted(hits.begin(), hits.end(), [](const BreakHit& a, const BreakHit& b) {
     return std::pair(a.step, a.condition) < std::pair(b.step, b.condition);

@@ -37,7 +37,7 @@ TEST_CASE("the chart stands in the view's place, before there is anything to cha
   show_chart(desk);
   CHECK(desk.ui.controls.count("view") == 0);
   CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
-  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.document->timeline.furthest().rows.size()));
+  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.document->timeline.furthest().fabric.rows().size()));
 }
 
 TEST_CASE("a square under the pointer is shown everywhere, and a click goes to its round") {
@@ -96,7 +96,7 @@ TEST_CASE("the round at hand is lit in the view") {
   Describer describer;
   const std::size_t before = describer.describe(desk.session).lines.size();
   desk.act({KnitAlong{4}});
-  const std::size_t stitches = desk.session.document->timeline.state().rows[3]->stitches.size();
+  const std::size_t stitches = desk.session.document->timeline.state().fabric.rows()[3]->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   desk.act({HoverStitch{StitchAt{2, 1}}});
   const Scene scene = describer.describe(desk.session);

@@ -30,9 +30,9 @@ State small_run() {
 }
 
 double longest_in_a_face(const State& state) {
-  const std::vector<glm::dvec3> path = knitting_path(state);
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
   double longest = 0.0;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       for (int a = 1; a < face.corner_count; ++a) {
         for (int b = 0; b < a; ++b) {
@@ -88,7 +88,7 @@ TEST_CASE("closeness: a sphere's knit mesh is a sagitta away, and its open ends 
   CHECK(closeness.knit_to_mesh.max > sagitta / 8.0);
   CHECK(closeness.knit_to_mesh.mean < closeness.knit_to_mesh.max / 2.0);
   // The pole sees the first row: its own height over it, and its radius.
-  const glm::dvec3 first = state.rows.front()->stitches.front().position;
+  const glm::dvec3 first = state.fabric.rows().front()->stitches.front().position;
   const double to_first_row = std::hypot(first.z, 1.0 + first.y);
   CHECK(closeness.mesh_to_knit.max > 0.8 * to_first_row);
   CHECK(closeness.mesh_to_knit.max < 1.01 * to_first_row);
@@ -131,7 +131,7 @@ TEST_CASE("closeness: nothing before there are faces, or without a mesh", "[clos
   CHECK_FALSE(measure_closeness(*input, test_support::tube_state(Tube{{5}})));
   CHECK_FALSE(measure_closeness(*make_input({}), test_support::tube_state(Tube{})));
   State state = small_run();
-  while (state.strips.size() > 1) state.strips.pop_back();
+  state.fabric = test_support::first_strips(state.fabric, 1);
   const auto begun = measure_closeness(*input, state);
   REQUIRE(begun);
   CHECK(begun->mesh_to_knit.max > 1.0);  // the far pole

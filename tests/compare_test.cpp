@@ -67,7 +67,7 @@ TEST_CASE("figures: recorded or not, a run counts the same", "[compare]") {
   const RunFigures figures = figures_of(bare, knobs);
   CHECK(figures.finished);
   CHECK(figures.stop.empty());
-  CHECK(figures.rows == session.document->timeline.furthest().rows.size());
+  CHECK(figures.rows == session.document->timeline.furthest().fabric.rows().size());
   const RowFigures rows = row_figures_of(bare.state, 0.3);
   double sum = 0.0;
   for (std::size_t i = 0; i < rows.stitches.size(); ++i) sum += rows.stitches[i] * rows.course[i] * 0.3;
@@ -96,12 +96,12 @@ TEST_CASE("compare: the first row that differs, the settings and the figures", "
   CHECK(difference.parameters[0].b == "0.05");
   const knit::State& after = session.document->timeline.furthest();
   std::size_t row = 0;
-  while (before.rows[row]->stitches == after.rows[row]->stitches) ++row;
+  while (before.fabric.rows()[row]->stitches == after.fabric.rows()[row]->stitches) ++row;
   REQUIRE(difference.first_row);
   CHECK(difference.first_row->row == static_cast<int>(row) + 1);
   CHECK(contains(words_of(difference.first_row), "Row " + std::to_string(row + 1) + " "));
   const auto change =
-      static_cast<long>(knit::count_stitches(after)) - static_cast<long>(knit::count_stitches(before));
+      static_cast<long>(after.fabric.stitch_count()) - static_cast<long>(before.fabric.stitch_count());
   REQUIRE(change < 0);
   CHECK(figure(difference, "stitches").difference == "\xE2\x88\x92" + std::to_string(-change));
   CHECK(contains(text_of(difference, "a", "b"), "--epsilon"));
@@ -116,8 +116,8 @@ TEST_CASE("compare: rows alike that are made otherwise are told by their shaping
   const RunDifference difference = difference_now(session);
   REQUIRE(difference.first_row);
   CHECK(difference.first_row->how == RowDiffers::shaping);
-  const auto& a = session.document->pinned->end.transitions;
-  const auto& b = session.document->timeline.furthest().transitions;
+  const auto& a = session.document->pinned->end.fabric.joins();
+  const auto& b = session.document->timeline.furthest().fabric.joins();
   const auto at = static_cast<std::size_t>(difference.first_row->row) - 2;
   CHECK(a[at]->labels != b[at]->labels);
   CHECK((at == 0 || a[at - 1]->labels == b[at - 1]->labels));
@@ -203,9 +203,9 @@ TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", 
   const LineSets first = ghosts_of(describer.describe(session));
   const RunDifference difference = difference_now(session);
   const auto same = static_cast<std::size_t>(difference.first_row->row) - 1;
-  CHECK(first.size() > session.document->pinned->end.rows.size() - same);
+  CHECK(first.size() > session.document->pinned->end.fabric.rows().size() - same);
   CHECK(first.size() <=
-        session.document->pinned->end.rows.size() + session.document->pinned->end.strips.size() - same);
+        session.document->pinned->end.fabric.rows().size() + session.document->pinned->end.fabric.strips().size() - same);
   apply(session, ToFirst{});
   CHECK(ghosts_of(describer.describe(session)) == first);
   apply(session, SetLayer{Layer::column_edges, false});

@@ -6,8 +6,8 @@
 #include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
+#include "tests/support/join.h"
 #include "tests/support/run.h"
-#include "tests/support/transition.h"
 
 using namespace knit;
 using test_support::row_sizes;
@@ -145,16 +145,16 @@ TEST_CASE("contour quality: whatever the wishes for shaping, each step up is sou
       parameters.stacking_penalty = stacking;
       parameters.follow_mains = follow;
       const State state = finished(input, parameters);
-      REQUIRE(state.transitions.size() + 1 == state.rows.size());
+      REQUIRE(state.fabric.joins().size() + 1 == state.fabric.rows().size());
       std::vector<std::int32_t> mains;
-      for (const auto& transition : state.transitions) {
-        INFO("row " << transition->row);
-        CHECK(test_support::links_sound(*transition));
-        CHECK(test_support::labels_agree(*transition));
-        CHECK(test_support::placed_agree(*transition));
-        CHECK(test_support::counts_agree(*transition));
-        CHECK(test_support::mains_sound(*transition, mains));
-        mains = transition->mains;
+      for (const auto& join : state.fabric.joins()) {
+        INFO("row " << join->to);
+        CHECK(test_support::links_sound(*join));
+        CHECK(test_support::labels_agree(*join));
+        CHECK(test_support::placed_agree(*join));
+        CHECK(test_support::counts_agree(*join));
+        CHECK(test_support::mains_sound(*join, mains));
+        mains = join->mains;
       }
       CHECK(euler_characteristic(state) == 0);
     }

@@ -36,7 +36,7 @@ Session fine_session() {
 
 std::size_t stitches_of(const Session& session) {
   std::size_t count = 0;
-  for (const auto& row : session.document->timeline.state().rows) count += row->stitches.size();
+  for (const auto& row : session.document->timeline.state().fabric.rows()) count += row->stitches.size();
   return count;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("stitches smaller than some pixels are drawn coarsely, and as they are
 TEST_CASE("drawn coarsely, it reaches from the first row to the last, and shows the rarer labels") {
   const Session session = fine_session();
   const Scene scene = Describer().describe(session);
-  const auto& rows = session.document->timeline.state().rows;
+  const auto& rows = session.document->timeline.state().fabric.rows();
   const glm::vec3 first(rows.front()->stitches.front().position);
   const glm::vec3 last(rows.back()->stitches.front().position);
   bool starts = false;
@@ -166,7 +166,7 @@ TEST_CASE("faces bear their symbols when they are near") {
   CHECK(ink(60.0) == 0);
   const auto drawn = ink(2000.0);
   std::size_t shaping = 0;
-  for (const auto& strip : session.document->timeline.state().strips)
+  for (const auto& strip : session.document->timeline.state().fabric.strips())
     for (const knit::Face& face : strip->faces) shaping += knit::is_shaping(face.label) ? 1U : 0U;
   CHECK(static_cast<std::size_t>(drawn) >= shaping);
   CHECK(static_cast<std::size_t>(drawn) <= 2 * shaping);

@@ -210,13 +210,13 @@ TEST_CASE("who guesses sees the band that the next verdict falls by") {
 
 TEST_CASE("finished faces cover the surface from the first row to the last that they reach") {
   Session session = finished_small_session();
-  const auto& rows = session.document->timeline.furthest().rows;
+  const auto& rows = session.document->timeline.furthest().fabric.rows();
   Scene scene = scene_of(session);
   REQUIRE(scene.covered);
   CHECK(scene.covered->from == static_cast<float>(rows.front()->time));
   CHECK(scene.covered->to == static_cast<float>(rows.back()->time));
   apply(session, SeekPlace{{Stage::faces, 4, 1}});
-  REQUIRE(session.document->timeline.state().strips.size() == 2);
+  REQUIRE(session.document->timeline.state().fabric.strips().size() == 2);
   scene = scene_of(session);
   REQUIRE(scene.covered);
   CHECK(scene.covered->to == static_cast<float>(rows[2]->time));
@@ -252,7 +252,7 @@ TEST_CASE("a stall that was mended shows as a problem, with its distance") {
 TEST_CASE("finished rows: an edge and a point a stitch, first and last row in the colour of the cast on") {
   Session session = finished_small_session();
   const Scene scene = scene_of(session);
-  const auto& rows = session.document->timeline.state().rows;
+  const auto& rows = session.document->timeline.state().fabric.rows();
   std::size_t stitches = 0;
   for (const auto& row : rows) stitches += row->stitches.size();
   const std::size_t ends = rows.front()->stitches.size() + rows.back()->stitches.size();
@@ -261,7 +261,7 @@ TEST_CASE("finished rows: an edge and a point a stitch, first and last row in th
   CHECK(count_lines(scene, dark_theme.of(knit::Label::cast)) == ends);
   CHECK(count_lines(scene, dark_theme.row_edge) == stitches - ends);
   std::size_t columns = 0;
-  for (const auto& strip : session.document->timeline.state().strips) columns += strip->column_edges.size();
+  for (const auto& strip : session.document->timeline.state().fabric.strips()) columns += strip->column_edges.size();
   CHECK(count_lines(scene, dark_theme.column_edge) == columns);
 }
 
@@ -297,7 +297,7 @@ TEST_CASE("faces carry the palette's colour of their label") {
   const Scene scene = scene_of(session);
   std::array<std::size_t, 7> triangles{};
   std::set<int> labels;
-  for (const auto& strip : session.document->timeline.state().strips) {
+  for (const auto& strip : session.document->timeline.state().fabric.strips()) {
     for (const knit::Face& face : strip->faces) {
       triangles.at(static_cast<std::size_t>(face.label)) += face.corner_count == 4 ? 2U : 1U;
       labels.insert(static_cast<int>(face.label));

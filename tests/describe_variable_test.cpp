@@ -104,7 +104,7 @@ TEST_CASE("w and epsilon are the band round the anchor of the step, though the n
 TEST_CASE("the row below, the ring and the gap are lit") {
   Session session = test_support::finished_small_session();
   seek_to_accepted(session);
-  const auto& rows = session.document->timeline.state().rows;
+  const auto& rows = session.document->timeline.state().fabric.rows();
   CHECK(lit(pointed(session, "below")) == 2 * rows.back()->stitches.size());
   const auto& ring = *std::get<knit::RowWork>(session.document->timeline.state().work).ring;
   CHECK(lit(pointed(session, "cycle")) == ring.points.size());
@@ -209,7 +209,7 @@ TEST_CASE("a gap that is shared shows by how much each stitch moved") {
   Session session = test_support::finished_small_session();
   const auto shared = seek_to<knit::GapShared>(
       session, [](const auto& s) { return s.shared && !s.resampled && s.stitches > 8; });
-  const auto row = session.document->timeline.state().rows.back();
+  const auto row = session.document->timeline.state().fabric.rows().back();
   const Scene scene = scene_of(session);
   std::size_t moves = 0;
   for (const knit::Stitch& stitch : row->stitches) {

@@ -136,7 +136,7 @@ TEST_CASE("thesis sphere: the mesh has a vertex a stitch along the knitting path
   const Session session = finished_example("thesis-sphere");
   const Obj obj = parse_obj(mesh_text(session));
   std::vector<glm::dvec3> path;
-  for (const auto& row : session.document->timeline.state().rows) {
+  for (const auto& row : session.document->timeline.state().fabric.rows()) {
     for (const knit::Stitch& stitch : row->stitches) path.push_back(stitch.position);
   }
   CHECK(path.size() == 3372);
@@ -184,7 +184,7 @@ TEST_CASE("every example that finishes gives a tube with two ends, and its mesh 
     const Session session = finished_example(name);
     REQUIRE(session.document->timeline.state().finished());
     const std::string text = mesh_text(session);
-    const auto& rows = session.document->timeline.state().rows;
+    const auto& rows = session.document->timeline.state().fabric.rows();
     auto loops = loop_sizes(boundary_of(parse_obj(text)));
     CHECK(loops == std::vector<std::size_t>{rows.front()->stitches.size(), rows.back()->stitches.size()});
 
@@ -210,7 +210,7 @@ TEST_CASE("every example that finishes gives a tube with two ends, and its mesh 
 TEST_CASE("before faces are made, rows are closed lines") {
   Session session = test_support::small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
-  const auto& rows = session.document->timeline.state().rows;
+  const auto& rows = session.document->timeline.state().fabric.rows();
   REQUIRE(rows.size() == 4);
   const Obj obj = parse_obj(mesh_text(session));
   CHECK(obj.faces.empty());

@@ -136,7 +136,7 @@ double screen_of(double linear) {
 
 std::size_t triangles_in(const knit::State& state) {
   std::size_t count = 0;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const knit::Face& face : strip->faces) count += static_cast<std::size_t>(face.corner_count) - 2;
   }
   return count;
@@ -188,8 +188,8 @@ TEST_CASE("glTF holds row edges and column edges as lines, and metres by the gau
   const knit::State& state = session.document->timeline.state();
   const Gltf gltf = read_text(gltf_file(session, GltfFormat::text));
   std::size_t stitches = 0, columns = 0;
-  for (const auto& row : state.rows) stitches += row->stitches.size();
-  for (const auto& strip : state.strips) columns += strip->column_edges.size();
+  for (const auto& row : state.fabric.rows()) stitches += row->stitches.size();
+  for (const auto& strip : state.fabric.strips()) columns += strip->column_edges.size();
   const Json& rows = primitive_of(gltf, "row edges");
   CHECK(rows["mode"] == 1);
   check_bounds(gltf, rows["attributes"]["POSITION"]);

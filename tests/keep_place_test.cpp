@@ -52,7 +52,7 @@ TEST_CASE("the words for a place that is gone", "[place]") {
 
 TEST_CASE("a place that is gone is told, and comes back with the parameters", "[place]") {
   Session session = contour_session();
-  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().rows.size());
+  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().fabric.rows().size());
   const Place place{Stage::rows, last_row, 2};
   apply(session, SeekPlace{place});
   REQUIRE(session.document->timeline.place() == place);
@@ -74,7 +74,7 @@ TEST_CASE("a place that is gone is told, and comes back with the parameters", "[
 
 TEST_CASE("the next move ends what is said about the place, and what is come back to", "[place]") {
   Session session = contour_session();
-  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().rows.size());
+  const auto last_row = static_cast<std::int32_t>(session.document->timeline.state().fabric.rows().size());
   for (const Action& move : std::vector<Action>{StepBy{Unit::item, -1}, SeekTo{500},
                                                 SeekPlace{{Stage::rows, 3, 1}}, StepDeep{Depth::into, -1}}) {
     apply(session, Tune{with_width(0.2)});
@@ -96,7 +96,7 @@ TEST_CASE("the next move ends what is said about the place, and what is come bac
 TEST_CASE("playing on from another place says nothing more about it", "[place]") {
   Session session = contour_session();
   apply(session, SeekPlace{{Stage::rows,
-                            static_cast<std::int32_t>(session.document->timeline.state().rows.size()), 2}});
+                            static_cast<std::int32_t>(session.document->timeline.state().fabric.rows().size()), 2}});
   apply(session, Tune{with_width(0.4)});
   settle(session);
   REQUIRE_FALSE(session.document->place_note.empty());
@@ -108,7 +108,7 @@ TEST_CASE("playing on from another place says nothing more about it", "[place]")
 TEST_CASE("in a window the place is told once the run has come back", "[place]") {
   Session session = test_support::beside_session(test_support::large_parameters());
   test_support::tick_until(session, test_support::run_is_complete);
-  const auto rows = static_cast<std::int32_t>(session.document->timeline.furthest().rows.size());
+  const auto rows = static_cast<std::int32_t>(session.document->timeline.furthest().fabric.rows().size());
   apply(session, SeekPlace{{Stage::rows, rows, 2}});
   apply(session, PassTime{0.0});
   REQUIRE(session.document->timeline.place().row == rows);

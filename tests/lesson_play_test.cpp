@@ -105,7 +105,7 @@ TEST_CASE("a lesson answers for what the person has made of the run, not for wha
   apply(session, StartLesson{"increases-and-decreases"});
   set_by_text(session, "stitch-width", "0.2");
   set_by_text(session, "epsilon", "0.1");
-  const auto& rows = session.document->timeline.furthest().rows;
+  const auto& rows = session.document->timeline.furthest().fabric.rows();
   const std::size_t now = rows[4]->stitches.size() - rows[3]->stitches.size();
   apply(session, AnswerLesson{"4"});
   const bool still = now == 4;

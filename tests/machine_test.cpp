@@ -99,7 +99,7 @@ TEST_CASE("a stop leaves the state as it was, and comes again") {
   const Step again = advance(*input, strict, state);
   CHECK(again == *timeline.stop());
   CHECK(hash_of(state) == before);
-  CHECK(timeline.furthest().rows.size() >= 1);
+  CHECK(timeline.furthest().fabric.rows().size() >= 1);
 }
 
 TEST_CASE("a stall is logged each time it is bridged") {
@@ -147,18 +147,19 @@ TEST_CASE(
     "faces look outward, and the knit mesh is a tube: each edge in at most two faces, two boundary loops") {
   const Timeline timeline = run(small_sphere(), small_parameters());
   const State& state = timeline.furthest();
+  const KnittingPath path(state.fabric);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       glm::dvec3 normal(0.0);
       glm::dvec3 centre(0.0);
-      const glm::dvec3 first = stitch_at(state, face.corners[0]).position;
+      const glm::dvec3 first = path.position(face.corners[0]);
       for (std::int32_t i = 0; i < face.corner_count; ++i) {
         const std::uint32_t a = face.corners[static_cast<std::size_t>(i)];
         const std::uint32_t b = face.corners[static_cast<std::size_t>((i + 1) % face.corner_count)];
         ++directed[{a, b}];
-        centre += stitch_at(state, a).position / double(face.corner_count);
-        normal += glm::cross(stitch_at(state, a).position - first, stitch_at(state, b).position - first);
+        centre += path.position(a) / double(face.corner_count);
+        normal += glm::cross(path.position(a) - first, path.position(b) - first);
       }
       CHECK(glm::dot(normal, centre) > 0.0);  // the sphere's centre is the origin
     }
@@ -168,7 +169,8 @@ TEST_CASE(
     CHECK(times == 1);  // once in this direction: manifold and consistently oriented
     boundary += directed.count({edge.second, edge.first}) == 0 ? 1U : 0U;
   }
-  CHECK(boundary == state.rows.front()->stitches.size() + state.rows.back()->stitches.size());
+  CHECK(boundary ==
+        state.fabric.rows().front()->stitches.size() + state.fabric.rows().back()->stitches.size());
 }
 
 TEST_CASE("parameters edited at any step give a run that ends or says why") {
@@ -202,7 +204,7 @@ TEST_CASE("one row alone: cast on and bound off at once") {
   const Timeline timeline = run(make_input(sphere(24, 2)), small_parameters());
   REQUIRE(timeline.stop() == nullptr);
   const State& state = timeline.furthest();
-  CHECK(state.rows.size() == 1);
+  CHECK(state.fabric.rows().size() == 1);
   CHECK(state.lines.size() == 2);
   CHECK(euler_characteristic(state) == 0);
 }
@@ -210,9 +212,9 @@ TEST_CASE("one row alone: cast on and bound off at once") {
 TEST_CASE("written lines add up: each consumes what the one before made") {
   const Timeline timeline = run(test_support::thesis_sphere(), test_support::thesis_parameters());
   const State& state = timeline.furthest();
-  REQUIRE(state.lines.size() == state.rows.size() + 1);
-  for (std::size_t i = 0; i < state.rows.size(); ++i) {
-    CHECK(state.lines[i]->produced == static_cast<std::int32_t>(state.rows[i]->stitches.size()));
+  REQUIRE(state.lines.size() == state.fabric.rows().size() + 1);
+  for (std::size_t i = 0; i < state.fabric.rows().size(); ++i) {
+    CHECK(state.lines[i]->produced == static_cast<std::int32_t>(state.fabric.rows()[i]->stitches.size()));
     CHECK(state.lines[i + 1]->consumed == state.lines[i]->produced);
   }
   CHECK(state.lines.back()->produced == 0);

@@ -20,7 +20,7 @@ Timeline run(std::shared_ptr<const Input> input, Parameters parameters, Metric m
 
 std::vector<std::size_t> sizes_of(const Timeline& timeline) {
   std::vector<std::size_t> sizes;
-  for (const auto& row : timeline.furthest().rows) sizes.push_back(row->stitches.size());
+  for (const auto& row : timeline.furthest().fabric.rows()) sizes.push_back(row->stitches.size());
   return sizes;
 }
 

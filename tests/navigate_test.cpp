@@ -99,9 +99,9 @@ TEST_CASE("forward works a run out as far as needed, and no further than a slice
   CHECK(timeline.state().stage() == Stage::cast_on);
   CHECK_FALSE(timeline.complete());
   timeline.seek(position_after(timeline, Unit::stage, 1));
-  CHECK(timeline.state().rows.size() == 1);
+  CHECK(timeline.state().fabric.rows().size() == 1);
   timeline.seek(position_after(timeline, Unit::row, 1));
-  CHECK(timeline.state().rows.size() == 2);
+  CHECK(timeline.state().fabric.rows().size() == 2);
   CHECK_FALSE(timeline.complete());
 }
 

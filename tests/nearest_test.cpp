@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "tests/support/catch.h"
+#include "tests/support/join.h"
 #include "tests/support/rough_sphere.h"
-#include "tests/support/transition.h"
 
 using namespace knit;
 using test_support::Cells;
@@ -42,7 +42,7 @@ struct Pair {
   Stitches below, above;
   Cells mains{};
   Flags shaped{};
-  [[nodiscard]] Transition planned(const NearestPenalties& penalties = {}) const {
+  [[nodiscard]] Join planned(const NearestPenalties& penalties = {}) const {
     return plan_nearest({below, above, mains, shaped}, penalties, 2);
   }
   [[nodiscard]] bool grows() const { return above.size() >= below.size(); }
@@ -115,7 +115,7 @@ Pair mirrored(const Pair& pair) {
 }
 
 // Doublings that involve what shaping made in the row below.
-std::int32_t stacked(const Pair& pair, const Transition& t) {
+std::int32_t stacked(const Pair& pair, const Join& t) {
   return static_cast<std::int32_t>(std::lround(cost_of(pair, t.link, 1e6) / 1e6));
 }
 
@@ -126,14 +126,14 @@ TEST_CASE("nearest: any legal pair of rows is matched soundly", "[nearest]") {
   for (int i = 0; i < 1000; ++i) {
     const Pair pair = random_pair(dice, 40);
     const NearestPenalties penalties{i % 3 == 0 ? 0.01 : 0.0, i % 4 == 0 ? 0.01 : 0.0};
-    const Transition t = pair.planned(penalties);
+    const Join t = pair.planned(penalties);
     INFO("pair " << i << ": " << pair.below.size() << " to " << pair.above.size());
     REQUIRE(test_support::links_sound(t));
     REQUIRE(test_support::labels_agree(t));
     REQUIRE(test_support::placed_agree(t));
     REQUIRE(test_support::mains_sound(t, pair.mains));
     REQUIRE(test_support::counts_agree(t));
-    CHECK(t.row == 2);
+    CHECK(t.to == 2);
     CHECK(t.rule == Rule::nearest);
     CHECK(t.sum_of_squares == Approx(cost_of(pair, t.link, 0.0)));
     double longest = 0.0;
@@ -149,17 +149,17 @@ TEST_CASE("nearest: no other matching is nearer", "[nearest]") {
   for (int i = 0; i < 300; ++i) {
     const Pair pair = random_pair(dice, 8);
     INFO("pair " << i << ": " << pair.below.size() << " to " << pair.above.size());
-    const Transition t = pair.planned();
+    const Join t = pair.planned();
     CHECK(t.sum_of_squares == Approx(least_cost(pair, 0.0)).epsilon(1e-12));
     for (const double stacking : {0.02, 5.0}) {
-      const Transition spread = pair.planned({stacking, 0.0});
+      const Join spread = pair.planned({stacking, 0.0});
       CHECK(cost_of(pair, spread.link, stacking) == Approx(least_cost(pair, stacking)).epsilon(1e-12));
     }
   }
 }
 
 TEST_CASE("nearest: equal rows hang straight, a row twice as large doubles every stitch", "[nearest]") {
-  const Transition plain = even_pair(10, 10).planned();
+  const Join plain = even_pair(10, 10).planned();
   CHECK(plain.link == Cells{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
   CHECK(plain.mains == Cells{0, 2, 3, 5, 7, 8});
   CHECK(shaping_cells(plain).empty());
@@ -175,8 +175,8 @@ TEST_CASE("nearest: mirrored rounds are worked mirrored, right for left", "[near
     if (i % 2 == 0) pair.mains.clear();  // cast on
     if (pair.big().size() == 2 * pair.small().size()) continue;
     const NearestPenalties penalties{i % 3 == 0 ? 0.01 : 0.0, i % 5 == 0 ? 0.01 : 0.0};
-    const Transition t = pair.planned(penalties);
-    const Transition image = mirrored(pair).planned(penalties);
+    const Join t = pair.planned(penalties);
+    const Join image = mirrored(pair).planned(penalties);
     INFO("pair " << i << ": " << pair.below.size() << " to " << pair.above.size());
     CHECK(image.labels == test_support::mirrored_labels(t.labels));
     CHECK(image.mains == mirrored(t.mains, t.above));
@@ -201,7 +201,7 @@ TEST_CASE("nearest: shaping leans by the side on which the nearest main stands",
     grows.above.push_back({{0.4 * std::sin(pi * at / 4), 0.1, -0.4 * std::cos(pi * at / 4)}, no_vertex});
   const auto shaped = [](Pair pair, std::int32_t main) {
     pair.mains = {main};
-    const Transition t = pair.planned();
+    const Join t = pair.planned();
     const Cells cells = shaping_cells(t);
     REQUIRE(cells.size() == 1);
     const auto cell = static_cast<std::size_t>(cells[0]);
@@ -227,7 +227,7 @@ TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nea
   for (int i = 0; i < 200; ++i) {
     Pair pair = random_pair(dice, 30);
     if (pair.mains.empty()) pair.mains = {static_cast<std::int32_t>(pair.below.size()) - 1};
-    const Transition t = pair.planned();
+    const Join t = pair.planned();
     Cells expected;
     for (const std::int32_t main : pair.mains) {
       const auto m = static_cast<std::size_t>(main);
@@ -252,7 +252,7 @@ TEST_CASE("nearest: mains are wales, carried up and down along the links", "[nea
 TEST_CASE("nearest: shaped_by names the stitches that shaping made", "[nearest]") {
   Dice dice(5);
   for (int i = 0; i < 200; ++i) {
-    const Transition t = random_pair(dice, 20).planned();
+    const Join t = random_pair(dice, 20).planned();
     Flags expected(static_cast<std::size_t>(t.above), 0);
     for (std::size_t cell = 1; cell < t.link.size(); ++cell) {
       if (t.link[cell] != t.link[cell - 1]) continue;
@@ -284,7 +284,7 @@ TEST_CASE("nearest: the stacking penalty keeps shaping off what shaping made", "
 }
 
 TEST_CASE("nearest: followed mains have all shaping beside them", "[nearest]") {
-  const auto farthest = [](const Transition& t) {
+  const auto farthest = [](const Join& t) {
     std::int32_t far = 0;
     const auto size = static_cast<std::int32_t>(t.labels.size());
     for (const std::int32_t cell : shaping_cells(t)) {

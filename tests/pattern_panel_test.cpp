@@ -117,7 +117,7 @@ TEST_CASE("a line under the pointer lights its rounds in the view, and a click g
   std::size_t stitches = 0;
   for (std::int32_t r = rounds.first; r <= rounds.last; ++r)
     stitches +=
-        desk.session.document->timeline.state().rows[static_cast<std::size_t>(r) - 1]->stitches.size();
+        desk.session.document->timeline.state().fabric.rows()[static_cast<std::size_t>(r) - 1]->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   const Actions clicked = desk.click(line);
   REQUIRE(count_of<SeekPlace>(clicked) == 1);
@@ -132,9 +132,9 @@ TEST_CASE("rounds meant before they are made stand where they are going to be") 
   Desk desk;
   show_pattern(desk);
   desk.act({ToFirst{}, HoverRounds{RoundSpan{3, 4}}});
-  REQUIRE(desk.session.document->timeline.state().rows.empty());
+  REQUIRE(desk.session.document->timeline.state().fabric.rows().empty());
   Describer describer;
-  const auto& rows = desk.session.document->timeline.furthest().rows;
+  const auto& rows = desk.session.document->timeline.furthest().fabric.rows();
   const std::size_t lit = describer.describe(desk.session).lines.size();
   desk.act({HoverRounds{std::nullopt}});
   CHECK(lit ==

@@ -48,12 +48,12 @@ State tube_of(const std::vector<std::int32_t>& sizes, PlacementPolicy policy) {
   State state;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     Row row;
-    row.number = static_cast<std::int32_t>(i) + 1;
+    row.id = static_cast<RowId>(i) + 1;
+    row.on = state.fabric.live();
     row.stitches.resize(static_cast<std::size_t>(sizes[i]));
-    state.rows.emplace_back(std::move(row));
+    state.fabric.add(std::move(row));
   }
-  for (Transition& transition : plan_transitions(sizes, policy))
-    state.transitions.emplace_back(std::move(transition));
+  for (Join& join : plan_joins(sizes, policy)) state.fabric.add(Shared(std::move(join)));
   return state;
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("plots of an unfinished run show what there is") {
   CHECK(plots_missing(session).has_value());
   apply(session, SeekPlace{{knit::Stage::cast_on, 1, 1000}});
   apply(session, StepBy{});
-  REQUIRE(session.document->timeline.state().rows.size() == 1);
+  REQUIRE(session.document->timeline.state().fabric.rows().size() == 1);
   CHECK_FALSE(plots_missing(session).has_value());
   const std::string svg = plots_file_text(session, PlotsFormat::svg);
   CHECK(test_support::xml_fault(svg) == "");

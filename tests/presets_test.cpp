@@ -100,11 +100,11 @@ TEST_CASE("the thesis's preset gives the thesis's sphere its golden counts, from
   other.last_anchor = knit::LastAnchor::drop;
   apply(session, Tune{other});
   apply(session, ToLast{});
-  CHECK(knit::count_stitches(session.document->timeline.state()) != 3372);
+  CHECK(session.document->timeline.state().fabric.stitch_count() != 3372);
   apply(session, ApplyPreset{"thesis"});
   apply(session, ToLast{});
   CHECK(session.outbox->notices.empty());
-  CHECK(knit::count_stitches(session.document->timeline.state()) == 3372);
+  CHECK(session.document->timeline.state().fabric.stitch_count() == 3372);
   CHECK(knit::count_faces(session.document->timeline.state()).quads == 3307);
   CHECK(knit::count_faces(session.document->timeline.state()).triangles == 118);
 }

@@ -10,9 +10,9 @@
 #include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
+#include "tests/support/join.h"
 #include "tests/support/promises.h"
 #include "tests/support/run.h"
-#include "tests/support/transition.h"
 #include "tests/support/tube.h"
 
 using namespace knit;
@@ -111,8 +111,8 @@ struct Counts {
 };
 Counts counts_of(const Timeline& timeline) {
   Counts counts{test_support::row_sizes(timeline.furthest()), {}, {}};
-  for (const auto& transition : timeline.furthest().transitions) {
-    const auto& labels = transition->labels;
+  for (const auto& join : timeline.furthest().fabric.joins()) {
+    const auto& labels = join->labels;
     counts.increases.push_back(static_cast<int>(std::count_if(labels.begin(), labels.end(), is_increase)));
     counts.decreases.push_back(static_cast<int>(std::count_if(labels.begin(), labels.end(), is_decrease)));
   }
@@ -151,8 +151,8 @@ double volume_of(const State& state) {
       sum += upwards ? tetrahedron(centre, a, b) : tetrahedron(centre, b, a);
     }
   };
-  close(*state.rows.front(), false);
-  close(*state.rows.back(), true);
+  close(*state.fabric.rows().front(), false);
+  close(*state.fabric.rows().back(), true);
   return sum;
 }
 
@@ -264,15 +264,15 @@ TEST_CASE(
     const Timeline image = moved_run(run, mirror, glm::dvec3(0.0), 1.0);
     CHECK(counts_of(image) == counts_of(plain));
     const bool by_place = run.parameters.placement == PlacementPolicy::nearest;
-    const auto& ours = plain.furthest().transitions;
-    const auto& theirs = image.furthest().transitions;
+    const auto& ours = plain.furthest().fabric.joins();
+    const auto& theirs = image.furthest().fabric.joins();
     REQUIRE(ours.size() == theirs.size());
     for (std::size_t i = 0; i < ours.size(); ++i) {
       // Where every stitch is doubled, pairs begin at the first stitch on both sides of the mirror; where all are worked
       // in pairs, mains stand elsewhere from there on.
       if (by_place && ours[i]->below == 2 * ours[i]->above) break;
       if (by_place && ours[i]->above == 2 * ours[i]->below) continue;
-      INFO("to row " << ours[i]->row << ", " << ours[i]->below << " to " << ours[i]->above);
+      INFO("to row " << ours[i]->to << ", " << ours[i]->below << " to " << ours[i]->above);
       CHECK(theirs[i]->labels ==
             (by_place ? test_support::mirrored_labels(ours[i]->labels) : ours[i]->labels));
       sides_changed +=

@@ -23,7 +23,7 @@ knit::Quality small_quality(std::size_t strips) {
   knit::Timeline timeline(test_support::small_sphere(), test_support::small_parameters());
   timeline.extend_to_end();
   knit::State state = timeline.furthest();
-  while (state.strips.size() > strips) state.strips.pop_back();
+  state.fabric = test_support::first_strips(state.fabric, strips);
   return knit::measure_quality(timeline.input(), state, 0.3, 0.2);
 }
 

@@ -35,11 +35,11 @@ std::size_t total(const Histogram& histogram) {
 
 // The sphere's middle is the origin and rows begin at -z, so left is right with x negated.
 MirrorError mirror_by_trying_all(const State& state, double width) {
-  const std::vector<glm::dvec3> path = knitting_path(state);
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
   const auto flip = [](const glm::dvec3& p) { return glm::dvec3(-p.x, p.y, p.z); };
   MirrorError error;
   double count = 0.0;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const auto& [lower, upper] : strip->column_edges) {
       double best = 1e300;
       for (const auto& [p, q] : strip->column_edges) {
@@ -175,9 +175,10 @@ TEST_CASE("quality: an increase costs a triangle and a stitch its regularity", "
 
 TEST_CASE("quality: an uneven row shows in its own cv, and in the worst", "[quality]") {
   State state = test_support::tube_state(Tube{});
-  Row uneven = *state.rows[1];
-  uneven.stitches[3].position = uneven.stitches[2].position;
-  state.rows[1] = Shared<Row>(uneven);
+  const auto squeeze = [](Row& row) {
+    if (row.id == 2) row.stitches[3].position = row.stitches[2].position;
+  };
+  state.fabric = test_support::remade(state.fabric, squeeze, [](Strip&) { return true; });
   const Quality quality = measured(state, 1.0, 1.0);
   CHECK(quality.rows[0].course_cv == Approx(0.0).margin(1e-12));
   CHECK(quality.rows[1].course_cv > 0.3);
@@ -187,9 +188,12 @@ TEST_CASE("quality: an uneven row shows in its own cv, and in the worst", "[qual
 
 TEST_CASE("quality: the mirror does not care where rows and columns are counted from", "[quality]") {
   State state = test_support::tube_state(Tube{{100, 100}});
-  Strip strip = *state.strips[0];
-  std::rotate(strip.column_edges.begin(), strip.column_edges.begin() + 37, strip.column_edges.end());
-  state.strips[0] = Shared<Strip>(strip);
+  const auto turn = [](Strip& strip) {
+    std::rotate(strip.column_edges.begin(), strip.column_edges.begin() + 37, strip.column_edges.end());
+    return true;
+  };
+  state.fabric = test_support::remade(
+      state.fabric, [](Row&) {}, turn);
   CHECK(measured(state, 1.0, 1.0).mirror->max == Approx(0.0).margin(1e-12));
   const State turned = test_support::moved(state, [](const glm::dvec3& p) {
     return glm::dvec3(0.6 * p.x + 0.8 * p.z, p.y, 0.6 * p.z - 0.8 * p.x) + glm::dvec3(5, 6, 7);
@@ -277,14 +281,14 @@ TEST_CASE("quality: what is not there yet counts 0, at every step of a run", "[q
   do {
     const State& state = timeline.state();
     const Quality quality = measure_quality(timeline.input(), state, 0.3, 0.2);
-    REQUIRE(quality.course.count == count_stitches(state));
-    REQUIRE(quality.rows.size() == state.rows.size());
-    REQUIRE((quality.wale.count == 0) == state.strips.empty());
+    REQUIRE(quality.course.count == state.fabric.stitch_count());
+    REQUIRE(quality.rows.size() == state.fabric.rows().size());
+    REQUIRE((quality.wale.count == 0) == state.fabric.strips().empty());
     REQUIRE(quality.wale.histogram.bins.size() == 40);
-    REQUIRE((quality.corner.count == 0) == state.strips.empty());
-    REQUIRE(quality.mirror.has_value() == !state.strips.empty());
+    REQUIRE((quality.corner.count == 0) == state.fabric.strips().empty());
+    REQUIRE(quality.mirror.has_value() == !state.fabric.strips().empty());
     REQUIRE(std::isfinite(quality.quad_share + quality.regular_share + quality.offset));
-    if (state.strips.size() == 2) {
+    if (state.fabric.strips().size() == 2) {
       ++partial;
       REQUIRE(quality.regular_share > 0.0);
     }

@@ -140,7 +140,7 @@ TEST_CASE("a click on a row of the plot goes to that row, hovering only tells") 
   desk.session.view->side = SidePanel::report;
   desk.session.document->timeline.seek(desk.session.document->timeline.known());
   desk.settle();
-  const auto last = static_cast<std::int32_t>(desk.session.document->timeline.state().rows.size());
+  const auto last = static_cast<std::int32_t>(desk.session.document->timeline.state().fabric.rows().size());
   CHECK(desk.frames({desk.over("plot/rows", 0.6f), MouseLeave{}}).empty());
   const knit::Place end = only<SeekPlace>(desk.click("plot/rows", 0.995f)).place;
   CHECK(end.row == last);
@@ -267,10 +267,11 @@ TEST_CASE("quality is measured when something was finished, and never twice for 
     timeline.seek(position);
     for (int i = 0; i < 3; ++i) cache.refresh(timeline);
     const knit::State& state = timeline.state();
-    const bool rows = !state.rows.empty();
+    const bool rows = !state.fabric.rows().empty();
     REQUIRE((cache.quality() != nullptr) == rows);
-    if (rows) REQUIRE(cache.quality()->rows.size() == state.rows.size());
-    if (rows) finished = state.rows.size() + state.transitions.size() + state.strips.size();
+    if (rows) REQUIRE(cache.quality()->rows.size() == state.fabric.rows().size());
+    if (rows)
+      finished = state.fabric.rows().size() + state.fabric.joins().size() + state.fabric.strips().size();
   }
   CHECK(cache.times_measured() == finished);
   // There and back again at once: replayed steps make the same rows anew.
@@ -292,17 +293,17 @@ TEST_CASE("while a run moves, measuring keeps to its budget, and is due when the
     REQUIRE(cache.quality() != nullptr);
   }
   CHECK(cache.times_measured() == 1);
-  CHECK(cache.quality()->rows.size() != timeline.state().rows.size());
+  CHECK(cache.quality()->rows.size() != timeline.state().fabric.rows().size());
   cache.refresh(timeline);
   CHECK(cache.times_measured() == 2);
-  CHECK(cache.quality()->rows.size() == timeline.state().rows.size());
+  CHECK(cache.quality()->rows.size() == timeline.state().fabric.rows().size());
   // Another mesh's figures are never shown for this one, not even for a frame.
   knit::Timeline other(knit::make_input(knit::sphere(20, 11, false)), wide_band());
   other.extend_to_end();
   other.seek(other.known());
   cache.refresh(other);
   CHECK(cache.times_measured() == 3);
-  CHECK(cache.quality()->rows.size() == other.state().rows.size());
+  CHECK(cache.quality()->rows.size() == other.state().fabric.rows().size());
 }
 
 TEST_CASE("quality follows the parameters") {

@@ -202,9 +202,10 @@ TEST_CASE("the machine's rows are those of the plain function") {
   Timeline timeline(input, parameters);
   timeline.extend_to_end();
   const State& state = timeline.furthest();
-  REQUIRE(state.rows.size() > 5);
-  for (std::size_t i = 1; i < state.rows.size(); ++i) {
-    const auto below = static_cast<std::int32_t>(state.rows[i - 1]->stitches.size());
-    CHECK(build_row(*state.rows[i]->ring, *input, parameters, below) == state.rows[i]->stitches);
+  REQUIRE(state.fabric.rows().size() > 5);
+  for (std::size_t i = 1; i < state.fabric.rows().size(); ++i) {
+    const auto below = static_cast<std::int32_t>(state.fabric.rows()[i - 1]->stitches.size());
+    CHECK(build_row(*state.fabric.rows()[i]->ring, *input, parameters, below) ==
+          state.fabric.rows()[i]->stitches);
   }
 }

@@ -1,4 +1,4 @@
-// Labels against Appendix A, and what must hold for every transition.
+// Labels against Appendix A, and what must hold for every join.
 #include "knit/stitches/stitch_index.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "knit/stitches/faces.h"
 #include "knit/stitches/pattern.h"
 #include "tests/support/catch.h"
+#include "tests/support/join.h"
 
 using namespace knit;
 
@@ -24,9 +25,9 @@ std::vector<std::int32_t> mirror_sizes() {
 }
 
 std::map<std::int32_t, std::string> lines_of(const std::vector<std::int32_t>& sizes) {
-  const std::vector<Transition> transitions = plan_transitions(sizes, PlacementPolicy::thesis);
-  std::vector<const Transition*> view;
-  for (const Transition& t : transitions) view.push_back(&t);
+  const std::vector<Join> joins = plan_joins(sizes, PlacementPolicy::thesis);
+  std::vector<const Join*> view;
+  for (const Join& t : joins) view.push_back(&t);
   std::map<std::int32_t, std::string> lines;
   for (const LabelRow& row : appendix_view(sizes.front(), view)) {
     CHECK_FALSE(row.into);
@@ -35,13 +36,13 @@ std::map<std::int32_t, std::string> lines_of(const std::vector<std::int32_t>& si
   return lines;
 }
 
-std::int32_t count_shaping(const Transition& t) {
+std::int32_t count_shaping(const Join& t) {
   return static_cast<std::int32_t>(std::count_if(t.labels.begin(), t.labels.end(), is_shaping));
 }
 
 // Everything that the stages after it rely on.
-void check_sound(const Transition& t) {
-  CAPTURE(t.row, t.below, t.above, static_cast<int>(t.rule));
+void check_sound(const Join& t) {
+  CAPTURE(t.to, t.below, t.above, static_cast<int>(t.rule));
   const std::int32_t big = std::max(t.below, t.above);
   const std::int32_t small = std::min(t.below, t.above);
   CHECK(static_cast<std::int32_t>(t.labels.size()) == big);
@@ -63,7 +64,7 @@ void check_sound(const Transition& t) {
   CHECK(line.consumed == t.below);
   CHECK(line.produced == t.above);
 
-  const Strip strip = build_strip(t, 0);
+  const Strip strip = test_support::strip_of(t);
   const auto quads = std::count_if(strip.faces.begin(), strip.faces.end(),
                                    [](const Face& f) { return f.corner_count == 4; });
   CHECK(quads == small);
@@ -102,9 +103,9 @@ TEST_CASE("Appendix A: rows 5 to 7 have its labels in its order, with the zeros 
 TEST_CASE("mirror-completed sizes: decreases stand on rows 51-53, 56 and 58-63, the cast off on 64") {
   const std::vector<std::int32_t> sizes = mirror_sizes();
   REQUIRE(sizes.size() == 64);
-  const std::vector<Transition> transitions = plan_transitions(sizes, PlacementPolicy::thesis);
-  std::vector<const Transition*> view;
-  for (const Transition& t : transitions) view.push_back(&t);
+  const std::vector<Join> joins = plan_joins(sizes, PlacementPolicy::thesis);
+  std::vector<const Join*> view;
+  for (const Join& t : joins) view.push_back(&t);
   std::vector<std::int32_t> decreasing;
   std::vector<Label> last;
   for (const LabelRow& row : appendix_view(6, view)) {
@@ -113,7 +114,7 @@ TEST_CASE("mirror-completed sizes: decreases stand on rows 51-53, 56 and 58-63, 
   }
   CHECK(decreasing == std::vector<std::int32_t>{51, 52, 53, 56, 58, 59, 60, 61, 62, 63});
   CHECK(last == std::vector<Label>(5, Label::cast));
-  for (const Transition& t : transitions) check_sound(t);
+  for (const Join& t : joins) check_sound(t);
 }
 
 TEST_CASE("worked decreases: 12 to 6 and 6 to 5 as the study has them") {
@@ -126,9 +127,9 @@ TEST_CASE("every legal change between two rows is sound, both policies, with and
   const PlacementPolicy policy = GENERATE(PlacementPolicy::thesis, PlacementPolicy::even);
   for (std::int32_t below = 3; below <= 40; ++below) {
     for (std::int32_t above = std::max(3, (below + 1) / 2); above <= 2 * below; ++above) {
-      check_sound(plan_transition({below, {}, true}, above, 2, policy));
+      check_sound(plan_join({below, {}, true}, above, 2, policy));
       const std::vector<std::int32_t> mains{0, below / 3, below / 2};
-      check_sound(plan_transition({below, mains, false}, above, 3, policy));
+      check_sound(plan_join({below, mains, false}, above, 3, policy));
     }
   }
 }
@@ -143,7 +144,7 @@ TEST_CASE("random tubes are sound from end to end") {
                                                                   std::min(2 * p, 200))(random));
     }
     const PlacementPolicy policy = tube % 2 == 0 ? PlacementPolicy::thesis : PlacementPolicy::even;
-    for (const Transition& t : plan_transitions(sizes, policy)) {
+    for (const Join& t : plan_joins(sizes, policy)) {
       check_sound(t);
       CHECK(std::is_sorted(t.mains.begin(), t.mains.end()));
       CHECK(
@@ -153,9 +154,8 @@ TEST_CASE("random tubes are sound from end to end") {
 }
 
 TEST_CASE("a row that is grown into and shrunk out of keeps both lists") {
-  const std::vector<Transition> transitions =
-      plan_transitions(std::vector<std::int32_t>{6, 12, 8}, PlacementPolicy::thesis);
-  const std::vector<const Transition*> view{transitions.data(), transitions.data() + 1};
+  const std::vector<Join> joins = plan_joins(std::vector<std::int32_t>{6, 12, 8}, PlacementPolicy::thesis);
+  const std::vector<const Join*> view{joins.data(), joins.data() + 1};
   const std::vector<LabelRow> rows = appendix_view(6, view);
   REQUIRE(rows.size() == 4);
   CHECK(rows[1].row == 2);
@@ -167,12 +167,11 @@ TEST_CASE("a row that is grown into and shrunk out of keeps both lists") {
 
 TEST_CASE("while more rows are to come, the newest row is no cast off") {
   const std::vector<std::int32_t> sizes{6, 12, 12, 10};
-  const std::vector<Transition> transitions = plan_transitions(sizes, PlacementPolicy::thesis);
-  const std::vector<const Transition*> plain{transitions.data(), transitions.data() + 1};
+  const std::vector<Join> joins = plan_joins(sizes, PlacementPolicy::thesis);
+  const std::vector<const Join*> plain{joins.data(), joins.data() + 1};
   CHECK(appendix_view(6, plain, true).back().labels == std::vector<Label>(12, Label::cast));
-  CHECK(appendix_view(6, plain, false).back().labels == transitions[1].labels);
-  const std::vector<const Transition*> shrunk{transitions.data(), transitions.data() + 1,
-                                              transitions.data() + 2};
+  CHECK(appendix_view(6, plain, false).back().labels == joins[1].labels);
+  const std::vector<const Join*> shrunk{joins.data(), joins.data() + 1, joins.data() + 2};
   const std::vector<Label> carried = appendix_view(6, shrunk, false).back().labels;
   CHECK(carried.size() == 10);
   CHECK(std::count(carried.begin(), carried.end(), Label::main) == 1);

@@ -24,7 +24,7 @@ TEST_CASE("thesis sphere: the golden counts, and nothing unusual") {
   REQUIRE(timeline.stop() == nullptr);
   REQUIRE(state.finished());
   CHECK(test_support::row_sizes(state) == golden_rows());
-  CHECK(count_stitches(state) == 3372);
+  CHECK(state.fabric.stitch_count() == 3372);
   CHECK(count_faces(state).quads == 3307);
   CHECK(count_faces(state).triangles == 118);
   CHECK(euler_characteristic(state) == 0);

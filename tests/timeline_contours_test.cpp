@@ -67,7 +67,7 @@ void check_past(Edited& run) {
                    run.timeline.steps().begin()));
   REQUIRE(run.timeline.furthest().finished());
   for (std::size_t row = 0; row < 6; ++row)
-    CHECK(run.plain.furthest().rows[row] == run.timeline.furthest().rows[row]);
+    CHECK(run.plain.furthest().fabric.rows()[row] == run.timeline.furthest().fabric.rows()[row]);
   const std::vector<std::uint64_t> hashes = hashes_forward(run.timeline);
   check_backward(run.timeline, hashes);
   check_at_random(run.timeline, hashes, 100);
@@ -149,12 +149,13 @@ TEST_CASE("a stitch height edited between two rows plans the rest anew and keeps
   const State& end = run.timeline.furthest();
   const double total = end.timing->scale.total();
   CHECK(plans[1].stitch_height == 0.1);
-  CHECK(plans[1].height == Approx((1.0 - end.rows[5]->time) * total));
+  CHECK(plans[1].height == Approx((1.0 - end.fabric.rows()[5]->time) * total));
   CHECK(plans[1].row_height == Approx(plans[1].height / std::round(plans[1].height / 0.1)));
-  CHECK(end.rows.size() > run.plain.furthest().rows.size());
-  for (std::size_t row = 6; row < end.rows.size(); ++row) {
+  CHECK(end.fabric.rows().size() > run.plain.furthest().fabric.rows().size());
+  for (std::size_t row = 6; row < end.fabric.rows().size(); ++row) {
     CAPTURE(row);
-    CHECK((end.rows[row]->time - end.rows[row - 1]->time) * total == Approx(plans[1].row_height));
+    CHECK((end.fabric.rows()[row]->time - end.fabric.rows()[row - 1]->time) * total ==
+          Approx(plans[1].row_height));
   }
 }
 
@@ -173,9 +174,10 @@ TEST_CASE(
     CHECK(counts[5].count == steps_of<CountChosen>(run.plain)[5].count);
     for (std::size_t row = 6; row < counts.size(); ++row) {
       CAPTURE(row);
-      CHECK(counts[row].ideal == Approx(run.timeline.furthest().rows[row]->ring->length / 0.2));
+      CHECK(counts[row].ideal == Approx(run.timeline.furthest().fabric.rows()[row]->ring->length / 0.2));
     }
-    CHECK(run.timeline.furthest().rows[7]->stitches.size() > run.plain.furthest().rows[7]->stitches.size());
+    CHECK(run.timeline.furthest().fabric.rows()[7]->stitches.size() >
+          run.plain.furthest().fabric.rows()[7]->stitches.size());
   }
 }
 

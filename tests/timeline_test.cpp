@@ -129,8 +129,8 @@ TEST_CASE("edit from here: the past stays to the bit, what follows is run with t
   CHECK(timeline.parameters() == agreed(later, timeline.input()));
   CHECK(std::equal(plain.steps().begin(), plain.steps().begin() + static_cast<std::ptrdiff_t>(at),
                    timeline.steps().begin()));
-  CHECK(plain.furthest().rows[4] != timeline.furthest().rows[4]);
-  CHECK(plain.furthest().rows[3] == timeline.furthest().rows[3]);
+  CHECK(plain.furthest().fabric.rows()[4] != timeline.furthest().fabric.rows()[4]);
+  CHECK(plain.furthest().fabric.rows()[3] == timeline.furthest().fabric.rows()[3]);
   const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
   check_backward(timeline, hashes);
   check_at_random(timeline, hashes, 200);
@@ -158,13 +158,13 @@ TEST_CASE("tuning counts in edits too, and edits keep their own change") {
   CHECK(timeline.base_parameters().epsilon == 0.15);
   CHECK(timeline.parameters().cast_on == 9);
   CHECK(timeline.parameters().epsilon == 0.1);
-  CHECK(timeline.furthest().rows[0]->stitches.size() == 9);
+  CHECK(timeline.furthest().fabric.rows()[0]->stitches.size() == 9);
 }
 
 TEST_CASE("a copy of the state does not grow with what is finished beyond a few pointers a row") {
   Timeline timeline(test_support::thesis_sphere(), test_support::thesis_parameters());
   timeline.extend_to_end();
-  const std::size_t rows = timeline.furthest().rows.size();
+  const std::size_t rows = timeline.furthest().fabric.rows().size();
   CHECK(copy_bytes(timeline.furthest()) <= sizeof(State) + rows * 4 * 2 * sizeof(void*));
   // In the middle of timing 8258 vertices: whole blocks are shared.
   timeline.seek(8000);
@@ -173,7 +173,7 @@ TEST_CASE("a copy of the state does not grow with what is finished beyond a few 
   // Finished products are one object in all copies.
   timeline.seek(timeline.known());
   const State copy = timeline.state();
-  CHECK(copy.rows[10].pointer() == timeline.furthest().rows[10].pointer());
+  CHECK(copy.fabric.shared_row(11).pointer() == timeline.furthest().fabric.shared_row(11).pointer());
 }
 
 TEST_CASE("a step that was taken elsewhere is taken as if here, and a stale one is not taken at all") {

@@ -194,8 +194,8 @@ TEST_CASE("cast on places k stitches at equal arcs") {
   Parameters parameters = test_support::small_parameters();
   parameters.cast_on = 7;
   const Timeline timeline = run(test_support::small_sphere(), parameters);
-  const Row& row = *timeline.furthest().rows.front();
-  CHECK(row.number == 1);
+  const Row& row = *timeline.furthest().fabric.rows().front();
+  CHECK(row.id == 1);
   CHECK(row.stitches.size() == 7);
   CHECK(row.stitches.front().position.x == 0.0);
 }

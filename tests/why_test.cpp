@@ -15,20 +15,20 @@ namespace {
 
 std::vector<Thing> things_of(const State& run) {
   std::vector<Thing> things;
-  for (const auto& row : run.rows) {
+  for (const auto& row : run.fabric.rows()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(row->stitches.size()); ++i) {
-      things.emplace_back(StitchThing{row->number, i});
-      things.emplace_back(RowEdgeThing{row->number, i});
+      things.emplace_back(StitchThing{row->id, i});
+      things.emplace_back(RowEdgeThing{row->id, i});
     }
   }
-  for (const auto& transition : run.transitions) {
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(transition->labels.size()); ++i)
-      things.emplace_back(LabelThing{transition->row, i});
+  for (const auto& join : run.fabric.joins()) {
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(join->labels.size()); ++i)
+      things.emplace_back(LabelThing{join->to, i});
   }
-  for (const auto& strip : run.strips) {
+  for (const auto& strip : run.fabric.strips()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(strip->faces.size()); ++i) {
-      things.emplace_back(FaceThing{strip->row, i});
-      things.emplace_back(ColumnEdgeThing{strip->row, i});
+      things.emplace_back(FaceThing{strip->to, i});
+      things.emplace_back(ColumnEdgeThing{strip->to, i});
     }
   }
   return things;
@@ -117,7 +117,7 @@ TEST_CASE("why: the same where rows are resampled, stall and share their gap in 
 
 TEST_CASE("why: what is not there has no step") {
   const Timeline timeline = small_run();
-  const auto rows = static_cast<std::int32_t>(timeline.furthest().rows.size());
+  const auto rows = static_cast<std::int32_t>(timeline.furthest().fabric.rows().size());
   for (const Thing& thing : std::vector<Thing>{
            StitchThing{0, 0}, StitchThing{2, -1}, StitchThing{2, 100000}, StitchThing{rows + 1, 0},
            RowEdgeThing{rows + 7, 0}, RowEdgeThing{3, 5000}, FaceThing{1, 0}, FaceThing{2, 4000},
@@ -240,7 +240,8 @@ TEST_CASE("why: a stitch is touched by what measured, kept, labelled and joined 
 
 TEST_CASE("candidates: one line a vertex of the ring, with the verdict of its last measuring") {
   Timeline timeline = small_run();
-  for (std::int32_t row = 2; row <= static_cast<std::int32_t>(timeline.furthest().rows.size()); ++row) {
+  for (std::int32_t row = 2; row <= static_cast<std::int32_t>(timeline.furthest().fabric.rows().size());
+       ++row) {
     CAPTURE(row);
     const CandidateTable table = candidates_of(timeline, row);
     REQUIRE(table.none == NoCandidates::has_some);

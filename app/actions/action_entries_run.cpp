@@ -37,7 +37,7 @@ Read read_row(const Session& session, const std::string& typed) {
   const auto row = whole_number<std::int32_t>(typed);
   if (!row || *row < 1) return "A row is a whole number from 1 on, not " + quoted(typed) + ".";
   const knit::Timeline& timeline = session.document->timeline;
-  const auto rows = static_cast<std::int32_t>(timeline.furthest().rows.size());
+  const auto rows = static_cast<std::int32_t>(timeline.furthest().fabric.rows().size());
   if (timeline.complete() && *row > rows) return "The run has only " + std::to_string(rows) + " rows.";
   const knit::Stage at = timeline.state().stage();
   const bool by_rows = at > knit::Stage::rows && at<knit::Stage::done&& * row> 1;

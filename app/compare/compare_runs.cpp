@@ -56,27 +56,26 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
           count("steps", "Steps", &RunFigures::steps)};
 }
 
-std::optional<FirstRow> first_row_of(const knit::State& a, const knit::State& b) {
-  const std::size_t both = std::min(a.rows.size(), b.rows.size());
-  for (std::size_t i = 0; i < both; ++i) {
-    const auto& in_a = a.rows[i]->stitches;
-    const auto& in_b = b.rows[i]->stitches;
-    FirstRow row{static_cast<std::int32_t>(i) + 1, RowDiffers::size, static_cast<std::int32_t>(in_a.size()),
-                 static_cast<std::int32_t>(in_b.size())};
-    if (in_a.size() != in_b.size()) return row;
-    row.how = RowDiffers::places;
-    if (a.rows[i].content_hash() != b.rows[i].content_hash() && in_a != in_b) return row;
-    row.how = RowDiffers::shaping;
-    const bool there_a = i > 0 && i - 1 < a.transitions.size();
-    const bool there_b = i > 0 && i - 1 < b.transitions.size();
-    if (there_a != there_b) return row;
-    if (there_a && a.transitions[i - 1]->labels != b.transitions[i - 1]->labels) return row;
-  }
-  if (a.rows.size() == b.rows.size()) return std::nullopt;
-  const auto size_of = [&](const knit::State& state) {
-    return both < state.rows.size() ? static_cast<std::int32_t>(state.rows[both]->stitches.size()) : 0;
+std::optional<FirstRow> first_row_of(const knit::Fabric& a, const knit::Fabric& b) {
+  const auto size_in = [](const knit::Fabric& fabric, knit::RowId id) {
+    const knit::Row* row = fabric.find_row(id);
+    return row != nullptr ? knit::size_of(*row) : 0;
   };
-  return FirstRow{static_cast<std::int32_t>(both) + 1, RowDiffers::missing, size_of(a), size_of(b)};
+  const knit::RowId both = std::min(a.row_count(), b.row_count());
+  for (knit::RowId id = 1; id <= both; ++id) {
+    FirstRow row{id, RowDiffers::size, size_in(a, id), size_in(b, id)};
+    if (row.a != row.b) return row;
+    row.how = RowDiffers::places;
+    const bool same = a.shared_row(id).content_hash() == b.shared_row(id).content_hash();
+    if (!same && a.row(id).stitches != b.row(id).stitches) return row;
+    row.how = RowDiffers::shaping;
+    const knit::Join* in_a = a.join_into(id);
+    const knit::Join* in_b = b.join_into(id);
+    if ((in_a == nullptr) != (in_b == nullptr)) return row;
+    if (in_a != nullptr && in_a->labels != in_b->labels) return row;
+  }
+  if (a.row_count() == b.row_count()) return std::nullopt;
+  return FirstRow{both + 1, RowDiffers::missing, size_in(a, both + 1), size_in(b, both + 1)};
 }
 
 std::string padded(std::string text, std::size_t width, bool to_right) {
@@ -114,7 +113,7 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
         {std::string(info.key), std::string(info.label), std::move(in_a), std::move(in_b)});
   }
   result.edits_differ = a.knobs.edits != b.knobs.edits;
-  result.first_row = first_row_of(a.state, b.state);
+  result.first_row = first_row_of(a.state.fabric, b.state.fabric);
   result.figures = figure_lines(a, b);
   result.stop_a = a.figures.stop;
   result.stop_b = b.figures.stop;

@@ -19,18 +19,18 @@ namespace app {
 
 namespace {
 
-Colour stitch_colour(const Theme& theme, const knit::Row& row, std::size_t rows_in_run, bool finished) {
-  const bool cast = row.number == 1 || (finished && row.number == static_cast<std::int32_t>(rows_in_run));
+// `finished`: all rows are there, and those on the needle are bound off.
+Colour stitch_colour(const Theme& theme, const knit::Fabric& fabric, const knit::Row& row, bool finished) {
+  const bool cast = row.on.empty() || (finished && fabric.is_live(row.id));
   return cast ? theme.of(knit::Label::cast) : theme.stitch;
 }
 
 std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
   std::vector<Line> lines;
-  const std::size_t n = row.stitches.size();
-  lines.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  lines.reserve(row.stitches.size());
+  for (const auto& [from, to] : knit::edges_of(row)) {
     lines.push_back(
-        {glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position), colour, 1.8F});
+        {glm::vec3(row.stitches[from].position), glm::vec3(row.stitches[to].position), colour, 1.8F});
   }
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
@@ -63,12 +63,13 @@ void Describer::take_theme(const Theme& theme) {
 
 void Describer::add_rows(const Session& session, Scene& scene) {
   const knit::State& state = session.document->timeline.state();
-  rows_.resize(std::max(rows_.size(), state.rows.size()));
-  for (std::size_t i = 0; i < state.rows.size(); ++i) {
+  const auto& rows = state.fabric.rows();
+  rows_.resize(std::max(rows_.size(), rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     RowShapes& kept = rows_[i];
-    const auto row = state.rows[i].pointer();
+    const auto row = rows[i].pointer();
     const bool ends_here = state.stage() > knit::Stage::rows;
-    const Colour colour = stitch_colour(*scene.theme, *row, state.rows.size(), ends_here);
+    const Colour colour = stitch_colour(*scene.theme, state.fabric, *row, ends_here);
     if (kept.row != row || kept.colour != colour) {
       const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
       kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
@@ -79,19 +80,19 @@ void Describer::add_rows(const Session& session, Scene& scene) {
 }
 
 void Describer::add_strips(const Session& session, Scene& scene) {
-  const knit::State& state = session.document->timeline.state();
-  strips_.resize(std::max(strips_.size(), state.strips.size()));
-  for (std::size_t i = 0; i < state.strips.size(); ++i) {
+  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  const knit::KnittingPath path(fabric);
+  const auto& strips = fabric.strips();
+  strips_.resize(std::max(strips_.size(), strips.size()));
+  for (std::size_t i = 0; i < strips.size(); ++i) {
     StripShapes& kept = strips_[i];
-    const auto strip = state.strips[i].pointer();
-    const auto below = state.rows[i].pointer();
-    const auto above = state.rows[i + 1].pointer();
-    if (kept.strip != strip || kept.below != below || kept.above != above) {
-      const StripPlaces places = places_of(state, i);
-      kept = {strip, below, above,
-              std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), places)),
+    const auto strip = strips[i].pointer();
+    auto rows = fabric.rows_about(strip->to);
+    if (kept.strip != strip || kept.rows != rows) {
+      kept = {strip, std::move(rows),
+              std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), path)),
               std::make_shared<const std::vector<Line>>(
-                  columns_of(*scene.theme, *strip, strip->column_edges.size(), places))};
+                  columns_of(*scene.theme, *strip, strip->column_edges.size(), path))};
     }
     if (session.view->shows(Layer::faces)) scene.faces.push_back(kept.faces);
     if (session.view->shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
@@ -102,10 +103,10 @@ namespace {
 
 // From the first row to the last that a finished strip reaches.
 std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
-  const knit::State& state = session.document->timeline.state();
-  if (!session.view->shows(Layer::faces) || state.strips.empty() || scene.unfinished) return std::nullopt;
-  return TimeSpan{static_cast<float>(state.rows.front()->time),
-                  static_cast<float>(state.rows[state.strips.size()]->time)};
+  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  if (!session.view->shows(Layer::faces) || fabric.strips().empty() || scene.unfinished) return std::nullopt;
+  const knit::Row& last = fabric.row(fabric.strips().back()->to);
+  return TimeSpan{static_cast<float>(fabric.row(1).time), static_cast<float>(last.time)};
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ class Describer {
   };
   struct StripShapes {
     std::shared_ptr<const knit::Strip> strip;
-    std::shared_ptr<const knit::Row> below, above;
+    std::vector<std::shared_ptr<const knit::Row>> rows;  // that it stands between
     std::shared_ptr<const FaceShape> faces;
     std::shared_ptr<const std::vector<Line>> columns;
   };

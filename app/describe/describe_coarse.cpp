@@ -15,28 +15,22 @@ namespace {
 // Not every number, or each turn of the wheel would make all shapes anew.
 constexpr std::array strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
-std::size_t stitches_of(const knit::State& state) {
-  std::size_t count = 0;
-  for (const auto& row : state.rows) count += row->stitches.size();
-  return count;
-}
-
 std::size_t cells_of(const knit::Row& row, int stride) {
   const std::size_t n = row.stitches.size();
   return std::max<std::size_t>(3, n / static_cast<std::size_t>(stride));
 }
 
-// The i-th of `cells` places along a row, round and round.
+// The i-th of `cells` places along a row.
 glm::vec3 place_of(const knit::Row& row, std::size_t i, std::size_t cells) {
   const std::size_t n = row.stitches.size();
-  return glm::vec3(row.stitches[(i % cells) * n / cells].position);
+  return glm::vec3(row.stitches[i * n / cells].position);
 }
 
 std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, int stride, Colour colour) {
   std::vector<Line> lines;
   const std::size_t cells = cells_of(row, stride);
-  for (std::size_t i = 0; i < cells; ++i)
-    lines.push_back({place_of(row, i, cells), place_of(row, i + 1, cells), colour, 1.0F});
+  for (const auto& [from, to] : knit::Edges(cells, row.closed))
+    lines.push_back({place_of(row, from, cells), place_of(row, to, cells), colour, 1.0F});
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
@@ -58,10 +52,10 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
   const std::size_t cells = std::max(cells_of(below, stride), cells_of(above, stride));
   const std::vector<knit::Label> labels = labels_of(strip, cells);
   shape.faces.reserve(cells);
-  for (std::size_t i = 0; i < cells; ++i) {
+  for (const auto& [i, next] : knit::Edges(cells, above.closed)) {
     const glm::vec3 a = place_of(below, i, cells);
-    const glm::vec3 b = place_of(below, i + 1, cells);
-    const glm::vec3 c = place_of(above, i + 1, cells);
+    const glm::vec3 b = place_of(below, next, cells);
+    const glm::vec3 c = place_of(above, next, cells);
     const glm::vec3 d = place_of(above, i, cells);
     const glm::vec3 across = glm::cross(c - a, d - b);
     const float length = glm::length(across);
@@ -75,7 +69,7 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
 
 int coarseness(const Session& session, double height_px) {
   const knit::Timeline& timeline = session.document->timeline;
-  if (stitches_of(timeline.state()) <= always_whole_stitches) return 1;
+  if (timeline.state().fabric.stitch_count() <= always_whole_stitches) return 1;
   const double radius = timeline.input().bounds.radius;
   const double distance =
       std::max(session.view->gaze.camera.distance - 0.5 * radius, 0.25 * session.view->gaze.camera.distance);
@@ -91,19 +85,19 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
   if (theme_ != scene.theme || stride_ != stride) kept_.clear();
   theme_ = scene.theme;
   stride_ = stride;
-  const knit::State& state = session.document->timeline.state();
+  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  const auto reach = std::min(fabric.row_count(), static_cast<knit::RowId>(fabric.strips().size()) + 1);
   std::size_t i = 0;
   std::size_t made = 0;  // cells
-  for (std::size_t low = 0; low < state.rows.size(); low += static_cast<std::size_t>(stride), ++i) {
+  for (knit::RowId low = 1; low <= fabric.row_count(); low += stride, ++i) {
     if (i == kept_.size()) kept_.emplace_back();
     Kept& kept = kept_[i];
     // Faces reach as far as strips are made.
-    const std::size_t high =
-        std::min({low + static_cast<std::size_t>(stride), state.rows.size() - 1, state.strips.size()});
+    const knit::RowId high = std::min(low + stride, reach);
     const bool covered = high > low;
-    const auto below = state.rows[low].pointer();
-    const auto above = covered ? state.rows[high].pointer() : nullptr;
-    const auto strip = covered ? state.strips[low].pointer() : nullptr;
+    const auto below = fabric.shared_row(low).pointer();
+    const auto above = covered ? fabric.shared_row(high).pointer() : nullptr;
+    const auto strip = covered ? fabric.shared_strip(low + 1).pointer() : nullptr;
     const bool same_faces = !covered || (kept.above == above && kept.strip == strip);
     if (kept.below != below || !same_faces) {
       if (in_pieces && made > cells_a_frame) {
@@ -122,8 +116,8 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
     if (session.view->shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
     if (session.view->shows(Layer::faces) && covered) scene.faces.push_back(kept.faces);
   }
-  if (state.rows.size() > 1 && session.view->shows(Layer::row_edges)) {
-    const knit::Row& last = *state.rows.back();
+  if (fabric.row_count() > 1 && session.view->shows(Layer::row_edges)) {
+    const knit::Row& last = fabric.row(fabric.row_count());
     const auto lines = edges_of(last, stride, theme_->row_edge);
     scene.lines.insert(scene.lines.end(), lines->begin(), lines->end());
   }

@@ -1,5 +1,7 @@
 #include "app/describe/describe_ghost.h"
 
+#include <algorithm>
+
 #include "app/describe/describe_step.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
@@ -13,18 +15,16 @@ constexpr float thin_px = 1.0F;
 
 std::shared_ptr<const std::vector<Line>> row_lines(const Theme& theme, const knit::Row& row) {
   std::vector<Line> lines;
-  const std::size_t n = row.stitches.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    lines.push_back({glm::vec3(row.stitches[i].position), glm::vec3(row.stitches[(i + 1) % n].position),
-                     theme.ghost, thin_px});
+  for (const auto& [from, to] : knit::edges_of(row)) {
+    lines.push_back(
+        {glm::vec3(row.stitches[from].position), glm::vec3(row.stitches[to].position), theme.ghost, thin_px});
   }
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
-std::shared_ptr<const std::vector<Line>> column_lines(const Theme& theme, const knit::State& state,
-                                                      std::size_t strip) {
-  const knit::Strip& made = *state.strips[strip];
-  std::vector<Line> lines = columns_of(theme, made, made.column_edges.size(), places_of(state, strip));
+std::shared_ptr<const std::vector<Line>> column_lines(const Theme& theme, const knit::Strip& strip,
+                                                      const knit::KnittingPath& path) {
+  std::vector<Line> lines = columns_of(theme, strip, strip.column_edges.size(), path);
   for (Line& line : lines) {
     line.colour = theme.ghost;
     line.width_px = thin_px;
@@ -33,9 +33,21 @@ std::shared_ptr<const std::vector<Line>> column_lines(const Theme& theme, const 
 }
 
 // Whether the run at hand has this row, stitch by stitch.
-bool has_row(const knit::State& here, const knit::State& pinned, std::size_t i) {
-  if (i >= here.rows.size()) return false;
-  return here.rows[i] == pinned.rows[i] || here.rows[i]->stitches == pinned.rows[i]->stitches;
+bool has_row(const knit::Fabric& here, const knit::Fabric& pinned, knit::RowId id) {
+  if (!here.has_row(id)) return false;
+  return here.shared_row(id) == pinned.shared_row(id) || here.row(id).stitches == pinned.row(id).stitches;
+}
+
+// The same, and all that it hangs on by the same columns.
+bool has_columns(const knit::Fabric& here, const knit::Fabric& pinned, knit::RowId id) {
+  const knit::Strip* strip = here.strip_into(id);
+  const knit::Join* join = here.join_into(id);
+  if (strip == nullptr || join == nullptr || !has_row(here, pinned, id)) return false;
+  const auto& on = here.row(id).on.spans;
+  const bool same_below = std::all_of(
+      on.begin(), on.end(), [&](const knit::StitchSpan& span) { return has_row(here, pinned, span.row); });
+  return same_below && strip->column_edges.size() == pinned.strip_into(id)->column_edges.size() &&
+         *join == *pinned.join_into(id);
 }
 
 }  // namespace
@@ -51,9 +63,11 @@ void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) 
   end_ = end;
   if (same_run) return;
   rows_.clear();
-  columns_.clear();
-  for (const auto& row : pin.end.rows) rows_.push_back(row_lines(theme, *row));
-  for (std::size_t i = 0; i < pin.end.strips.size(); ++i) columns_.push_back(column_lines(theme, pin.end, i));
+  const knit::KnittingPath path(pin.end.fabric);
+  for (const auto& row : pin.end.fabric.rows()) {
+    const knit::Strip* strip = pin.end.fabric.strip_into(row->id);
+    rows_.push_back({row->id, row_lines(theme, *row), strip ? column_lines(theme, *strip, path) : nullptr});
+  }
 }
 
 void Ghost::describe(const Session& session, Scene& scene) {
@@ -64,19 +78,12 @@ void Ghost::describe(const Session& session, Scene& scene) {
   const Pin& pin = *session.document->pinned;
   refresh(session, *scene.theme, pin);
   if (!same_mesh_) return;
-  const knit::State& here = session.document->timeline.furthest();
-  bool below = false;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const bool same = has_row(here, pin.end, i);
-    if (!same && session.view->shows(Layer::row_edges)) scene.line_sets.push_back(rows_[i]);
-    if (i > 0 && i - 1 < columns_.size() && session.view->shows(Layer::column_edges)) {
-      const bool made =
-          i - 1 < here.strips.size() && same && below &&
-          here.strips[i - 1]->column_edges.size() == pin.end.strips[i - 1]->column_edges.size() &&
-          here.transitions[i - 1] == pin.end.transitions[i - 1];
-      if (!made) scene.line_sets.push_back(columns_[i - 1]);
-    }
-    below = same;
+  const knit::Fabric& here = session.document->timeline.furthest().fabric;
+  for (const RowLines& row : rows_) {
+    if (session.view->shows(Layer::row_edges) && !has_row(here, pin.end.fabric, row.id))
+      scene.line_sets.push_back(row.edges);
+    if (row.columns && session.view->shows(Layer::column_edges) && !has_columns(here, pin.end.fabric, row.id))
+      scene.line_sets.push_back(row.columns);
   }
 }
 

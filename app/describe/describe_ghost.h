@@ -24,7 +24,11 @@ class Ghost {
   std::uint64_t end_ = 0;                            // hash of the state that the lines are of
   const Theme* theme_ = nullptr;                     // of the lines
   bool same_mesh_ = false;
-  std::vector<Lines> rows_, columns_;
+  struct RowLines {
+    knit::RowId id;
+    Lines edges, columns;  // columns: down to what the row is worked on; null where there are none
+  };
+  std::vector<RowLines> rows_;
 };
 
 }  // namespace app

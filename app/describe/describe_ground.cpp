@@ -69,7 +69,7 @@ void Ground::describe(const Session& session, bool beside, Scene& scene) {
     scene.timed_vertices = static_cast<std::uint32_t>(work->times.size());
   describe_times(session, scene);
   // Under the knit mesh isolines would only shine through.
-  if (!state.timing || !session.view->shows(Layer::isolines) || !state.strips.empty()) return;
+  if (!state.timing || !session.view->shows(Layer::isolines) || !state.fabric.strips().empty()) return;
   const auto lines = isolines_.get(
       state.timing.pointer(), by_worker,
       [input, timing = state.timing, theme = scene.theme] { return isolines_of(*theme, *input, *timing); });

@@ -97,11 +97,8 @@ void describe_vertex(const Session& session, const AskedVertex& asked, Scene& sc
 void describe_lit_row(const Session& session, std::int32_t row, Scene& scene) {
   auto places = stitch_places(session.document->timeline.state(), row);
   if (places.size() < 3) places = stitch_places(session.document->timeline.furthest(), row);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const glm::vec3 from(places[i]);
-    const glm::vec3 to(places[(i + 1) % places.size()]);
-    scene.lines.push_back({from, to, scene.theme->selected, 3.5F});
-  }
+  for (const auto& [from, to] : knit::Edges(places.size(), true))
+    scene.lines.push_back({glm::vec3(places[from]), glm::vec3(places[to]), scene.theme->selected, 3.5F});
 }
 
 }  // namespace
@@ -123,27 +120,23 @@ struct RoundLook {
 };
 
 const knit::Row* row_at(const Session& session, std::int32_t number) {
-  for (const knit::State* state :
-       {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
-    const bool there = number >= 1 && static_cast<std::size_t>(number) <= state->rows.size();
-    if (there) return &*state->rows[static_cast<std::size_t>(number) - 1];
+  for (const knit::State* state : {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
+    if (const knit::Row* row = state->fabric.find_row(number)) return row;
   }
   return nullptr;
 }
 
 void describe_round(const knit::Row& row, const RoundLook& look, Scene& scene) {
-  for (std::size_t i = 0; i < row.stitches.size(); ++i) {
-    const glm::vec3 from(row.stitches[i].position);
-    const glm::vec3 to(row.stitches[(i + 1) % row.stitches.size()].position);
-    scene.lines.push_back({from, to, look.colour, look.width_px});
+  for (const auto& [from, to] : knit::edges_of(row)) {
+    scene.lines.push_back({glm::vec3(row.stitches[from].position), glm::vec3(row.stitches[to].position),
+                           look.colour, look.width_px});
   }
 }
 
 void describe_stitch(const knit::Row& row, std::size_t stitch, Scene& scene) {
   const glm::vec3 at(row.stitches[stitch].position);
   scene.points.push_back({at, scene.theme->accepted, 12.0F});
-  scene.captions.push_back({at,
-                            "row " + std::to_string(row.number) + ", stitch " + std::to_string(stitch + 1),
+  scene.captions.push_back({at, "row " + std::to_string(row.id) + ", stitch " + std::to_string(stitch + 1),
                             scene.theme->accepted});
 }
 
@@ -154,8 +147,8 @@ void describe_meant(const Session& session, Scene& scene) {
           session.view->gaze.knit_along ? row_at(session, *session.view->gaze.knit_along) : nullptr)
     describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
   if (const auto& rounds = session.view->gaze.hovered_rounds) {
-    const auto rows = static_cast<std::int32_t>(std::max(session.document->timeline.state().rows.size(),
-                                                         session.document->timeline.furthest().rows.size()));
+    const knit::RowId rows = std::max(session.document->timeline.state().fabric.row_count(),
+                                      session.document->timeline.furthest().fabric.row_count());
     for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
       describe_round(*row_at(session, number), {scene.theme->accepted, 3.5F}, scene);
   }

@@ -82,17 +82,11 @@ void describe_ends(const Session& session, const knit::EndsFound& ends, Scene& s
   scene.captions.push_back({to, "end", scene.theme->text});
 }
 
-// Labels stand on the larger of the two rows.
-const knit::Row& labelled_row(const knit::State& state, std::int32_t row) {
-  const auto above = static_cast<std::size_t>(row) - 1;
-  const bool grows = state.rows[above]->stitches.size() >= state.rows[above - 1]->stitches.size();
-  return grows ? *state.rows[above] : *state.rows[above - 1];
-}
-
 void describe_last_label(const Session& session, std::int32_t row, std::int32_t cell, knit::Label label,
                          Scene& scene) {
-  const knit::Row& labelled = labelled_row(session.document->timeline.state(), row);
-  const glm::vec3 at(labelled.stitches[static_cast<std::size_t>(cell)].position);
+  const knit::State& state = session.document->timeline.state();
+  const knit::LiveStitches cells = state.fabric.larger(*knit::planned_join(state, row));
+  const glm::vec3 at(state.fabric.position(cells.at(cell)));
   scene.points.push_back({at, scene.theme->of(label), 13.0F});
   scene.captions.push_back({at, std::string(knit::name_of(label)), scene.theme->of(label)});
 }
@@ -100,16 +94,12 @@ void describe_last_label(const Session& session, std::int32_t row, std::int32_t 
 // `index`: counted from 1 in its strip, which may be finished by now.
 void describe_last_face(const Session& session, std::int32_t row, std::int32_t index, Scene& scene) {
   const knit::State& state = session.document->timeline.state();
-  const auto number = static_cast<std::size_t>(row) - 2;
-  const bool finished = number < state.strips.size();
-  const knit::Strip& strip = finished ? *state.strips[number] : *std::get<knit::FacesWork>(state.work).plan;
-  const StripPlaces places = places_of(state, number);
+  const knit::Strip& strip = *knit::planned_strip(state, row);
+  const knit::KnittingPath path(state.fabric);
   const knit::Face& face = strip.faces[static_cast<std::size_t>(index) - 1];
-  for (std::int32_t i = 0; i < face.corner_count; ++i) {
-    const auto corner = static_cast<std::size_t>(i);
-    const auto next = static_cast<std::size_t>((i + 1) % face.corner_count);
-    scene.lines.push_back(
-        {places.at(face.corners[corner]), places.at(face.corners[next]), scene.theme->accepted, 3.0F});
+  for (const auto& [corner, next] : knit::Edges(static_cast<std::size_t>(face.corner_count), true)) {
+    scene.lines.push_back({place_on(path, face.corners[corner]), place_on(path, face.corners[next]),
+                           scene.theme->accepted, 3.0F});
   }
 }
 
@@ -164,10 +154,10 @@ void describe_rows_stage(const Session& session, const knit::RowWork& work, Scen
       break;
   }
   const auto& stitches = work.closed.stitches;
-  for (std::size_t i = 0; i < stitches.size(); ++i) {
+  for (const auto& [i, after] : knit::Edges(stitches.size(), true)) {
     const glm::vec3 at(stitches[i].position);
-    const glm::vec3 next(stitches[(i + 1) % stitches.size()].position);
-    const bool gap = i + 1 == stitches.size();
+    const glm::vec3 next(stitches[after].position);
+    const bool gap = after == 0;
     if (session.view->shows(Layer::stitches)) scene.points.push_back({at, scene.theme->stitch, 7.0F});
     if (!session.view->shows(Layer::row_edges)) continue;
     scene.lines.push_back({at, next, gap ? scene.theme->anchor : scene.theme->row_edge, gap ? 3.5F : 2.4F});
@@ -178,12 +168,11 @@ void describe_rows_stage(const Session& session, const knit::RowWork& work, Scen
 }
 
 // Labels placed so far, as coloured stitches.
-void describe_labels(const knit::State& state, const knit::Transition& plan, std::size_t count,
-                     Scene& scene) {
-  const knit::Row& row = labelled_row(state, plan.row);
+void describe_labels(const knit::State& state, const knit::Join& plan, std::size_t count, Scene& scene) {
+  const knit::LiveStitches cells = state.fabric.larger(plan);
   for (std::size_t i = 0; i < count; ++i) {
     const knit::PlacedLabel& placed = plan.placed[i];
-    const glm::vec3 at(row.stitches[static_cast<std::size_t>(placed.cell)].position);
+    const glm::vec3 at(state.fabric.position(cells.at(placed.cell)));
     scene.points.push_back({at, scene.theme->of(placed.label), 8.0F});
   }
 }
@@ -191,55 +180,39 @@ void describe_labels(const knit::State& state, const knit::Transition& plan, std
 void describe_stitches_stage(const Session& session, const knit::IndexWork& work, Scene& scene) {
   if (!session.view->shows(Layer::stitches)) return;
   const knit::State& state = session.document->timeline.state();
-  for (const auto& transition : state.transitions) {
-    const bool plain = transition->change() == 0;  // its mains merely go on
-    if (!plain) describe_labels(state, *transition, transition->placed.size(), scene);
+  for (const auto& join : state.fabric.joins()) {
+    const bool plain = join->change() == 0;  // its mains merely go on
+    if (!plain) describe_labels(state, *join, join->placed.size(), scene);
   }
   if (work.plan) describe_labels(state, *work.plan, static_cast<std::size_t>(work.placed), scene);
 }
 
 void describe_faces_stage(const Session& session, const knit::FacesWork& work, Scene& scene) {
   if (!work.plan) return;
-  const StripPlaces places =
-      places_of(session.document->timeline.state(), static_cast<std::size_t>(work.plan->row) - 2);
+  const knit::KnittingPath path(session.document->timeline.state().fabric);
   const auto made = static_cast<std::size_t>(work.made);
   if (session.view->shows(Layer::faces)) {
-    scene.faces.push_back(
-        std::make_shared<const FaceShape>(faces_of(*scene.theme, *work.plan, made, places)));
+    scene.faces.push_back(std::make_shared<const FaceShape>(faces_of(*scene.theme, *work.plan, made, path)));
   }
   if (session.view->shows(Layer::column_edges)) {
-    const std::vector<Line> columns = columns_of(*scene.theme, *work.plan, made, places);
+    const std::vector<Line> columns = columns_of(*scene.theme, *work.plan, made, path);
     scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
   }
 }
 
 }  // namespace
 
-glm::vec3 StripPlaces::at(std::uint32_t number) const {
-  const std::size_t i = number - first;
-  return glm::vec3(i < below.size() ? below[i].position : above[i - below.size()].position);
-}
-
-StripPlaces places_of(const knit::State& state, std::size_t strip) {
-  StripPlaces places;
-  for (std::size_t i = 0; i < strip; ++i)
-    places.first += static_cast<std::uint32_t>(state.rows[i]->stitches.size());
-  places.below = state.rows[strip]->stitches;
-  places.above = state.rows[strip + 1]->stitches;
-  return places;
-}
-
 FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
-                   const StripPlaces& places) {
+                   const knit::KnittingPath& path) {
   FaceShape shape;
   shape.faces.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const knit::Face& face = strip.faces[i];
-    const glm::vec3 a = places.at(face.corners[0]);
-    const glm::vec3 b = places.at(face.corners[1]);
-    const glm::vec3 c = places.at(face.corners[2]);
+    const glm::vec3 a = place_on(path, face.corners[0]);
+    const glm::vec3 b = place_on(path, face.corners[1]);
+    const glm::vec3 c = place_on(path, face.corners[2]);
     const bool quad = face.corner_count == 4;
-    const glm::vec3 d = quad ? places.at(face.corners[3]) : c;
+    const glm::vec3 d = quad ? place_on(path, face.corners[3]) : c;
     const glm::vec3 across = glm::cross(c - a, quad ? d - b : c - b);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
@@ -249,12 +222,12 @@ FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t cou
 }
 
 std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
-                             const StripPlaces& places) {
+                             const knit::KnittingPath& path) {
   std::vector<Line> lines;
   lines.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [lower, upper] = strip.column_edges[i];
-    lines.push_back({places.at(lower), places.at(upper), theme.column_edge, 1.3F});
+    lines.push_back({place_on(path, lower), place_on(path, upper), theme.column_edge, 1.3F});
   }
   return lines;
 }

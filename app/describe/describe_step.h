@@ -9,19 +9,15 @@
 
 namespace app {
 
-// Where the stitches of two neighbouring rows are, by their numbers along the knitting path.
-struct StripPlaces {
-  std::uint32_t first = 0;  // of the row below
-  std::span<const knit::Stitch> below, above;
-  [[nodiscard]] glm::vec3 at(std::uint32_t number) const;
-};
-StripPlaces places_of(const knit::State& state, std::size_t strip);
+inline glm::vec3 place_on(const knit::KnittingPath& path, std::uint32_t number) {
+  return glm::vec3(path.position(number));
+}
 
 // The first `count` faces, or column edges, of a strip.
 FaceShape faces_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
-                   const StripPlaces& places);
+                   const knit::KnittingPath& path);
 std::vector<Line> columns_of(const Theme& theme, const knit::Strip& strip, std::size_t count,
-                             const StripPlaces& places);
+                             const knit::KnittingPath& path);
 
 void describe_step(const Session& session, Scene& scene);
 

@@ -41,22 +41,24 @@ struct Square {
   }
 };
 
-std::optional<Square> square_of(const knit::Face& face, const StripPlaces& places) {
+std::optional<Square> square_of(const knit::Face& face, knit::RowId row_above,
+                                const knit::KnittingPath& path) {
   glm::vec3 low(0.0F);
   glm::vec3 high(0.0F);
   float lows = 0.0F;
   float highs = 0.0F;
   for (std::int32_t i = 0; i < face.corner_count; ++i) {
     const std::uint32_t number = face.corners[static_cast<std::size_t>(i)];
-    const bool lower = number - places.first < places.below.size();
-    (lower ? low : high) += places.at(number);
+    const bool lower = path.at(number).row != row_above;
+    (lower ? low : high) += place_on(path, number);
     (lower ? lows : highs) += 1.0F;
   }
   if (lows == 0.0F || highs == 0.0F) return std::nullopt;
   low /= lows;
   high /= highs;
-  const glm::vec3 a = places.at(face.corners[0]);
-  const glm::vec3 normal = glm::cross(places.at(face.corners[1]) - a, places.at(face.corners[2]) - a);
+  const glm::vec3 a = place_on(path, face.corners[0]);
+  const glm::vec3 normal =
+      glm::cross(place_on(path, face.corners[1]) - a, place_on(path, face.corners[2]) - a);
   const glm::vec3 up = high - low;
   const glm::vec3 right = glm::cross(up, normal);
   const float height = glm::length(up);
@@ -106,11 +108,11 @@ void Symbols::describe(const Session& session, double height_px, Scene& scene) {
       with_alpha(scene.theme->symbol, static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0))));
   const knit::State& state = session.document->timeline.state();
   std::vector<Line> lines;
+  const knit::KnittingPath path(state.fabric);
   for (const MadeStrip& strip : made_strips(state)) {
-    const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (const knit::Face& face : strip.faces) {
       const auto symbol = symbol_of(face.label);
-      const auto square = symbol ? square_of(face, places) : std::nullopt;
+      const auto square = symbol ? square_of(face, strip.row, path) : std::nullopt;
       if (square) draw(*square, shape_of(*symbol).strokes, ink, lines);
     }
   }

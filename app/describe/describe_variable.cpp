@@ -112,10 +112,9 @@ Measured VariableLight::measured() const {
 
 void VariableLight::stitches(const knit::Row* row, const std::string& words) {
   if (row == nullptr) return;
-  for (std::size_t i = 0; i < row->stitches.size(); ++i) {
+  for (const auto& [i, next] : knit::edges_of(*row)) {
     const glm::vec3 from(row->stitches[i].position);
-    const glm::vec3 to(row->stitches[(i + 1) % row->stitches.size()].position);
-    scene_.lines.push_back({from, to, colour_, 3.5F});
+    scene_.lines.push_back({from, glm::vec3(row->stitches[next].position), colour_, 3.5F});
     scene_.points.push_back({from, colour_, 7.0F});
   }
   caption(glm::vec3(row->stitches.front().position),
@@ -293,29 +292,25 @@ void VariableLight::contour(std::string_view name) {
 
 // At its stitch of the larger row.
 void VariableLight::cell(std::int32_t cell, const std::string& words) {
-  const auto number = static_cast<std::size_t>(at_.step->place.row);
-  if (number < 2 || state_.rows.size() < number || cell < 0) return;
-  const knit::Row& above = *state_.rows[number - 1];
-  const knit::Row& below = *state_.rows[number - 2];
-  const knit::Row& larger = above.stitches.size() >= below.stitches.size() ? above : below;
-  const auto i = static_cast<std::size_t>(cell);
-  if (i < larger.stitches.size()) point(glm::vec3(larger.stitches[i].position), words);
+  const knit::Join* join = join_shown(state_, at_.step->place.row);
+  if (join == nullptr || cell < 0) return;
+  const knit::LiveStitches cells = state_.fabric.larger(*join);
+  if (cell < cells.size()) point(glm::vec3(state_.fabric.position(cells.at(cell))), words);
 }
 
 void VariableLight::links(bool doubled_only, bool longest_only) {
-  const auto number = static_cast<std::size_t>(at_.step->place.row);
-  const knit::Transition* plan = transition_shown(state_, at_.step->place.row);
-  if (plan == nullptr || number < 2 || state_.rows.size() < number) return;
-  const bool grows = plan->change() >= 0;
-  const auto& larger = state_.rows[number - (grows ? 1 : 2)]->stitches;
-  const auto& smaller = state_.rows[number - (grows ? 2 : 1)]->stitches;
-  std::vector<std::int32_t> hanging(smaller.size(), 0);
+  const knit::Join* plan = join_shown(state_, at_.step->place.row);
+  if (plan == nullptr) return;
+  const knit::Fabric& fabric = state_.fabric;
+  const knit::LiveStitches larger = fabric.larger(*plan);
+  const knit::LiveStitches smaller = fabric.smaller(*plan);
+  std::vector<std::int32_t> hanging(static_cast<std::size_t>(smaller.size()), 0);
   for (const std::int32_t link : plan->link) ++hanging[static_cast<std::size_t>(link)];
   std::optional<Line> longest;
   for (std::size_t i = 0; i < plan->link.size(); ++i) {
     const std::int32_t link = plan->link[i];
-    const Line wale{glm::vec3(larger[i].position),
-                    glm::vec3(smaller[static_cast<std::size_t>(link)].position), colour_, 3.0F};
+    const Line wale{glm::vec3(fabric.position(larger.at(static_cast<std::int32_t>(i)))),
+                    glm::vec3(fabric.position(smaller.at(link))), colour_, 3.0F};
     const bool doubled = hanging[static_cast<std::size_t>(link)] > 1;
     if (!longest || glm::distance(wale.from, wale.to) > glm::distance(longest->from, longest->to))
       longest = wale;
@@ -328,17 +323,18 @@ void VariableLight::links(bool doubled_only, bool longest_only) {
 
 void VariableLight::index(std::string_view name) {
   if (at_.step == nullptr) return;
-  const auto number = static_cast<std::size_t>(at_.step->place.row);
-  if (number < 2 || state_.rows.size() < number) return;
-  const knit::Row& above = *state_.rows[number - 1];
-  const knit::Row& below = *state_.rows[number - 2];
+  const knit::RowId row = at_.step->place.row;
+  const knit::Row* above = state_.fabric.find_row(row);
+  const knit::Row* below = state_.fabric.row_below(row);
+  if (above == nullptr || below == nullptr) return;
   const auto* main = step_as<knit::MainPlaced>();
   const auto* shaping = step_as<knit::ShapingPlaced>();
-  if (name == "below") return stitches(&below, "p = ");
-  if (name == "above") return stitches(&above, "n = ");
-  if (name == "mains" && number >= 3 && state_.transitions.size() + 2 >= number) {
-    for (const std::int32_t stitch : state_.transitions[number - 3]->mains)
-      point(glm::vec3(below.stitches[static_cast<std::size_t>(stitch)].position), "");
+  if (name == "below") return stitches(below, "p = ");
+  if (name == "above") return stitches(above, "n = ");
+  const knit::Join* before = state_.fabric.join_into(below->id);
+  if (name == "mains" && before != nullptr) {
+    for (const std::int32_t stitch : before->mains)
+      point(glm::vec3(below->stitches[static_cast<std::size_t>(stitch)].position), "");
     return;
   }
   if (name == "links" || name == "sum") return links(false, false);
@@ -349,7 +345,7 @@ void VariableLight::index(std::string_view name) {
     if (shaping != nullptr) return cell(shaping->cell, "cell " + std::to_string(shaping->cell));
   }
   if (name == "partner" && shaping != nullptr) return cell(shaping->partner, "partner");
-  const knit::Transition* plan = transition_shown(state_, at_.step->place.row);
+  const knit::Join* plan = join_shown(state_, at_.step->place.row);
   const bool of_mains = name == "wanted" || name == "spacing" || name == "rule" || name == "mains_set";
   if (plan == nullptr || !of_mains) return;
   for (const knit::PlacedLabel& placed : plan->placed) {
@@ -362,23 +358,18 @@ void VariableLight::strip(std::string_view name) {
   const auto* made = step_as<knit::FaceMade>();
   const auto* written = step_as<knit::LineWritten>();
   if (made != nullptr) {
-    const auto number = static_cast<std::size_t>(at_.step->place.row) - 2;
-    const auto* work = std::get_if<knit::FacesWork>(&state_.work);
-    const bool finished = number < state_.strips.size();
-    if (!finished && (work == nullptr || !work->plan)) return;
-    const knit::Strip& strip = finished ? *state_.strips[number] : *work->plan;
-    const StripPlaces places = places_of(state_, number);
-    const knit::Face& face = strip.faces[static_cast<std::size_t>(made->index) - 1];
-    const auto corners = static_cast<std::size_t>(face.corner_count);
-    for (std::size_t i = 0; i < corners; ++i)
-      line(places.at(face.corners.at(i)), places.at(face.corners.at((i + 1) % corners)), "");
+    const knit::Strip* strip = knit::planned_strip(state_, at_.step->place.row);
+    if (strip == nullptr) return;
+    const knit::KnittingPath path(state_.fabric);
+    const knit::Face& face = strip->faces[static_cast<std::size_t>(made->index) - 1];
+    for (const auto& [i, next] : knit::Edges(static_cast<std::size_t>(face.corner_count), true))
+      line(place_on(path, face.corners.at(i)), place_on(path, face.corners.at(next)), "");
     return;
   }
   if (written == nullptr) return;
-  const auto row = static_cast<std::size_t>(at_.step->place.row);
+  const knit::RowId row = at_.step->place.row;
   const bool of_below = name == "consumed" && at_.step->place.item == 0;
-  const std::size_t wanted = of_below ? row - 1 : row;
-  if (wanted >= 1 && wanted <= state_.rows.size()) stitches(&*state_.rows[wanted - 1], "");
+  stitches(of_below ? state_.fabric.row_below(row) : state_.fabric.find_row(row), "");
 }
 
 }  // namespace

@@ -121,14 +121,14 @@ std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& pl
   const glm::dmat4 onto = glm::dmat4(view.projection) * glm::dmat4(view.view);
   std::optional<StitchAt> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& row : session.document->timeline.state().rows) {
+  for (const auto& row : session.document->timeline.state().fabric.rows()) {
     for (std::size_t i = 0; i < row->stitches.size(); ++i) {
       const glm::dvec4 at = onto * glm::dvec4(row->stitches[i].position, 1.0);
       if (at.w <= 0.0 || at.w >= nearest) continue;
       const glm::dvec2 away((at.x / at.w - place.x) * session.view->aspect, at.y / at.w - place.y);
       if (glm::length(away) > reach) continue;
       nearest = at.w;
-      best = StitchAt{row->number, static_cast<std::int32_t>(i)};
+      best = StitchAt{row->id, static_cast<std::int32_t>(i)};
     }
   }
   return best;
@@ -196,12 +196,10 @@ struct Found {
   }
 };
 
-std::int32_t rows_begun(const knit::State& state) { return static_cast<std::int32_t>(state.rows.size()) + 1; }
-
 Found nearest_point(const Session& session, const Aim& aim, double reach) {
   const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.view->shows(Layer::stitches) && row <= rows_begun(state); ++row) {
+  for (std::int32_t row = 1; session.view->shows(Layer::stitches) && row <= state.fabric.next_row(); ++row) {
     const auto places = stitch_places(state, row);
     for (std::size_t i = 0; i < places.size(); ++i)
       found.offer(aim.to_point(places[i]), reach, knit::StitchThing{row, static_cast<std::int32_t>(i)});
@@ -217,20 +215,20 @@ Found nearest_point(const Session& session, const Aim& aim, double reach) {
 Found nearest_edge(const Session& session, const Aim& aim, double reach) {
   const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.view->shows(Layer::row_edges) && row <= rows_begun(state); ++row) {
+  for (std::int32_t row = 1; session.view->shows(Layer::row_edges) && row <= state.fabric.next_row(); ++row) {
     const auto places = stitch_places(state, row);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const knit::RowEdgeThing edge{row, static_cast<std::int32_t>(i)};
-      if (i + 1 == places.size() && !knit::exists(state, edge)) continue;  // not closed yet
-      found.offer(aim.to_segment(places[i], places[(i + 1) % places.size()]), reach, edge);
+    const knit::RowEdgeThing last{row, static_cast<std::int32_t>(places.size()) - 1};
+    for (const auto& [from, to] : knit::Edges(places.size(), knit::exists(state, last))) {
+      found.offer(aim.to_segment(places[from], places[to]), reach,
+                  knit::RowEdgeThing{row, static_cast<std::int32_t>(from)});
     }
   }
   if (!session.view->shows(Layer::column_edges)) return found;
+  const knit::KnittingPath path(state.fabric);
   for (const MadeStrip& strip : made_strips(state)) {
-    const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (std::size_t i = 0; i < strip.column_edges.size(); ++i) {
       const auto& [lower, upper] = strip.column_edges[i];
-      found.offer(aim.to_segment(places.at(lower), places.at(upper)), reach,
+      found.offer(aim.to_segment(place_on(path, lower), place_on(path, upper)), reach,
                   knit::ColumnEdgeThing{strip.row, static_cast<std::int32_t>(i)});
     }
   }
@@ -246,11 +244,11 @@ FaceHit first_face(const Session& session, const Ray& ray) {
   const knit::State& state = session.document->timeline.state();
   FaceHit hit;
   if (!session.view->shows(Layer::faces)) return hit;
+  const knit::KnittingPath path(state.fabric);
   for (const MadeStrip& strip : made_strips(state)) {
-    const StripPlaces places = places_of(state, static_cast<std::size_t>(strip.row) - 2);
     for (std::size_t i = 0; i < strip.faces.size(); ++i) {
       const knit::Face& face = strip.faces[i];
-      const auto corner = [&](std::size_t k) { return glm::dvec3(places.at(face.corners[k])); };
+      const auto corner = [&](std::size_t k) { return glm::dvec3(place_on(path, face.corners[k])); };
       auto along = meets(ray, corner(0), corner(1), corner(2));
       if (!along && face.corner_count == 4) along = meets(ray, corner(0), corner(2), corner(3));
       if (along && *along < hit.depth)

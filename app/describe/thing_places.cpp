@@ -35,40 +35,34 @@ struct Outline {
   Places operator()(const knit::RowEdgeThing& e) const {
     const Places row = stitch_places(state, e.row);
     const auto from = static_cast<std::size_t>(e.stitch);
-    return {row[from], row[(from + 1) % row.size()]};
+    return {row[from], row[from + 1 < row.size() ? from + 1 : 0]};
   }
   Places operator()(const knit::ColumnEdgeThing& e) const {
-    const StripPlaces places = places_of(state, static_cast<std::size_t>(e.row) - 2);
-    const auto& [lower, upper] = strip(e.row).column_edges[static_cast<std::size_t>(e.edge)];
-    return {places.at(lower), places.at(upper)};
+    const knit::KnittingPath path(state.fabric);
+    const knit::Strip& strip = *knit::planned_strip(state, e.row);
+    const auto& [lower, upper] = strip.column_edges[static_cast<std::size_t>(e.edge)];
+    return {place_on(path, lower), place_on(path, upper)};
   }
   Places operator()(const knit::FaceThing& f) const {
-    const StripPlaces places = places_of(state, static_cast<std::size_t>(f.row) - 2);
-    const knit::Face& face = strip(f.row).faces[static_cast<std::size_t>(f.face)];
+    const knit::KnittingPath path(state.fabric);
+    const knit::Face& face = knit::planned_strip(state, f.row)->faces[static_cast<std::size_t>(f.face)];
     Places corners;
     for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
-      corners.emplace_back(places.at(face.corners[i]));
+      corners.emplace_back(place_on(path, face.corners[i]));
     return corners;
   }
   Places operator()(const knit::LabelThing& l) const {
-    const Places above = stitch_places(state, l.row);
-    const Places below = stitch_places(state, l.row - 1);
-    return {(above.size() >= below.size() ? above : below)[static_cast<std::size_t>(l.cell)]};
+    const knit::Join& join = *knit::planned_join(state, l.row);
+    return {state.fabric.position(state.fabric.larger(join).at(l.cell))};
   }
   Places operator()(const knit::VertexThing& v) const { return {input.mesh.positions[v.vertex]}; }
-
-  [[nodiscard]] const knit::Strip& strip(std::int32_t row) const {
-    const auto i = static_cast<std::size_t>(row) - 2;
-    return i < state.strips.size() ? *state.strips[i] : *std::get<knit::FacesWork>(state.work).plan;
-  }
 };
 
 }  // namespace
 
 std::vector<glm::dvec3> stitch_places(const knit::State& state, std::int32_t row) {
-  const auto finished = static_cast<std::int32_t>(state.rows.size());
-  if (row < 1 || row > finished + 1) return {};
-  if (row <= finished) return positions_of(state.rows[static_cast<std::size_t>(row) - 1]->stitches);
+  if (row < 1 || row > state.fabric.next_row()) return {};
+  if (const knit::Row* finished = state.fabric.find_row(row)) return positions_of(finished->stitches);
   if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work))
     return positions_of(cast_on->stitches);
   if (const auto* contour = std::get_if<knit::ContourWork>(&state.work))
@@ -80,11 +74,12 @@ std::vector<glm::dvec3> stitch_places(const knit::State& state, std::int32_t row
 
 std::vector<MadeStrip> made_strips(const knit::State& state) {
   std::vector<MadeStrip> strips;
-  for (const auto& strip : state.strips) strips.push_back({strip->row, strip->faces, strip->column_edges});
+  for (const auto& strip : state.fabric.strips())
+    strips.push_back({strip->to, strip->faces, strip->column_edges});
   const auto* work = std::get_if<knit::FacesWork>(&state.work);
   if (work != nullptr && work->plan) {
     const auto made = static_cast<std::size_t>(work->made);
-    strips.push_back({work->plan->row, std::span(work->plan->faces).first(made),
+    strips.push_back({work->plan->to, std::span(work->plan->faces).first(made),
                       std::span(work->plan->column_edges).first(made)});
   }
   return strips;

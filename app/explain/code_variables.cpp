@@ -126,14 +126,15 @@ void add_row(const knit::State& state, std::int32_t row, Values& values) {
   }
 }
 
-void add_transition(const knit::State& state, std::int32_t row, Values& values) {
-  const auto number = static_cast<std::size_t>(std::max(row, 2));
-  if (state.rows.size() < number) return;
-  values.set("below", state.rows[number - 2]->stitches.size());
-  values.set("above", state.rows[number - 1]->stitches.size());
-  if (number >= 3 && state.transitions.size() + 2 >= number)
-    values.set("mains", state.transitions[number - 3]->mains.size());
-  const knit::Transition* plan = transition_shown(state, row);
+void add_join(const knit::State& state, std::int32_t row, Values& values) {
+  const knit::Fabric& fabric = state.fabric;
+  const knit::RowId into = std::max(row, 2);
+  const knit::Row* below = fabric.row_below(into);
+  if (below == nullptr || !fabric.has_row(into)) return;
+  values.set("below", below->stitches.size());
+  values.set("above", fabric.row(into).stitches.size());
+  if (const knit::Join* before = fabric.join_into(below->id)) values.set("mains", before->mains.size());
+  const knit::Join* plan = join_shown(state, row);
   if (plan == nullptr) return;
   values.set("change", plan->change());
   values.set("wanted", (std::abs(plan->change()) + 1) / 2);
@@ -228,10 +229,9 @@ VariableInfo variable_named(std::string_view name) {
 RowShown row_shown(const knit::State& state, std::int32_t row) {
   RowShown shown;
   if (row < 1) return shown;
-  const auto number = static_cast<std::size_t>(row);
-  if (number >= 2 && state.rows.size() + 1 >= number) shown.below = &*state.rows[number - 2];
-  if (state.rows.size() >= number) {
-    shown.finished = &*state.rows[number - 1];
+  shown.below = state.fabric.row_below(row);
+  shown.finished = state.fabric.find_row(row);
+  if (shown.finished != nullptr) {
     if (shown.finished->ring) shown.ring = &*shown.finished->ring;
     shown.level = shown.finished->level;
     shown.time = shown.finished->time;
@@ -254,11 +254,8 @@ RowShown row_shown(const knit::State& state, std::int32_t row) {
   return shown;
 }
 
-const knit::Transition* transition_shown(const knit::State& state, std::int32_t row) {
-  const auto index = static_cast<std::size_t>(std::max(row, 2)) - 2;
-  if (index < state.transitions.size()) return &*state.transitions[index];
-  const auto* work = std::get_if<knit::IndexWork>(&state.work);
-  return work != nullptr && work->plan && work->plan->row == row ? &*work->plan : nullptr;
+const knit::Join* join_shown(const knit::State& state, std::int32_t row) {
+  return knit::planned_join(state, std::max(row, 2));
 }
 
 const knit::Ends* ends_shown(const knit::State& state) {
@@ -281,7 +278,7 @@ std::vector<Variable> variables_of(const Session& session) {
         at->listing == Listing::rows_contours) {
       add_row(state, row, values);
     }
-    if (at->step->place.stage == knit::Stage::stitches) add_transition(state, row, values);
+    if (at->step->place.stage == knit::Stage::stitches) add_join(state, row, values);
     add_step(*at->step, timeline.input(), state, values);
   }
   std::vector<Variable> variables;

@@ -36,8 +36,8 @@ struct RowShown {
 };
 RowShown row_shown(const knit::State& state, std::int32_t row);
 
-// The transition that makes a row, once it is planned; else null.
-const knit::Transition* transition_shown(const knit::State& state, std::int32_t row);
+// The join that makes a row, once it is planned; else null.
+const knit::Join* join_shown(const knit::State& state, std::int32_t row);
 
 // The ends, once they are found; else null.
 const knit::Ends* ends_shown(const knit::State& state);

@@ -61,28 +61,27 @@ std::string mesh_text(const Session& session) {
   std::string text =
       "# knit-mesh: stitches row by row in knitting order, a group for each row with the faces below it.\n";
   text += "# A stack of closed rounds, not a helix: each round begins beside the end of the one before.\n";
-  for (const auto& row : state.rows) {
+  for (const auto& row : state.fabric.rows()) {
     for (const knit::Stitch& stitch : row->stitches) append_vertex(text, stitch.position);
   }
   std::size_t first = 1;
-  for (std::size_t i = 0; i < state.rows.size(); ++i) {
-    const std::size_t stitches = state.rows[i]->stitches.size();
-    if (i > 0 && i <= state.strips.size()) {
-      text += "g " + row_name(state.rows[i]->number) + "\n";
-      for (const knit::Face& face : state.strips[i - 1]->faces) append_face(text, face);
-    } else if (state.strips.empty()) {
-      text += "g " + row_name(state.rows[i]->number) + "\nl";
-      for (std::size_t j = 0; j <= stitches; ++j) text += " " + std::to_string(first + j % stitches);
+  for (const auto& row : state.fabric.rows()) {
+    if (const knit::Strip* strip = state.fabric.strip_into(row->id)) {
+      text += "g " + row_name(row->id) + "\n";
+      for (const knit::Face& face : strip->faces) append_face(text, face);
+    } else if (state.fabric.strips().empty()) {
+      text += "g " + row_name(row->id) + "\nl " + std::to_string(first);
+      for (const auto& edge : knit::edges_of(*row)) text += " " + std::to_string(first + edge.to);
       text += "\n";
     }
-    first += stitches;
+    first += row->stitches.size();
   }
   return text;
 }
 
 std::string map_text(const Session& session) {
   const knit::State& state = session.document->timeline.state();
-  if (state.rows.empty()) return "";
+  if (state.fabric.rows().empty()) return "";
   std::string text;
   for (const knit::LabelRow& row : label_rows(state)) text += knit::text_of(row) + "\n";
   return text;

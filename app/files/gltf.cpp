@@ -120,9 +120,9 @@ class GltfDocument {
   void add_faces() {
     std::vector<glm::vec3> places;
     std::string normals, colours;
-    for (std::size_t i = 0; i < state_.strips.size(); ++i) {
-      const knit::Strip& strip = *state_.strips[i];
-      const FaceShape shape = faces_of(light_theme, strip, strip.faces.size(), places_of(state_, i));
+    const knit::KnittingPath path(state_.fabric);
+    for (const auto& strip : state_.fabric.strips()) {
+      const FaceShape shape = faces_of(light_theme, *strip, strip->faces.size(), path);
       for (const FaceShape::Face& face : shape.faces) {
         const auto& [a, b, c, d] = face.corners;
         places.insert(places.end(), {a, b, c});
@@ -149,16 +149,15 @@ class GltfDocument {
   void add_lines() {
     std::vector<glm::vec3> places;
     std::vector<std::uint32_t> rows, columns;
-    for (const auto& row : state_.rows) {
+    for (const auto& row : state_.fabric.rows()) {
       const auto first = static_cast<std::uint32_t>(places.size());
-      const auto count = static_cast<std::uint32_t>(row->stitches.size());
-      for (std::uint32_t i = 0; i < count; ++i) {
-        places.emplace_back(row->stitches[i].position);
-        rows.push_back(first + i);
-        rows.push_back(first + (i + 1) % count);
+      for (const knit::Stitch& stitch : row->stitches) places.emplace_back(stitch.position);
+      for (const auto& [from, to] : knit::edges_of(*row)) {
+        rows.push_back(first + static_cast<std::uint32_t>(from));
+        rows.push_back(first + static_cast<std::uint32_t>(to));
       }
     }
-    for (const auto& strip : state_.strips) {
+    for (const auto& strip : state_.fabric.strips()) {
       for (const auto& edge : strip->column_edges) columns.insert(columns.end(), edge.begin(), edge.end());
     }
     const int positions = add_positions(places);
@@ -184,7 +183,7 @@ class GltfDocument {
     Json file;
     file["asset"] = {{"version", "2.0"},
                      {"generator", "knit-mesh"},
-                     {"extras", {{"metres_per_mesh_unit", metres_}, {"rows", state_.rows.size()}}}};
+                     {"extras", {{"metres_per_mesh_unit", metres_}, {"rows", state_.fabric.rows().size()}}}};
     file["scene"] = 0;
     file["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
     file["nodes"] =
@@ -215,7 +214,7 @@ std::optional<GltfFormat> gltf_format_of(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> gltf_missing(const Session& session) {
-  if (!session.document->timeline.state().rows.empty()) return std::nullopt;
+  if (!session.document->timeline.state().fabric.empty()) return std::nullopt;
   if (stop_shown(session) != nullptr)
     return "the run stopped before the cast on, so there is nothing to write as glTF.";
   return "there is nothing knit yet to write as glTF; go on until the cast on is done.";

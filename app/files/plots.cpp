@@ -323,7 +323,7 @@ std::optional<PlotsFormat> plots_format_of(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> plots_missing(const Session& session) {
-  if (!session.document->timeline.state().rows.empty()) return std::nullopt;
+  if (!session.document->timeline.state().fabric.empty()) return std::nullopt;
   if (stop_shown(session) != nullptr)
     return "the run stopped before the cast on, so there are no rows to plot.";
   return "there are no rows yet to plot; go on until the cast on is done.";

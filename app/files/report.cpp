@@ -179,17 +179,17 @@ Json integers(const std::vector<knit::Label>& labels) {
 // One array a row, as Appendix A has them; `transitions` tells the rest.
 Json labels_json(const knit::State& state) {
   Json all = Json::array();
-  if (state.rows.empty()) return all;
+  if (state.fabric.rows().empty()) return all;
   for (const knit::LabelRow& row : label_rows(state)) {
     if (!row.into) all.push_back(integers(row.labels));
   }
   return all;
 }
 
-Json transitions_json(const knit::State& state) {
+Json joins_json(const knit::State& state) {
   Json all = Json::array();
-  for (const auto& t : state.transitions) {
-    all.push_back({{"row", t->row},
+  for (const auto& t : state.fabric.joins()) {
+    all.push_back({{"row", t->to},
                    {"from", t->below},
                    {"to", t->above},
                    {"rule", knit::name_of(t->rule)},
@@ -213,9 +213,9 @@ Json edits_json(const knit::Timeline& timeline) {
 }  // namespace
 
 std::vector<knit::LabelRow> label_rows(const knit::State& state) {
-  std::vector<const knit::Transition*> transitions;
-  for (const auto& transition : state.transitions) transitions.push_back(&*transition);
-  return knit::appendix_view(static_cast<std::int32_t>(state.rows.front()->stitches.size()), transitions,
+  std::vector<const knit::Join*> joins;
+  for (const auto& join : state.fabric.joins()) joins.push_back(&*join);
+  return knit::appendix_view(knit::size_of(state.fabric.row(1)), joins,
                              state.stage() > knit::Stage::stitches);
 }
 
@@ -235,9 +235,9 @@ Json report_json(const Session& session) {
   report["steps"] = timeline.position();
   report["finished"] = state.finished();
   report["rows"] = Json::array();
-  for (const auto& row : state.rows) report["rows"].push_back(row->stitches.size());
+  for (const auto& row : state.fabric.rows()) report["rows"].push_back(row->stitches.size());
   report["labels"] = labels_json(state);
-  report["transitions"] = transitions_json(state);
+  report["transitions"] = joins_json(state);
   report["faces"] = {{"quads", faces.quads}, {"triangles", faces.triangles}};
   report["euler"] = knit::euler_characteristic(state);
   report["course"] = lengths_json(knit::course_figures(state));

@@ -123,9 +123,9 @@ std::size_t count_problems(const knit::Timeline& timeline, PageProgress& progres
 }
 
 bool row_size_holds(const Wait& wait, const knit::Timeline& timeline) {
-  const auto& rows = timeline.furthest().rows;
-  if (static_cast<std::size_t>(wait.row) > rows.size()) return false;
-  const auto size = static_cast<double>(rows[static_cast<std::size_t>(wait.row) - 1]->stitches.size());
+  const knit::Row* row = timeline.furthest().fabric.find_row(wait.row);
+  if (row == nullptr) return false;
+  const auto size = static_cast<double>(row->stitches.size());
   return size >= wait.low && size <= wait.high;
 }
 

@@ -88,25 +88,22 @@ Truth band_edge(const Session& session, const JudgeCall& call) {
 
 Truth row_size(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
-  const auto& rows = timeline.furthest().rows;
-  if (static_cast<std::size_t>(call.row) > rows.size()) {
+  const knit::Row* row = timeline.furthest().fabric.find_row(call.row);
+  if (row == nullptr) {
     return timeline.complete() ? untold("This run has no row " + str(call.row) + "; set the page up again.")
                                : not_yet();
   }
-  const std::size_t size = rows[static_cast<std::size_t>(call.row) - 1]->stitches.size();
   const auto decided = knit::count_decided_by(timeline, call.row);
-  return {{std::to_string(size)}, decided ? said_by(timeline, *decided) : "", 0.0};
+  return {{std::to_string(row->stitches.size())}, decided ? said_by(timeline, *decided) : "", 0.0};
 }
 
 namespace {
 
-const knit::Transition* transition_of(const knit::Timeline& timeline, std::int32_t row) {
-  const auto& all = timeline.furthest().transitions;
-  const bool there = row >= 2 && static_cast<std::size_t>(row) - 2 < all.size();
-  return there ? &*all[static_cast<std::size_t>(row) - 2] : nullptr;
+const knit::Join* join_of(const knit::Timeline& timeline, std::int32_t row) {
+  return timeline.furthest().fabric.join_into(row);
 }
 
-Truth no_transition(const knit::Timeline& timeline, std::int32_t row) {
+Truth no_join(const knit::Timeline& timeline, std::int32_t row) {
   return timeline.complete()
              ? untold("This run puts no labels on row " + str(row) + "; set the page up again.")
              : not_yet();
@@ -119,9 +116,9 @@ std::string counted_words(const knit::Timeline& timeline, std::int32_t row) {
 
 template <class Counts>
 Truth count_labels(const Session& session, const JudgeCall& call, Counts counts) {
-  const knit::Transition* transition = transition_of(session.document->timeline, call.row);
-  if (transition == nullptr) return no_transition(session.document->timeline, call.row);
-  const auto count = std::count_if(transition->labels.begin(), transition->labels.end(), counts);
+  const knit::Join* join = join_of(session.document->timeline, call.row);
+  if (join == nullptr) return no_join(session.document->timeline, call.row);
+  const auto count = std::count_if(join->labels.begin(), join->labels.end(), counts);
   return {{str(count)}, counted_words(session.document->timeline, call.row), 0.0};
 }
 
@@ -138,12 +135,11 @@ Truth mains(const Session& session, const JudgeCall& call) {
 }
 
 Truth shaping(const Session& session, const JudgeCall& call) {
-  const auto& rows = session.document->timeline.furthest().rows;
+  const knit::Fabric& fabric = session.document->timeline.furthest().fabric;
   if (call.row < 2) return untold("The first row follows none.");
-  const auto row = static_cast<std::size_t>(call.row);
-  if (row > rows.size()) return row_size(session, call);
-  const std::size_t below = rows[row - 2]->stitches.size();
-  const std::size_t above = rows[row - 1]->stitches.size();
+  if (!fabric.has_row(call.row)) return row_size(session, call);
+  const std::int32_t below = fabric.live_below(call.row).size();
+  const std::int32_t above = knit::size_of(fabric.row(call.row));
   const char* key = above > below ? "increases" : above < below ? "decreases" : "plain";
   return {{key},
           "Row " + str(call.row) + " has " + std::to_string(above) + " stitches, and the row below has " +
@@ -165,13 +161,14 @@ bool is_meant(knit::Label label, const std::string& word) {
 // Labels stand on the larger of the two rows: an increase on the new one, a decrease on the one below.
 Truth stitch_with_label(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
-  const knit::Transition* transition = transition_of(timeline, call.row);
-  if (transition == nullptr) return no_transition(timeline, call.row);
-  const std::int32_t row = transition->change() >= 0 ? call.row : call.row - 1;
+  const knit::Join* join = join_of(timeline, call.row);
+  if (join == nullptr) return no_join(timeline, call.row);
+  const knit::LiveStitches cells = timeline.furthest().fabric.larger(*join);
   Truth truth;
-  for (std::size_t cell = 0; cell < transition->labels.size(); ++cell) {
-    if (is_meant(transition->labels[cell], call.word))
-      truth.answers.push_back(text_of(knit::Thing(knit::StitchThing{row, static_cast<std::int32_t>(cell)})));
+  for (std::size_t cell = 0; cell < join->labels.size(); ++cell) {
+    if (!is_meant(join->labels[cell], call.word)) continue;
+    const knit::StitchRef at = cells.at(static_cast<std::int32_t>(cell));
+    truth.answers.push_back(text_of(knit::Thing(knit::StitchThing{at.row, at.stitch})));
   }
   if (truth.answers.empty())
     return untold("Row " + str(call.row) + " has no such stitch; set the page up again.");
@@ -181,16 +178,16 @@ Truth stitch_with_label(const Session& session, const JudgeCall& call) {
 }
 
 std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer) {
-  const knit::Transition* transition = transition_of(session.document->timeline, call.row);
+  const knit::Join* join = join_of(session.document->timeline, call.row);
   const auto thing = thing_named(answer);
   const auto* stitch = thing ? std::get_if<knit::StitchThing>(&*thing) : nullptr;
-  if (transition == nullptr || stitch == nullptr) return "";
-  const std::int32_t row = transition->change() >= 0 ? call.row : call.row - 1;
+  if (join == nullptr || stitch == nullptr) return "";
+  const knit::RowId row = session.document->timeline.furthest().fabric.larger(*join).at(0).row;
   const std::string name = capital(words_of(*thing));
   if (stitch->row != row) return name + " is not in row " + str(row) + ".";
   const auto cell = static_cast<std::size_t>(stitch->stitch);
-  if (cell >= transition->labels.size()) return "";
-  return name + " is labelled " + std::string(knit::name_of(transition->labels[cell])) + ".";
+  if (cell >= join->labels.size()) return "";
+  return name + " is labelled " + std::string(knit::name_of(join->labels[cell])) + ".";
 }
 
 // What is right about odd rows, the mesh, how the run ends, and what other settings make of it.
@@ -337,12 +334,12 @@ RunTally run_with(const knit::Timeline& timeline, const Knobs& knobs, Stage befo
 }
 
 std::size_t measure_of(const RunTally& run, const JudgeCall& call) {
-  const auto& rows = run.state.rows;
-  if (call.word == "rows") return rows.size();
+  const knit::Fabric& fabric = run.state.fabric;
+  if (call.word == "rows") return fabric.rows().size();
   if (call.word == "problems") return run.problems;
-  if (call.word == "stitches") return knit::count_stitches(run.state);
-  const auto row = static_cast<std::size_t>(std::max(1, call.row));
-  return row <= rows.size() ? rows[row - 1]->stitches.size() : 0;
+  if (call.word == "stitches") return fabric.stitch_count();
+  const knit::Row* row = fabric.find_row(std::max(1, call.row));
+  return row != nullptr ? row->stitches.size() : 0;
 }
 
 std::string measure_words(const JudgeCall& call) {
@@ -379,7 +376,7 @@ Truth what_if_stops(const Session& session, const JudgeCall& call) {
   const std::string with = "With " + settings_words(call.settings);
   if (!run.stop)
     return {{"finishes"},
-            with + " the run finishes, with " + std::to_string(run.state.rows.size()) + " rows.",
+            with + " the run finishes, with " + std::to_string(run.state.fabric.rows().size()) + " rows.",
             0.0};
   return {
       {"stops"}, with + " it stops. " + knit::narrate(*run.stop, parameters_at(knobs, run.stop->place)), 0.0};

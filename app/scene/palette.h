@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/scene/colour.h"
-#include "knit/model/products.h"
+#include "knit/model/label.h"
 #include "knit/model/stage.h"
 
 namespace app {

@@ -91,10 +91,10 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
                      "; a row may at most double or halve.");
   }
   const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
-  const std::vector<knit::Transition> transitions = knit::plan_transitions(sizes, policy);
-  std::vector<const knit::Transition*> view;
-  view.reserve(transitions.size());
-  for (const knit::Transition& transition : transitions) view.push_back(&transition);
+  const std::vector<knit::Join> joins = knit::plan_joins(sizes, policy);
+  std::vector<const knit::Join*> view;
+  view.reserve(joins.size());
+  for (const knit::Join& join : joins) view.push_back(&join);
   std::string text;
   for (const knit::LabelRow& row : knit::appendix_view(sizes.front(), view))
     text += knit::text_of(row) + "\n";

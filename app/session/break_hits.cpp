@@ -15,10 +15,10 @@ void BreakHits::refresh(const knit::Timeline& timeline, const std::vector<knit::
     scanner_ = knit::BreakScanner(conditions);
   }
   if (conditions.empty()) return;
-  const auto& rows = timeline.furthest().rows;
+  const knit::Fabric& fabric = timeline.furthest().fabric;
   for (; steps > 0 && scanner_.taken() < timeline.known(); --steps) {
     const std::size_t i = scanner_.taken();
-    scanner_.take(timeline.step(i), timeline.parameters_of_step(i), rows);
+    scanner_.take(timeline.step(i), timeline.parameters_of_step(i), fabric);
   }
   complete_ = timeline.complete() && scanner_.taken() == timeline.known();
   if (complete_ && timeline.stop() != nullptr && !stop_taken_) {

@@ -54,8 +54,8 @@ RunTally tally_of(const knit::Timeline& timeline) {
 RunFigures figures_of(const RunTally& run, const Knobs& knobs) {
   RunFigures figures;
   figures.steps = run.steps;
-  figures.rows = run.state.rows.size();
-  figures.stitches = knit::count_stitches(run.state);
+  figures.rows = run.state.fabric.rows().size();
+  figures.stitches = run.state.fabric.stitch_count();
   figures.problems = run.problems;
   const knit::ShapingFigures shaping = knit::shaping_figures(run.state);
   figures.increases = shaping.increases;
@@ -70,13 +70,13 @@ RunFigures figures_of(const RunTally& run, const Knobs& knobs) {
 
 RowFigures row_figures_of(const knit::State& state, double stitch_width) {
   RowFigures figures;
-  for (const auto& row : state.rows) {
-    const std::size_t n = row->stitches.size();
+  for (const auto& row : state.fabric.rows()) {
+    const knit::Edges edges = knit::edges_of(*row);
     double length = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      length += glm::distance(row->stitches[i].position, row->stitches[(i + 1) % n].position);
-    figures.stitches.push_back(static_cast<double>(n));
-    figures.course.push_back(length / (static_cast<double>(n) * stitch_width));
+    for (const auto& [from, to] : edges)
+      length += glm::distance(row->stitches[from].position, row->stitches[to].position);
+    figures.stitches.push_back(static_cast<double>(row->stitches.size()));
+    figures.course.push_back(length / (static_cast<double>(edges.size()) * stitch_width));
   }
   return figures;
 }

@@ -145,10 +145,8 @@ struct Widths {
 
 Widths widths_of(const Row& row, double stitch_width) {
   Widths widths;
-  const std::size_t n = row.stitches.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double width =
-        glm::distance(row.stitches[i].position, row.stitches[(i + 1) % n].position) / stitch_width;
+  for (const auto& [from, to] : edges_of(row)) {
+    const double width = glm::distance(row.stitches[from].position, row.stitches[to].position) / stitch_width;
     widths = {std::min(widths.low, width), std::max(widths.high, width)};
   }
   return widths;
@@ -273,16 +271,16 @@ void BreakScanner::hit(std::size_t condition) {
   ++counts_[condition];
 }
 
-void BreakScanner::take(const Step& step, const Parameters& parameters, std::span<const Shared<Row>> rows) {
+void BreakScanner::take(const Step& step, const Parameters& parameters, const Fabric& fabric) {
   Sight sight;
   sight.begins_stage = !last_ || last_->stage != step.place.stage;
   sight.begins_row = sight.begins_stage || last_->row != step.place.row;
   last_ = step.place;
   if (sight.begins_row || !is_common(step)) {
     const auto size = finished_row_size(step);
-    const auto row = static_cast<std::size_t>(step.place.row) - 1;
+    const Row* row = fabric.find_row(step.place.row);
     if (size && row_below_) sight.growth = *size - *row_below_;
-    if (size && measures_ && row < rows.size()) sight.widths = widths_of(*rows[row], parameters.stitch_width);
+    if (size && measures_ && row != nullptr) sight.widths = widths_of(*row, parameters.stitch_width);
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
       if (holds(conditions_[i], step, sight)) hit(i);
     }

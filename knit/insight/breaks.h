@@ -61,9 +61,9 @@ class BreakScanner {
   BreakScanner() = default;
   explicit BreakScanner(std::vector<BreakCondition> conditions);
 
-  // `parameters`: in force for the step. `rows`: those of the run, with at least the one that the step
+  // `parameters`: in force for the step. `fabric`: of the run, with at least the row that the step
   // finishes.
-  void take(const Step& step, const Parameters& parameters, std::span<const Shared<Row>> rows);
+  void take(const Step& step, const Parameters& parameters, const Fabric& fabric);
   // Why the run ended before its last stage, after its last step.
   void take_stop(const Step& stop);
 

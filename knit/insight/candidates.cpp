@@ -7,11 +7,11 @@ namespace knit {
 namespace {
 
 NoCandidates why_none(const State& run, std::int32_t row) {
-  const auto finished = static_cast<std::int32_t>(run.rows.size());
-  const bool in_making = run.stage() <= Stage::rows && row == finished + 1;
-  if (row < 1 || (row > finished && !in_making)) return NoCandidates::no_row;
-  const bool by_cuts = finished > 0 ? run.rows.front()->ring->ordered_by == OrderedBy::cut
-                                    : std::holds_alternative<ContourWork>(run.work);
+  const bool in_making = run.stage() <= Stage::rows && row == run.fabric.next_row();
+  if (!run.fabric.has_row(row) && !in_making) return NoCandidates::no_row;
+  const Row* first = run.fabric.find_row(1);
+  const bool by_cuts = first != nullptr ? first->ring->ordered_by == OrderedBy::cut
+                                        : std::holds_alternative<ContourWork>(run.work);
   if (by_cuts) return NoCandidates::cut;
   return row == 1 ? NoCandidates::cast_on : NoCandidates::not_yet;
 }

@@ -19,9 +19,9 @@ std::int32_t size_of(const Container& container) {
 }
 
 Made made_of(const State& state, std::int32_t row) {
-  const std::int32_t finished = size_of(state.rows);
-  if (row < 1 || row > finished + 1) return {};
-  if (row <= finished) return {size_of(state.rows[static_cast<std::size_t>(row) - 1]->stitches), true};
+  if (row < 1 || row > state.fabric.next_row()) return {};
+  if (const Row* finished = state.fabric.find_row(row))
+    return {size_of(finished->stitches), finished->closed};
   if (const auto* cast_on = std::get_if<CastOnWork>(&state.work)) return {size_of(cast_on->stitches), false};
   if (const auto* contour = std::get_if<ContourWork>(&state.work)) return {size_of(contour->stitches), false};
   const auto* work = std::get_if<RowWork>(&state.work);
@@ -75,7 +75,7 @@ std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelTh
     if ((main != nullptr && main->cell == label.cell) || (shaping != nullptr && shaping->cell == label.cell))
       return i;
   }
-  const bool finished = label.row - 2 < size_of(timeline.furthest().transitions);
+  const bool finished = timeline.furthest().fabric.join_into(label.row) != nullptr;
   const auto* work = std::get_if<IndexWork>(&timeline.furthest().work);
   const bool plain_by_now = finished || (work != nullptr && exists(timeline.furthest(), label));
   return label.cell < cells && plain_by_now ? plan : std::nullopt;
@@ -91,23 +91,19 @@ std::optional<std::size_t> face_made_by(const Timeline& timeline, std::int32_t r
 }
 
 bool face_exists(const State& state, std::int32_t row, std::int32_t face) {
-  if (row < 2 || face < 0) return false;
-  const std::int32_t finished = size_of(state.strips);
-  if (row - 2 < finished) return face < size_of(state.strips[static_cast<std::size_t>(row) - 2]->faces);
+  if (face < 0) return false;
+  if (const Strip* finished = state.fabric.strip_into(row)) return face < size_of(finished->faces);
   const auto* work = std::get_if<FacesWork>(&state.work);
-  return work != nullptr && row - 2 == finished && face < work->made;
+  return work != nullptr && row == state.next.row && face < work->made;
 }
 
 bool label_exists(const State& state, const LabelThing& label) {
-  if (label.row < 2 || label.cell < 0) return false;
-  const std::int32_t finished = size_of(state.transitions);
+  if (label.cell < 0) return false;
   const auto cell = static_cast<std::size_t>(label.cell);
-  if (label.row - 2 < finished) {
-    return cell < state.transitions[static_cast<std::size_t>(label.row) - 2]->labels.size();
-  }
+  if (const Join* finished = state.fabric.join_into(label.row)) return cell < finished->labels.size();
   const auto* work = std::get_if<IndexWork>(&state.work);
-  if (work == nullptr || !work->plan || label.row - 2 != finished) return false;
-  const Transition& plan = *work->plan;
+  if (work == nullptr || !work->plan || work->plan->to != label.row) return false;
+  const Join& plan = *work->plan;
   if (cell >= plan.labels.size()) return false;
   if (plan.labels[cell] == Label::knit) return true;
   return std::any_of(plan.placed.begin(), plan.placed.begin() + work->placed,

@@ -28,7 +28,7 @@ struct FaceThing {
   friend bool operator==(const FaceThing&, const FaceThing&) = default;
 };
 struct LabelThing {
-  std::int32_t row = 2, cell = 0;  // of the transition that makes this row
+  std::int32_t row = 2, cell = 0;  // of the join that makes this row
   friend bool operator==(const LabelThing&, const LabelThing&) = default;
 };
 struct VertexThing {

@@ -8,30 +8,8 @@ namespace knit {
 
 namespace {
 
-// Null until it is planned.
-const Transition* transition_of(const State& run, std::int32_t row) {
-  const std::int32_t i = row - 2;
-  const auto finished = static_cast<std::int32_t>(run.transitions.size());
-  if (i < 0 || i > finished) return nullptr;
-  if (i < finished) return &*run.transitions[static_cast<std::size_t>(i)];
-  const auto* work = std::get_if<IndexWork>(&run.work);
-  return work != nullptr && work->plan ? &*work->plan : nullptr;
-}
-
-// The stitches at the two ends of a cell's column edge.
-struct CellEnds {
-  std::int32_t below = -1, above = -1;
-};
-CellEnds ends_of(const Transition& t, std::int32_t cell) {
-  const std::int32_t link = t.link[static_cast<std::size_t>(cell)];
-  return t.above >= t.below ? CellEnds{link, cell} : CellEnds{cell, link};
-}
-std::int32_t next_cell(const Transition& t, std::int32_t cell) {
-  return (cell + 1) % static_cast<std::int32_t>(t.link.size());
-}
-
-// The cells a step works on, in the transition of its row; -1: none.
-std::array<std::int32_t, 2> cells_of(const Transition& t, const Event& what) {
+// The cells a step works on, in the join of its row; -1: none.
+std::array<std::int32_t, 2> cells_of(const Join& t, const Event& what) {
   if (const auto* s = get_if<MainPlaced>(what)) return {s->cell, -1};
   if (const auto* s = get_if<ShapingPlaced>(what)) return {s->cell, s->partner};
   if (const auto* s = get_if<FaceMade>(what)) return {s->index - 1, next_cell(t, s->index - 1)};
@@ -74,15 +52,15 @@ struct Touches {
   std::size_t index;
 
   [[nodiscard]] const Step& step() const { return timeline.step(index); }
-  [[nodiscard]] const Transition* transition() const {
+  [[nodiscard]] const Join* join() const {
     const Stage stage = step().place.stage;
     if (stage != Stage::stitches && stage != Stage::faces) return nullptr;
-    return transition_of(timeline.furthest(), step().place.row);
+    return planned_join(timeline.furthest(), step().place.row);
   }
   // Whether a cell that the step works on has an end for which `is` holds.
   template <class Is>
   [[nodiscard]] bool any_end(Is is) const {
-    const Transition* t = transition();
+    const Join* t = join();
     if (t == nullptr) return false;
     const auto cells = cells_of(*t, step().what);
     return std::any_of(cells.begin(), cells.end(),
@@ -92,8 +70,8 @@ struct Touches {
   bool operator()(const StitchThing& s) const {
     const Place& at = step().place;
     if (at.stage == stage_of_row(s.row) && at.row == s.row) return makes_stitch(step().what, s.stitch);
-    return any_end([&](const Transition& t, const CellEnds& ends) {
-      return (t.row == s.row && ends.above == s.stitch) || (t.row == s.row + 1 && ends.below == s.stitch);
+    return any_end([&](const Join& t, const CellEnds& ends) {
+      return (t.to == s.row && ends.above == s.stitch) || t.from.at(ends.below) == StitchRef{s.row, s.stitch};
     });
   }
   // Between two stitches: what measured or moved the way from one to the other, and faces along it.
@@ -101,19 +79,19 @@ struct Touches {
     const Place& at = step().place;
     if (at.stage == stage_of_row(e.row) && at.row == e.row) return makes_edge(step().what, e.stitch);
     const auto* face = get_if<FaceMade>(step());
-    const Transition* t = face != nullptr ? transition() : nullptr;
+    const Join* t = face != nullptr ? join() : nullptr;
     if (t == nullptr) return false;
     const CellEnds from = ends_of(*t, face->index - 1);
     const CellEnds to = ends_of(*t, next_cell(*t, face->index - 1));
-    if (t->row == e.row) return from.above == e.stitch && to.above != e.stitch;
-    return t->row == e.row + 1 && from.below == e.stitch && to.below != e.stitch;
+    if (t->to == e.row) return from.above == e.stitch && to.above != e.stitch;
+    return t->from.at(from.below) == StitchRef{e.row, e.stitch} && to.below != from.below;
   }
   bool operator()(const ColumnEdgeThing& e) const { return on_cell(e.row, e.edge); }
   bool operator()(const FaceThing& f) const {
     const auto* face = get_if<FaceMade>(step());
     if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
-    const Transition* t = transition();
-    if (t == nullptr || t->row != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
+    const Join* t = join();
+    if (t == nullptr || t->to != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
     return on_cell(f.row, f.face) || on_cell(f.row, next_cell(*t, f.face));
   }
   bool operator()(const LabelThing& l) const {
@@ -132,7 +110,7 @@ struct Touches {
     return false;
   }
   [[nodiscard]] bool on_cell(std::int32_t row, std::int32_t cell) const {
-    const Transition* t = step().place.row == row ? transition() : nullptr;
+    const Join* t = step().place.row == row ? join() : nullptr;
     if (t == nullptr) return false;
     const auto cells = cells_of(*t, step().what);
     return std::find(cells.begin(), cells.end(), cell) != cells.end();
@@ -147,8 +125,13 @@ struct Stretches {
     return steps_of_row(timeline, stage, row);
   }
   [[nodiscard]] Ranges of_row(std::int32_t row) const {
-    return {at(stage_of_row(row), row), at(Stage::stitches, row), at(Stage::stitches, row + 1),
-            at(Stage::faces, row), at(Stage::faces, row + 1)};
+    const std::vector<RowId> above = timeline.furthest().fabric.rows_on(row);
+    Ranges ranges{at(stage_of_row(row), row)};
+    for (const Stage stage : {Stage::stitches, Stage::faces}) {
+      ranges.push_back(at(stage, row));
+      for (const RowId on : above) ranges.push_back(at(stage, on));
+    }
+    return ranges;
   }
   [[nodiscard]] Ranges of_strip(std::int32_t row) const {
     return {at(Stage::stitches, row), at(Stage::faces, row)};

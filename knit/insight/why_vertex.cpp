@@ -15,12 +15,13 @@ std::int32_t level_of(const Timing& timing, VertexId vertex) {
 
 bool rows_are_cut(const State& state) {
   if (std::holds_alternative<ContourWork>(state.work)) return true;
-  return !state.rows.empty() && state.rows.front()->ring->ordered_by == OrderedBy::cut;
+  const Row* first = state.fabric.find_row(1);
+  return first != nullptr && first->ring->ordered_by == OrderedBy::cut;
 }
 
 // The first level that makes a row; -1: not known yet.
 std::int32_t first_level(const State& state) {
-  if (!state.rows.empty()) return state.rows.front()->level;
+  if (const Row* first = state.fabric.find_row(1)) return first->level;
   const auto* work = std::get_if<CastOnWork>(&state.work);
   return work != nullptr ? work->level : -1;
 }
@@ -82,10 +83,9 @@ std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex) {
 }
 
 std::shared_ptr<const Ring> ring_of_row(const State& state, std::int32_t row) {
-  const auto finished = static_cast<std::int32_t>(state.rows.size());
-  if (row < 2 || row > finished + 1) return nullptr;
-  if (row <= finished) {
-    const auto ring = state.rows[static_cast<std::size_t>(row) - 1]->ring.pointer();
+  if (row < 2 || row > state.fabric.next_row()) return nullptr;
+  if (const Row* finished = state.fabric.find_row(row)) {
+    const auto ring = finished->ring.pointer();
     return ring && !ring->vertices.empty() ? ring : nullptr;
   }
   const auto* work = std::get_if<RowWork>(&state.work);

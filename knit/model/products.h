@@ -1,8 +1,5 @@
-// What the stages hand on: plain data, finished once, then immutable (`Shared<T>` in State).
-//
-// A row belongs to a tube; today there is one. Stitch order is working order: counter-clockwise seen along
-// the direction of knitting, which is clockwise seen from the needles, right side out (a right-handed
-// knitter's order).
+// What the stages hand on beside the fabric (knit/fabric): plain data, finished once, then immutable (`Shared<T>` in
+// State).
 #pragma once
 
 #include <array>
@@ -18,8 +15,6 @@
 #include "knit/model/shared.h"
 
 namespace knit {
-
-using TubeId = std::int32_t;
 
 // --- timing
 // -------------------------------------------------------------------------------------------------------
@@ -112,7 +107,7 @@ struct Timing {
   friend bool operator==(const Timing&, const Timing&) = default;
 };
 
-// --- cast on, rows
+// --- what rows stand on
 // -------------------------------------------------------------------------------------------------
 
 enum class OrderedBy : std::uint8_t { angle, edges, cut };
@@ -150,90 +145,6 @@ struct CutPlan {
     return std::tie(from_time, stitch_height, height, row_height, passed_over, cuts, split);
   }
   friend bool operator==(const CutPlan&, const CutPlan&) = default;
-};
-
-struct Stitch {
-  glm::dvec3 position{0.0};
-  VertexId vertex = no_vertex;  // the mesh vertex it was picked at; no_vertex when placed by arc
-  [[nodiscard]] auto fields() const { return std::tie(position, vertex); }
-  friend bool operator==(const Stitch&, const Stitch&) = default;
-};
-
-struct Row {
-  TubeId tube = 0;
-  std::int32_t number = 1;  // from 1, the cast on
-  std::int32_t level = 0;   // of the levels, or of the cuts planned
-  double time = 0.0;
-  Shared<Ring> ring;
-  std::vector<Stitch> stitches;  // at least 3, working order
-  [[nodiscard]] auto fields() const { return std::tie(tube, number, level, time, ring, stitches); }
-  friend bool operator==(const Row&, const Row&) = default;
-};
-inline std::int32_t size_of(const Row& row) { return static_cast<std::int32_t>(row.stitches.size()); }
-
-// --- stitch index
-// --------------------------------------------------------------------------------------------------
-
-// The thesis's integers.
-enum class Label : std::uint8_t { knit = 0, m1r = 1, m1l = 2, k2tog = 3, ssk = 4, cast = 5, main = 6 };
-inline bool is_increase(Label label) { return label == Label::m1r || label == Label::m1l; }
-inline bool is_decrease(Label label) { return label == Label::k2tog || label == Label::ssk; }
-inline bool is_shaping(Label label) { return is_increase(label) || is_decrease(label); }
-
-// How mains were spaced; names as in docs/algorithm.md.
-enum class Rule : std::uint8_t { from_cast_on, plain, equal, follow, remainder_last, dense, even, nearest };
-
-struct PlacedLabel {
-  std::int32_t cell = 0;
-  Label label = Label::knit;
-  [[nodiscard]] auto fields() const { return std::tie(cell, label); }
-  friend bool operator==(const PlacedLabel&, const PlacedLabel&) = default;
-};
-
-// From one row to the next. Cells are those of the larger row: `above` when it grows, `below` when it
-// shrinks.
-struct Transition {
-  TubeId tube = 0;
-  std::int32_t row = 2;  // the row it makes, from row - 1
-  std::int32_t below = 0, above = 0;
-  Rule rule = Rule::plain;
-  std::optional<Rule> tried;  // the rule that would have applied, had its sections had room
-  std::int32_t spacing = 0, remainder = 0;
-  std::vector<Label> labels;          // max(below, above) cells
-  std::vector<PlacedLabel> placed;    // mains and shaping in the order of placing
-  std::vector<std::int32_t> mains;    // cells of the mains in row `row`
-  std::vector<std::int32_t> partner;  // per cell: the cell a shaping label works with, else the cell itself
-  std::vector<std::int32_t> link;     // per cell: its stitch in the smaller row
-  double sum_of_squares = 0.0;        // nearest: of the lengths of its wale edges
-  double longest_square = 0.0;
-  [[nodiscard]] std::int32_t change() const { return above - below; }
-  [[nodiscard]] auto fields() const {
-    return std::tie(tube, row, below, above, rule, tried, spacing, remainder, labels, placed, mains, partner,
-                    link, sum_of_squares, longest_square);
-  }
-  friend bool operator==(const Transition&, const Transition&) = default;
-};
-
-// --- faces
-// ---------------------------------------------------------------------------------------------------------
-
-// Corners are stitches counted through all rows (the knitting path), counter-clockwise seen from outside.
-struct Face {
-  std::array<std::uint32_t, 4> corners{};
-  std::int32_t corner_count = 4;  // 3: the last corner is unused and 0
-  std::int32_t cell = 0;          // of the transition
-  Label label = Label::knit;
-  [[nodiscard]] auto fields() const { return std::tie(corners, corner_count, cell, label); }
-  friend bool operator==(const Face&, const Face&) = default;
-};
-
-// The faces between row - 1 and row.
-struct Strip {
-  std::int32_t row = 2;
-  std::vector<Face> faces;
-  std::vector<std::array<std::uint32_t, 2>> column_edges;  // lower stitch, upper stitch
-  [[nodiscard]] auto fields() const { return std::tie(row, faces, column_edges); }
-  friend bool operator==(const Strip&, const Strip&) = default;
 };
 
 // --- pattern

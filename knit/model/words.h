@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "knit/model/label.h"
 #include "knit/model/products.h"
 
 namespace knit {

@@ -27,7 +27,9 @@ ChartSymbol symbol_of(Hand hand) {
 class ChartMaker {
  public:
   explicit ChartMaker(const Rounds& rounds)
-      : rounds_(rounds), wales_(wales_of(rounds)), columns_(columns_of(wales_)) {}
+      : rounds_(rounds), wales_(wales_of(rounds)), columns_(columns_of(wales_)) {
+    for (const Round& round : rounds.rounds) made_by_.push_back(&round);
+  }
 
   [[nodiscard]] Chart make() const {
     Chart chart{columns_.width, {cast_on()}};
@@ -52,15 +54,16 @@ class ChartMaker {
 
   [[nodiscard]] std::vector<std::uint8_t> main_wales(std::size_t row) const {
     std::vector<std::uint8_t> main(columns_.of.size(), 0);
-    if (row == 0 || row >= wales_.rows.size()) return main;
-    const std::vector<Operation>& operations = rounds_.rounds[row - 1].operations;
+    const Round* round = row < made_by_.size() ? made_by_[row] : nullptr;
+    if (round == nullptr) return main;
+    const std::vector<Operation>& operations = round->operations;
     for (std::size_t i = 0; i < operations.size(); ++i)
       main[static_cast<std::size_t>(wales_.rows[row][i])] = operations[i].at_main ? 1 : 0;
     return main;
   }
 
   [[nodiscard]] ChartRow worked(std::size_t row) const {
-    const Round& round = rounds_.rounds[row - 1];
+    const Round& round = *made_by_[row];
     ChartRow made = all_alike(row, ChartSymbol::knit, row);
     made.number = round.number;
     for (ChartSquare& square : made.squares) {
@@ -83,6 +86,7 @@ class ChartMaker {
   const Rounds& rounds_;
   Wales wales_;
   WaleColumns columns_;
+  std::vector<const Round*> made_by_{nullptr};  // each row; the cast on by none
 };
 
 }  // namespace

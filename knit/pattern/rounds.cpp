@@ -25,7 +25,7 @@ Hand hand_of(Label label) {
 }
 
 // Cells whose stitch a decrease beside them takes in.
-std::vector<std::uint8_t> taken_in(const Transition& t) {
+std::vector<std::uint8_t> taken_in(const Join& t) {
   std::vector<std::uint8_t> taken(t.labels.size(), 0);
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
     if (is_decrease(t.labels[cell])) taken[static_cast<std::size_t>(t.partner[cell])] = 1;
@@ -33,8 +33,8 @@ std::vector<std::uint8_t> taken_in(const Transition& t) {
   return taken;
 }
 
-Round round_of(const Transition& t) {
-  Round round{t.row, {}, t.below, t.above};
+Round round_of(const Join& t) {
+  Round round{t.to, {}, t.below, t.above};
   const std::vector<std::uint8_t> taken = taken_in(t);
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
     if (taken[cell] != 0) continue;
@@ -46,7 +46,7 @@ Round round_of(const Transition& t) {
   return round;
 }
 
-std::vector<GraphStitch> grown_row(const Transition& t) {
+std::vector<GraphStitch> grown_row(const Join& t) {
   std::vector<GraphStitch> row;
   std::int32_t before = 0;
   for (const Label label : t.labels) {
@@ -57,7 +57,7 @@ std::vector<GraphStitch> grown_row(const Transition& t) {
   return row;
 }
 
-std::vector<GraphStitch> shrunk_row(const Transition& t) {
+std::vector<GraphStitch> shrunk_row(const Join& t) {
   std::vector<GraphStitch> row(static_cast<std::size_t>(t.above), {Hand::knit, -1, 0});
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
     GraphStitch& stitch = row[static_cast<std::size_t>(t.link[cell])];
@@ -79,15 +79,15 @@ std::int32_t made_by(Hand /*hand*/) { return 1; }
 
 Rounds rounds_of(const State& state) {
   Rounds rounds;
-  rounds.cast_on = static_cast<std::int32_t>(state.rows.front()->stitches.size());
-  for (const auto& transition : state.transitions) rounds.rounds.push_back(round_of(*transition));
+  rounds.cast_on = size_of(state.fabric.row(1));
+  for (const auto& join : state.fabric.joins()) rounds.rounds.push_back(round_of(*join));
   return rounds;
 }
 
 KnitGraph graph_of(const State& state) {
   KnitGraph graph;
-  graph.rows.emplace_back(state.rows.front()->stitches.size());
-  for (const auto& t : state.transitions)
+  graph.rows.emplace_back(state.fabric.row(1).stitches.size());
+  for (const auto& t : state.fabric.joins())
     graph.rows.push_back(t->change() >= 0 ? grown_row(*t) : shrunk_row(*t));
   return graph;
 }

@@ -1,13 +1,13 @@
 // The pattern as work for hands: what is done to which stitches, round by round, and the graph that comes out.
 //
-// Taken from the label transitions, never from the arrays of Appendix A. Operations stand in working order and
+// Taken from the label joins, never from the arrays of Appendix A. Operations stand in working order and
 // never cross the beginning of a round. Rounds are numbered as rows are: 1 is the cast on.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "knit/model/products.h"
+#include "knit/fabric/fabric.h"
 #include "knit/run/state.h"
 
 namespace knit {
@@ -38,7 +38,7 @@ struct Rounds {
   friend bool operator==(const Rounds&, const Rounds&) = default;
 };
 
-// Of the transitions that are there. Requires at least one row.
+// Of the joins that are there. Requires at least one row.
 Rounds rounds_of(const State& state);
 
 // One stitch and what it was worked from: stitches `first`, `first` + 1 ... of the row below, `count` of them.

@@ -35,6 +35,7 @@ class WaleFinder {
         last = stitch.count == 2 ? below(stitch.first + 1) : wales.back();
       }
       found_.rows.push_back(std::move(wales));
+      main_below_ = main_[row];
     }
     return in_order();
   }
@@ -58,14 +59,14 @@ class WaleFinder {
   [[nodiscard]] Wale kept(const GraphStitch& stitch, std::size_t row, std::size_t i) const {
     if (stitch.count == 1) return below(stitch.first);
     if (main_[row][i] != 0) {
-      const bool first = was_main(stitch.first, row - 1);
-      const bool second = was_main(stitch.first + 1, row - 1);
+      const bool first = was_main_below(stitch.first);
+      const bool second = was_main_below(stitch.first + 1);
       if (first != second) return below(first ? stitch.first : stitch.first + 1);
     }
     return below(stitch.hand == Hand::k2tog ? stitch.first + 1 : stitch.first);
   }
-  [[nodiscard]] bool was_main(std::int32_t stitch, std::size_t row) const {
-    return !main_[row].empty() && main_[row][static_cast<std::size_t>(stitch)] != 0;
+  [[nodiscard]] bool was_main_below(std::int32_t stitch) const {
+    return !main_below_.empty() && main_below_[static_cast<std::size_t>(stitch)] != 0;
   }
 
   [[nodiscard]] Wales in_order() const {
@@ -85,6 +86,7 @@ class WaleFinder {
 
   KnitGraph graph_;
   std::vector<std::vector<std::uint8_t>> main_;  // per stitch; nothing is known of the cast on
+  std::vector<std::uint8_t> main_below_;         // of the row that the next one is worked on
   Wales found_;
   Wale first_ = none;
   std::vector<Wale> next_;
@@ -104,11 +106,11 @@ struct Neighbours {
 
 Neighbours neighbours_of(const Wales& wales) {
   std::vector<std::pair<Wale, Wale>> pairs;
-  for (std::size_t row = 0; row < wales.rows.size(); ++row) {
-    const std::vector<Wale>& here = wales.rows[row];
-    const std::vector<Wale>& below = wales.rows[row == 0 ? 0 : row - 1];
+  const std::vector<Wale>* below = &wales.rows.front();
+  for (const std::vector<Wale>& here : wales.rows) {
     std::vector<Wale> both;
-    std::set_union(here.begin(), here.end(), below.begin(), below.end(), std::back_inserter(both));
+    std::set_union(here.begin(), here.end(), below->begin(), below->end(), std::back_inserter(both));
+    below = &here;
     for (std::size_t i = 0; i + 1 < both.size(); ++i) pairs.emplace_back(both[i], both[i + 1]);
   }
   std::sort(pairs.begin(), pairs.end());

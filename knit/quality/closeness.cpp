@@ -18,8 +18,8 @@ struct Surface {
 
 Surface knit_surface(const State& state) {
   Surface surface;
-  surface.positions = knitting_path(state);
-  for (const auto& strip : state.strips) {
+  surface.positions = knitting_path(state.fabric);
+  for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       const auto& c = face.corners;
       surface.triangles.push_back({c[0], c[1], c[2]});
@@ -42,13 +42,11 @@ void append_samples(std::vector<glm::dvec3>& samples, const Face& face, const st
 
 std::vector<glm::dvec3> knit_samples(const State& state, const std::vector<glm::dvec3>& path) {
   std::vector<glm::dvec3> samples = path;
-  for (const auto& row : state.rows) {
-    const std::size_t n = row->stitches.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      samples.push_back((row->stitches[i].position + row->stitches[(i + 1) % n].position) * 0.5);
-    }
+  for (const auto& row : state.fabric.rows()) {
+    for (const auto& [from, to] : edges_of(*row))
+      samples.push_back((row->stitches[from].position + row->stitches[to].position) * 0.5);
   }
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const auto& [lower, upper] : strip->column_edges) {
       samples.push_back((path[lower] + path[upper]) * 0.5);
     }

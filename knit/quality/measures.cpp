@@ -26,19 +26,17 @@ LengthFigures figures_of(std::span<const double> lengths) {
 
 LengthFigures course_figures(const State& state) {
   std::vector<double> lengths;
-  for (const auto& row : state.rows) {
-    const std::size_t n = row->stitches.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      lengths.push_back(glm::distance(row->stitches[i].position, row->stitches[(i + 1) % n].position));
-    }
+  for (const auto& row : state.fabric.rows()) {
+    for (const auto& [from, to] : edges_of(*row))
+      lengths.push_back(glm::distance(row->stitches[from].position, row->stitches[to].position));
   }
   return figures_of(lengths);
 }
 
 LengthFigures wale_figures(const State& state) {
-  const std::vector<glm::dvec3> path = knitting_path(state);
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
   std::vector<double> lengths;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const auto& [lower, upper] : strip->column_edges)
       lengths.push_back(glm::distance(path[lower], path[upper]));
   }
@@ -47,8 +45,8 @@ LengthFigures wale_figures(const State& state) {
 
 ShapingFigures shaping_figures(const State& state) {
   ShapingFigures figures;
-  for (const auto& transition : state.transitions) {
-    const std::int32_t change = transition->change();
+  for (const auto& join : state.fabric.joins()) {
+    const std::int32_t change = join->change();
     (change > 0 ? figures.increases : figures.decreases) += std::abs(change);
     figures.max_in_a_row = std::max(figures.max_in_a_row, std::abs(change));
   }
@@ -57,40 +55,20 @@ ShapingFigures shaping_figures(const State& state) {
 
 FaceCounts count_faces(const State& state) {
   FaceCounts counts;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) ++(face.corner_count == 4 ? counts.quads : counts.triangles);
   }
   return counts;
 }
 
-std::size_t count_stitches(const State& state) {
-  std::size_t stitches = 0;
-  for (const auto& row : state.rows) stitches += row->stitches.size();
-  return stitches;
-}
-
 std::int64_t euler_characteristic(const State& state) {
-  const auto vertices = static_cast<std::int64_t>(count_stitches(state));
-  std::int64_t edges = vertices;  // a closed row has as many edges as stitches
-  for (const auto& strip : state.strips) edges += static_cast<std::int64_t>(strip->column_edges.size());
+  const auto vertices = static_cast<std::int64_t>(state.fabric.stitch_count());
+  std::int64_t edges = 0;
+  for (const auto& row : state.fabric.rows()) edges += static_cast<std::int64_t>(edges_of(*row).size());
+  for (const auto& strip : state.fabric.strips())
+    edges += static_cast<std::int64_t>(strip->column_edges.size());
   const FaceCounts faces = count_faces(state);
   return vertices - edges + static_cast<std::int64_t>(faces.quads + faces.triangles);
-}
-
-std::vector<glm::dvec3> knitting_path(const State& state) {
-  std::vector<glm::dvec3> path;
-  path.reserve(count_stitches(state));
-  for (const auto& row : state.rows) {
-    for (const Stitch& stitch : row->stitches) path.push_back(stitch.position);
-  }
-  return path;
-}
-
-const Stitch& stitch_at(const State& state, std::uint32_t number) {
-  std::size_t i = number;
-  std::size_t row = 0;
-  while (i >= state.rows[row]->stitches.size()) i -= state.rows[row++]->stitches.size();
-  return state.rows[row]->stitches[i];
 }
 
 bool is_unusual(const Step& step, const Parameters& parameters) {

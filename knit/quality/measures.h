@@ -32,14 +32,8 @@ struct FaceCounts {
 };
 FaceCounts count_faces(const State& state);
 
-std::size_t count_stitches(const State& state);
 // Vertices - edges + faces of the knit mesh as it stands: 0 for an open tube, finished.
 std::int64_t euler_characteristic(const State& state);
-
-// Where the stitches are, along the knitting path: what the corners of faces and column edges count.
-std::vector<glm::dvec3> knitting_path(const State& state);
-// A stitch along the knitting path. Requires that it exists.
-const Stitch& stitch_at(const State& state, std::uint32_t number);
 
 // Worth a line in the list of problems: a stall, a jump mended, a gap left open outside the band, a time
 // clamped, a stop.

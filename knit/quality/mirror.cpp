@@ -16,9 +16,9 @@ struct Plane {
 };
 
 std::optional<Plane> mirror_plane(const Input& input, const State& state) {
-  if (!state.timing || state.rows.empty()) return std::nullopt;
+  if (!state.timing || state.fabric.empty()) return std::nullopt;
   const auto largest =
-      std::max_element(state.rows.begin(), state.rows.end(),
+      std::max_element(state.fabric.rows().begin(), state.fabric.rows().end(),
                        [](const auto& a, const auto& b) { return a->stitches.size() < b->stitches.size(); });
   const std::vector<Stitch>& stitches = (*largest)->stitches;
   glm::dvec3 middle(0.0);
@@ -68,10 +68,10 @@ double nearest(const std::vector<Wale>& wales, const Wale& image) {
 std::optional<MirrorError> mirror_error(const Input& input, const State& state, double stitch_width) {
   const std::optional<Plane> plane = mirror_plane(input, state);
   if (!plane) return std::nullopt;
-  const std::vector<glm::dvec3> path = knitting_path(state);
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
   MirrorError error;
   std::size_t count = 0;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     std::vector<Wale> wales;
     for (const auto& [lower, upper] : strip->column_edges) {
       wales.push_back({plane->height(path[lower]), path[lower], path[upper]});

@@ -27,12 +27,11 @@ struct Stop {
 // The stitches along the knitting path.
 std::vector<Stop> stops_of(const State& state) {
   std::vector<Stop> stops;
-  for (const auto& row : state.rows) {
+  for (const auto& row : state.fabric.rows()) {
     const std::size_t n = row->stitches.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const glm::dvec3& next = row->stitches[(i + 1) % n].position;
-      const glm::dvec3& previous = row->stitches[(i + n - 1) % n].position;
-      stops.push_back({row->stitches[i].position, unit(next - previous), n});
+      const glm::dvec3 along = after(*row, i).position - before(*row, i).position;
+      stops.push_back({row->stitches[i].position, unit(along), n});
     }
   }
   return stops;
@@ -40,24 +39,21 @@ std::vector<Stop> stops_of(const State& state) {
 
 std::vector<double> course_lengths(const Row& row, double width) {
   std::vector<double> lengths;
-  const std::size_t n = row.stitches.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const glm::dvec3& next = row.stitches[(i + 1) % n].position;
-    lengths.push_back(glm::distance(row.stitches[i].position, next) / width);
-  }
+  for (const auto& [from, to] : edges_of(row))
+    lengths.push_back(glm::distance(row.stitches[from].position, row.stitches[to].position) / width);
   return lengths;
 }
 
 void measure_courses(Quality& quality, const State& state) {
   std::vector<double> all;
   std::vector<double> in_long_rows;
-  for (const auto& row : state.rows) {
+  for (const auto& row : state.fabric.rows()) {
     const std::vector<double> lengths = course_lengths(*row, quality.stitch_width);
     all.insert(all.end(), lengths.begin(), lengths.end());
     if (lengths.size() >= long_row) in_long_rows.insert(in_long_rows.end(), lengths.begin(), lengths.end());
     RowFit fit;
-    fit.row = row->number;
-    fit.stitches = static_cast<std::int32_t>(lengths.size());
+    fit.row = row->id;
+    fit.stitches = size_of(*row);
     fit.length = row->ring ? row->ring->length : 0.0;
     fit.ideal = fit.length / quality.stitch_width;
     fit.course_cv = figures_of(lengths).cv;
@@ -74,7 +70,7 @@ double along_rows(const Stop& lower, const Stop& upper) {
 
 void measure_wales(Quality& quality, const State& state, const std::vector<Stop>& stops) {
   std::vector<double> lengths;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const auto& [p, q] : strip->column_edges) {
       const Stop& lower = stops[p];
       const Stop& upper = stops[q];
@@ -95,7 +91,7 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 Spread corners_of(const State& state, const std::vector<Stop>& stops) {
   std::vector<double> angles;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       const auto n = static_cast<std::size_t>(face.corner_count);
       for (std::size_t i = 0; i < n; ++i) {
@@ -110,21 +106,20 @@ Spread corners_of(const State& state, const std::vector<Stop>& stops) {
 
 // Of the stitches that have a strip below and one above.
 double regular_share(const State& state, std::size_t stitches) {
-  if (state.strips.size() < 2) return 0.0;
+  if (state.fabric.strips().size() < 2) return 0.0;
   std::vector<std::int32_t> up(stitches, 0);
   std::vector<std::int32_t> down(stitches, 0);
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const auto& [lower, upper] : strip->column_edges) {
       ++up[lower];
       ++down[upper];
     }
   }
-  std::size_t begin = state.rows.front()->stitches.size();
   std::size_t regular = 0;
   std::size_t all = 0;
-  for (std::size_t row = 1; row < state.strips.size(); ++row) {
-    const std::size_t end = begin + state.rows[row]->stitches.size();
-    for (; begin < end; ++begin, ++all) regular += up[begin] == 1 && down[begin] == 1 ? 1 : 0;
+  for (std::size_t i = 0; i < stitches; ++i) {
+    all += up[i] > 0 && down[i] > 0 ? 1 : 0;
+    regular += up[i] == 1 && down[i] == 1 ? 1 : 0;
   }
   return static_cast<double>(regular) / static_cast<double>(all);
 }

@@ -30,7 +30,7 @@ Advanced<CastOnEvent> find_cycle(const Input& input, const Parameters& parameter
 
 Row finished_row(const Timing& timing, CastOnWork& work) {
   const double time = timing.levels.times[static_cast<std::size_t>(work.level)];
-  return {0, 1, work.level, time, work.ring, std::move(work.stitches)};
+  return {0, 1, {}, work.level, time, work.ring, std::move(work.stitches)};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Advanced<CastOnEvent> advance_cast_on(const Input& input, const Parameters& para
   const double arc = work.ring->length * placed / count;
   work.stitches.push_back({point_at(*work.ring, arc), no_vertex});
   const bool last = placed + 1 == count;
-  if (last) made.row = Shared(finished_row(timing, work));
+  if (last) made.row = finished_row(timing, work);
   return {StitchCastOn{placed + 1, count, arc}, last ? Ended::stage : Ended::step};
 }
 

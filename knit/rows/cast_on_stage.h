@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
+#include "knit/fabric/row.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
@@ -25,7 +27,7 @@ struct CastOnWork {
 // What the stage makes: the last level that makes a row, once it is known, and the row, once it has ended.
 struct CastOnMade {
   std::int32_t& last_level;
-  Shared<Row>& row;
+  std::optional<Row>& row;
 };
 Advanced<CastOnEvent> advance_cast_on(const Input& input, const Parameters& parameters, const Timing& timing,
                                       CastOnWork& work, CastOnMade made);

@@ -61,9 +61,9 @@ CountChosen count(const Parameters& parameters, std::int32_t below, ContourWork&
 }
 
 // True when no row follows.
-bool finish_row(std::int32_t number, ContourWork& work, Shared<Row>& row) {
+bool finish_row(const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
   const Cut& cut = cut_at_hand(work);
-  row = Shared(Row{0, number, work.cut, cut.time, cut.loops.front(), std::move(work.stitches)});
+  row = Row{0, at.number, at.on, work.cut, cut.time, cut.loops.front(), std::move(work.stitches)};
   ContourWork next;
   next.phase = ContourPhase::cut;
   next.plan = work.plan;
@@ -72,19 +72,19 @@ bool finish_row(std::int32_t number, ContourWork& work, Shared<Row>& row) {
   return work.cut == static_cast<std::int32_t>(work.plan->cuts.size());
 }
 
-Advanced<ContourEvent> place(std::int32_t number, ContourWork& work, Shared<Row>& row) {
+Advanced<ContourEvent> place(const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
   const auto placed = static_cast<std::int32_t>(work.stitches.size());
   const Ring& ring = ring_at_hand(work);
   const StitchPlaced step{placed + 1, work.count, ring.length * placed / work.count};
   work.stitches.push_back({point_at(ring, step.arc), no_vertex});
   if (step.stitch < step.of) return step;
-  return {step, finish_row(number, work, row) ? Ended::stage : Ended::row};
+  return {step, finish_row(at, work, row) ? Ended::stage : Ended::row};
 }
 
 }  // namespace
 
 Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& parameters,
-                                        const ContourRow& at, ContourWork& work, Shared<Row>& row) {
+                                        const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
   switch (work.phase) {
     case ContourPhase::plan:
       return plan(input, parameters, at, work);
@@ -97,11 +97,11 @@ Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& pa
     case ContourPhase::measure:
       return measure(parameters, work);
     case ContourPhase::count:
-      return count(parameters, at.below, work);
+      return count(parameters, at.on.size(), work);
     case ContourPhase::place:
       break;
   }
-  return place(at.number, work, row);
+  return place(at, work, row);
 }
 
 bool next_plans_cuts(const Parameters& parameters, const ContourWork& work) {

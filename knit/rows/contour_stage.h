@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "knit/fabric/row.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
@@ -29,13 +31,13 @@ struct ContourWork {
 // Where a row is worked.
 struct ContourRow {
   const Timing& timing;
-  std::int32_t number;  // the row's
-  std::int32_t below;   // stitches of the row below; 0: there is none
-  double from;          // the time of the row below, or 0
+  RowId number;            // the row's
+  const LiveStitches& on;  // what it is worked on; none: it is cast on
+  double from;             // the time of the row below, or 0
 };
 // `row`: the product, once the row has ended; then `work` is that of the next row.
 Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& parameters,
-                                        const ContourRow& at, ContourWork& work, Shared<Row>& row);
+                                        const ContourRow& at, ContourWork& work, std::optional<Row>& row);
 
 // Whether the step to come plans cuts.
 bool next_plans_cuts(const Parameters& parameters, const ContourWork& work);

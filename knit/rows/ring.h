@@ -10,6 +10,7 @@
 #include <span>
 #include <variant>
 
+#include "knit/fabric/stitch.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/products.h"
 

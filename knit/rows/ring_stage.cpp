@@ -65,10 +65,10 @@ Advanced<RingEvent> close(const Input& input, const Parameters& parameters, cons
   if (stop_on_stall && stalled(work.walk)) return stall(at.timing, work);
   ClosedRow closed = close_row(work.walk, *work.ring, input, parameters);
   const auto picked = static_cast<std::int32_t>(closed.stitches.size());
-  const auto needed = needed_count(picked, at.below, work.ring->length, parameters.stitch_width);
+  const auto needed = needed_count(picked, at.on.size(), work.ring->length, parameters.stitch_width);
   const bool changes_too_much = needed && needed->reason != ResampleReason::too_few;
   if (changes_too_much && parameters.resample == Resample::off) {
-    return Stopped{StopReason::changes_too_much,        {}, work.level, picked, at.below, no_vertex, 0.0,
+    return Stopped{StopReason::changes_too_much,        {}, work.level, picked, at.on.size(), no_vertex, 0.0,
                    time_of_level(at.timing, work.level)};
   }
   const Band band = band_of(parameters);
@@ -92,7 +92,7 @@ RowResampled resample(const Parameters& parameters, std::int32_t below, RowWork&
   return {picked, needed.count, below, needed.reason, work.ring->length};
 }
 
-Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWork& work, Shared<Row>& row) {
+Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWork& work, std::optional<Row>& row) {
   SharedGap shared = share_gap(work.closed, *work.ring, parameters);
   const GapShared step{static_cast<std::int32_t>(shared.stitches.size()),
                        parameters.close,
@@ -102,8 +102,8 @@ Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWo
                        work.closed.gap,
                        shared.gap};
   const std::int32_t level = work.level;
-  row = Shared(
-      Row{0, at.number, level, time_of_level(at.timing, level), work.ring, std::move(shared.stitches)});
+  row = Row{0,         at.number, at.on, level, time_of_level(at.timing, level),
+            work.ring, std::move(shared.stitches)};
   work = row_work_at(level + 1);
   return {step, level < at.last_level ? Ended::row : Ended::stage};
 }
@@ -111,7 +111,7 @@ Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWo
 }  // namespace
 
 Advanced<RingEvent> advance_rings(const Input& input, const Parameters& parameters, const RingRow& at,
-                                  RowWork& work, Shared<Row>& row) {
+                                  RowWork& work, std::optional<Row>& row) {
   switch (work.phase) {
     case RowPhase::gather:
       return gather(at.timing, work);
@@ -122,7 +122,7 @@ Advanced<RingEvent> advance_rings(const Input& input, const Parameters& paramete
       return take_nearest(work.walk, *work.ring, input, parameters);
     }
     case RowPhase::resample:
-      return resample(parameters, at.below, work);
+      return resample(parameters, at.on.size(), work);
     case RowPhase::share:
       return share(parameters, at, work, row);
     case RowPhase::measure:

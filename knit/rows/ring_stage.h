@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 
+#include "knit/fabric/row.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
@@ -38,11 +40,11 @@ inline RowWork row_work_at(std::int32_t level) {
 struct RingRow {
   const Timing& timing;
   std::int32_t last_level;  // that makes a row
-  std::int32_t number;      // the row's
-  std::int32_t below;       // stitches of the row below
+  RowId number;             // the row's
+  const LiveStitches& on;   // what it is worked on
 };
 // `row`: the product, once the row has ended; then `work` is that of the next row.
 Advanced<RingEvent> advance_rings(const Input& input, const Parameters& parameters, const RingRow& at,
-                                  RowWork& work, Shared<Row>& row);
+                                  RowWork& work, std::optional<Row>& row);
 
 }  // namespace knit

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "knit/fabric/stitch.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/parameters.h"
 #include "knit/model/products.h"

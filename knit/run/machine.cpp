@@ -21,24 +21,30 @@ struct Taken {
 };
 
 template <class Product>
-void keep(std::vector<Shared<Product>>& finished, Shared<Product>&& made) {
-  if (made) finished.push_back(std::move(made));
+void keep(Fabric& fabric, Product&& made) {
+  if (made) fabric.add(std::move(*made));
+}
+void keep(Fabric& fabric, Shared<Join>&& made) {
+  if (made) fabric.add(std::move(made));
+}
+void keep(Fabric& fabric, Shared<Strip>&& made) {
+  if (made) fabric.add(std::move(made));
 }
 
 Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
-  const Row* below = state.rows.empty() ? nullptr : &*state.rows.back();
-  const ContourRow at{*state.timing, state.next.row, below != nullptr ? size_of(*below) : 0,
-                      below != nullptr ? below->time : 0.0};
-  Shared<Row> row;
+  const LiveStitches on = state.fabric.live();
+  const Row* below = state.fabric.row_below(state.fabric.next_row());
+  const ContourRow at{*state.timing, state.next.row, on, below != nullptr ? below->time : 0.0};
+  std::optional<Row> row;
   Taken taken = advance_contours(input, parameters, at, work, row);
-  keep(state.rows, std::move(row));
+  keep(state.fabric, std::move(row));
   return taken;
 }
 
 Taken take_cast_on(const Input& input, const Parameters& parameters, State& state, CastOnWork& work) {
-  Shared<Row> row;
+  std::optional<Row> row;
   Taken taken = advance_cast_on(input, parameters, *state.timing, work, {state.last_level, row});
-  keep(state.rows, std::move(row));
+  keep(state.fabric, std::move(row));
   return taken;
 }
 
@@ -60,50 +66,47 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   if (auto* contours = std::get_if<ContourWork>(&state.work)) {
     return take_contours(input, parameters, state, *contours);
   }
-  const RingRow at{*state.timing, state.last_level, state.next.row, size_of(*state.rows.back())};
-  Shared<Row> row;
+  const LiveStitches on = state.fabric.live();
+  const RingRow at{*state.timing, state.last_level, state.next.row, on};
+  std::optional<Row> row;
   Taken taken = advance_rings(input, parameters, at, std::get<RowWork>(state.work), row);
-  keep(state.rows, std::move(row));
+  keep(state.fabric, std::move(row));
   return taken;
 }
 
-// The transition into row state.next.row, counted from 1.
-Taken take_transition(const Parameters& parameters, State& state) {
-  const auto above = static_cast<std::size_t>(state.next.row) - 1;
-  const TransitionAt at{state.next.row, *state.rows[above - 1],
-                        above < state.rows.size() ? &*state.rows[above] : nullptr,
-                        above > 1 ? &*state.transitions[above - 2] : nullptr, above + 1 >= state.rows.size()};
-  Shared<Transition> transition;
-  Taken taken = advance_index(parameters, at, std::get<IndexWork>(state.work), transition);
-  keep(state.transitions, std::move(transition));
+// The join into row state.next.row; where the cast on is the only row, there is none to make.
+Taken take_join(const Parameters& parameters, State& state) {
+  const Fabric& fabric = state.fabric;
+  const RowId row = state.next.row;
+  const Row* below = fabric.row_below(row);
+  const JoinAt at{row,
+                  *below,
+                  fabric.live_below(row),
+                  fabric.find_row(row),
+                  fabric.join_into(below->id),
+                  !fabric.has_row(row + 1)};
+  Shared<Join> join;
+  Taken taken = advance_index(parameters, at, std::get<IndexWork>(state.work), join);
+  keep(state.fabric, std::move(join));
   return taken;
-}
-
-// The number along the knitting path of the first stitch of a row, counted from 0.
-std::uint32_t first_stitch_of(const State& state, std::size_t row) {
-  std::size_t first = 0;
-  for (std::size_t r = 0; r < row; ++r) first += state.rows[r]->stitches.size();
-  return static_cast<std::uint32_t>(first);
 }
 
 Taken take_strip(State& state) {
-  const auto below = static_cast<std::size_t>(state.next.row) - 2;
-  auto& work = std::get<FacesWork>(state.work);
-  const StripAt at{*state.transitions[below], work.plan ? 0 : first_stitch_of(state, below),
-                   below + 1 == state.transitions.size()};
+  const RowId row = state.next.row;
+  const StripAt at{state.fabric, *state.fabric.join_into(row), !state.fabric.has_row(row + 1)};
   Shared<Strip> strip;
-  Taken taken = advance_faces(at, work, strip);
-  keep(state.strips, std::move(strip));
+  Taken taken = advance_faces(at, std::get<FacesWork>(state.work), strip);
+  keep(state.fabric, std::move(strip));
   return taken;
 }
 
 Taken take_line(State& state) {
-  const auto row = static_cast<std::size_t>(state.next.row) - 1;
-  const LineAt at{state.next.row, size_of(*state.rows[row]), row > 0 ? &*state.transitions[row - 1] : nullptr,
-                  state.next.item > 0, row + 1 == state.rows.size()};
+  const RowId row = state.next.row;
+  const LineAt at{row, size_of(state.fabric.row(row)), state.fabric.join_into(row), state.next.item > 0,
+                  row == state.fabric.row_count()};
   Shared<PatternLine> line;
   Taken taken = advance_pattern(at, line);
-  keep(state.lines, std::move(line));
+  if (line) state.lines.push_back(std::move(line));
   return taken;
 }
 
@@ -116,7 +119,7 @@ Taken take(const Input& input, const Parameters& parameters, State& state) {
     case Stage::rows:
       return take_row(input, parameters, state);
     case Stage::stitches:
-      return take_transition(parameters, state);
+      return take_join(parameters, state);
     case Stage::faces:
       return take_strip(state);
     case Stage::pattern:
@@ -141,15 +144,15 @@ void begin_next_stage(State& state) {
       return begin(state, Stage::cast_on, 1, CastOnWork{});
     case Stage::cast_on:
       // From contours the stage cast on ends only where no row follows; rings may have levels left.
-      if (!state.rows.empty() && std::holds_alternative<CastOnWork>(state.work) &&
-          state.rows.back()->level < state.last_level) {
-        return begin(state, Stage::rows, 2, row_work_at(state.rows.back()->level + 1));
+      if (const Row* cast_on = state.fabric.find_row(1);
+          cast_on != nullptr && std::holds_alternative<CastOnWork>(state.work) && cast_on->level < state.last_level) {
+        return begin(state, Stage::rows, 2, row_work_at(cast_on->level + 1));
       }
       return begin(state, Stage::stitches, 2, IndexWork{});
     case Stage::rows:
       return begin(state, Stage::stitches, 2, IndexWork{});
     case Stage::stitches:
-      if (state.transitions.empty()) return begin(state, Stage::pattern, 1, PatternWork{});
+      if (state.fabric.joins().empty()) return begin(state, Stage::pattern, 1, PatternWork{});
       return begin(state, Stage::faces, 2, FacesWork{});
     case Stage::faces:
       return begin(state, Stage::pattern, 1, PatternWork{});
@@ -208,16 +211,26 @@ bool step_is_long(const Input& input, const Parameters& parameters, const State&
          next_is_a_solve(input, parameters, *timing);
 }
 
+const Join* planned_join(const State& state, RowId into) {
+  const auto* work = std::get_if<IndexWork>(&state.work);
+  const bool in_progress = work != nullptr && work->plan && work->plan->to == into;
+  return in_progress ? &*work->plan : state.fabric.join_into(into);
+}
+
+const Strip* planned_strip(const State& state, RowId into) {
+  const auto* work = std::get_if<FacesWork>(&state.work);
+  const bool in_progress = work != nullptr && work->plan && work->plan->to == into;
+  return in_progress ? &*work->plan : state.fabric.strip_into(into);
+}
+
 std::size_t copy_bytes(const State& state) {
-  const std::size_t products =
-      state.rows.size() + state.transitions.size() + state.strips.size() + state.lines.size();
   const std::size_t work = std::visit(
       [](const auto& stage) -> std::size_t {
         if constexpr (requires { stage.copy_bytes(); }) return stage.copy_bytes();
         return 0;
       },
       state.work);
-  return sizeof(State) + sizeof(void*) * 2 * products + work;
+  return sizeof(State) + state.fabric.copy_bytes() + sizeof(void*) * 2 * state.lines.size() + work;
 }
 
 }  // namespace knit

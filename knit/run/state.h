@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "knit/fabric/fabric.h"
 #include "knit/model/products.h"
 #include "knit/model/stage.h"
 #include "knit/rows/cast_on_stage.h"
@@ -32,22 +33,23 @@ struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come
   Shared<Timing> timing;
   std::int32_t last_level = -1;  // the last level that makes a row, once cast on
-  std::vector<Shared<Row>> rows;
-  std::vector<Shared<Transition>> transitions;  // [i]: rows[i] -> rows[i + 1]
-  std::vector<Shared<Strip>> strips;            // [i]: between rows[i] and rows[i + 1]
+  Fabric fabric;
   std::vector<Shared<PatternLine>> lines;
   Work work;
 
   [[nodiscard]] Stage stage() const { return next.stage; }
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
-    return std::tie(next.stage, next.row, next.item, timing, last_level, rows, transitions, strips, lines,
-                    work);
+    return std::tie(next.stage, next.row, next.item, timing, last_level, fabric, lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };
 
 inline std::uint64_t hash_of(const State& state) { return content_hash_of(state); }
+
+// Finished or in progress; null until it is planned.
+const Join* planned_join(const State& state, RowId into);
+const Strip* planned_strip(const State& state, RowId into);
 
 // What a copy costs, roughly: what is in progress and the pointers, not what is shared.
 std::size_t copy_bytes(const State& state);

@@ -1,10 +1,12 @@
 #include "knit/stitches/faces.h"
 
+#include "knit/fabric/edges.h"
+
 namespace knit {
 
 namespace {
 
-Label triangle_label(const Transition& t, std::size_t cell, std::size_t next) {
+Label triangle_label(const Join& t, std::size_t cell, std::size_t next) {
   const auto works_with = [&](std::size_t a, std::size_t b) {
     return is_shaping(t.labels[a]) && t.partner[a] == static_cast<std::int32_t>(b);
   };
@@ -13,24 +15,23 @@ Label triangle_label(const Transition& t, std::size_t cell, std::size_t next) {
 
 }  // namespace
 
-Strip build_strip(const Transition& t, std::uint32_t first_below) {
-  const std::uint32_t first_above = first_below + static_cast<std::uint32_t>(t.below);
-  const bool larger_above = t.above >= t.below;
-  const std::uint32_t larger = larger_above ? first_above : first_below;
-  const std::uint32_t smaller = larger_above ? first_below : first_above;
+Strip build_strip(const Join& t, std::span<const std::uint32_t> below, std::span<const std::uint32_t> above) {
+  const bool larger_above = cells_above(t);
+  const auto larger = larger_above ? above : below;
+  const auto smaller = larger_above ? below : above;
+  const auto hangs_on = [&](std::size_t cell) { return smaller[static_cast<std::size_t>(t.link[cell])]; };
   Strip strip;
-  strip.row = t.row;
+  strip.to = t.to;
   const std::size_t cells = t.labels.size();
   strip.faces.reserve(cells);
   strip.column_edges.reserve(cells);
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    const std::size_t next = (cell + 1) % cells;
-    const std::uint32_t b = larger + static_cast<std::uint32_t>(cell);
-    const std::uint32_t b_next = larger + static_cast<std::uint32_t>(next);
-    const std::uint32_t s = smaller + static_cast<std::uint32_t>(t.link[cell]);
-    const std::uint32_t s_next = smaller + static_cast<std::uint32_t>(t.link[next]);
+    const std::uint32_t b = larger[cell], s = hangs_on(cell);
     strip.column_edges.push_back(larger_above ? std::array{s, b} : std::array{b, s});
-
+  }
+  for (const auto& [cell, next] : Edges(cells, t.from.closed)) {
+    const std::uint32_t b = larger[cell], b_next = larger[next];
+    const std::uint32_t s = hangs_on(cell), s_next = hangs_on(next);
     Face face;
     face.cell = static_cast<std::int32_t>(cell);
     if (s == s_next) {

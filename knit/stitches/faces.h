@@ -6,12 +6,15 @@
 // label.
 #pragma once
 
-#include "knit/model/products.h"
+#include <span>
+
+#include "knit/fabric/join.h"
+#include "knit/fabric/strip.h"
 
 namespace knit {
 
-// `first_below`: the number, along the knitting path, of the first stitch of the row below; the row above
-// follows it.
-Strip build_strip(const Transition& transition, std::uint32_t first_below);
+// `below`, `above`: the numbers along the knitting path of the stitches that the join takes and makes.
+Strip build_strip(const Join& join, std::span<const std::uint32_t> below,
+                  std::span<const std::uint32_t> above);
 
 }  // namespace knit

@@ -5,7 +5,10 @@
 namespace knit {
 
 Advanced<FacesEvent> advance_faces(const StripAt& at, FacesWork& work, Shared<Strip>& strip) {
-  if (!work.plan) work.plan = Shared(build_strip(at.transition, at.first_below));
+  if (!work.plan) {
+    work.plan = Shared(build_strip(at.join, at.fabric.path_indices(at.join.from),
+                                   at.fabric.path_indices(all_of(at.fabric.row(at.join.to)))));
+  }
   const Strip& plan = *work.plan;
   const Face& face = plan.faces[static_cast<std::size_t>(work.made)];
   const FaceMade step{work.made + 1, static_cast<std::int32_t>(plan.faces.size()), face.label,

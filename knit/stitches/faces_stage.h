@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "knit/fabric/fabric.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
 #include "knit/stitches/faces_events.h"
@@ -19,9 +20,9 @@ struct FacesWork {
 
 // Where faces are made.
 struct StripAt {
-  const Transition& transition;
-  std::uint32_t first_below;  // the number along the knitting path of the first stitch of the row below
-  bool last;                  // no strip follows
+  const Fabric& fabric;
+  const Join& join;
+  bool last;  // no strip follows
 };
 // `strip`: the product, once it has ended; then `work` is that of the next one.
 Advanced<FacesEvent> advance_faces(const StripAt& at, FacesWork& work, Shared<Strip>& strip);

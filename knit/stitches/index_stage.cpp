@@ -11,19 +11,19 @@ namespace knit {
 
 namespace {
 
-RowBelow row_below(const TransitionAt& at) {
+RowBelow row_below(const JoinAt& at) {
   RowBelow below{size_of(at.below), {}, at.before == nullptr};
   if (at.before != nullptr) below.mains = at.before->mains;
   return below;
 }
 
-Ended finish_transition(const TransitionAt& at, IndexWork& work, Shared<Transition>& transition) {
-  transition = work.plan;
+Ended finish_join(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
+  join = work.plan;
   work = IndexWork{};
   return at.last ? Ended::stage : Ended::row;
 }
 
-TransitionCounted count(const Parameters& parameters, const TransitionAt& at, IndexWork& work) {
+TransitionCounted count(const Parameters& parameters, const JoinAt& at, IndexWork& work) {
   const RowBelow below = row_below(at);
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
@@ -33,7 +33,7 @@ TransitionCounted count(const Parameters& parameters, const TransitionAt& at, In
           carried};
 }
 
-Transition plan_nearest_transition(const Parameters& parameters, const TransitionAt& at) {
+Join plan_nearest_join(const Parameters& parameters, const JoinAt& at) {
   const RowBelow below = row_below(at);
   const std::vector<std::uint8_t> shaped =
       at.before != nullptr ? shaped_by(*at.before) : std::vector<std::uint8_t>{};
@@ -43,14 +43,15 @@ Transition plan_nearest_transition(const Parameters& parameters, const Transitio
   return plan_nearest({at.below.stitches, at.above->stitches, below.mains, shaped}, penalties, at.row);
 }
 
-Advanced<IndexEvent> space(const Parameters& parameters, const TransitionAt& at, IndexWork& work,
-                           Shared<Transition>& transition) {
+Advanced<IndexEvent> space(const Parameters& parameters, const JoinAt& at, IndexWork& work,
+                           Shared<Join>& join) {
   const bool nearest = parameters.placement == PlacementPolicy::nearest;
-  work.plan =
-      Shared(nearest ? plan_nearest_transition(parameters, at)
-                     : plan_transition(row_below(at), size_of(*at.above), at.row, parameters.placement));
+  Join made = nearest ? plan_nearest_join(parameters, at)
+                      : plan_join(row_below(at), size_of(*at.above), at.row, parameters.placement);
+  made.from = at.from;
+  work.plan = Shared(std::move(made));
   work.phase = IndexPhase::place;
-  const Transition& plan = *work.plan;
+  const Join& plan = *work.plan;
   std::int32_t mains = 0;
   for (const PlacedLabel& p : plan.placed) mains += p.label == Label::main ? 1 : 0;
   const IndexEvent step =
@@ -58,12 +59,12 @@ Advanced<IndexEvent> space(const Parameters& parameters, const TransitionAt& at,
                                        plan.sum_of_squares, std::sqrt(plan.longest_square)})
               : IndexEvent(SpacingChosen{plan.rule, plan.tried.value_or(plan.rule), plan.tried.has_value(),
                                          plan.spacing, plan.remainder, mains});
-  return {step, plan.placed.empty() ? finish_transition(at, work, transition) : Ended::step};
+  return {step, plan.placed.empty() ? finish_join(at, work, join) : Ended::step};
 }
 
-Advanced<IndexEvent> place(const TransitionAt& at, IndexWork& work, Shared<Transition>& transition) {
-  const Shared<Transition> planned = work.plan;
-  const Transition& plan = *planned;
+Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
+  const Shared<Join> planned = work.plan;
+  const Join& plan = *planned;
   const PlacedLabel placed = plan.placed[static_cast<std::size_t>(work.placed)];
   ++work.placed;
   std::int32_t shaping = 0;
@@ -74,15 +75,15 @@ Advanced<IndexEvent> place(const TransitionAt& at, IndexWork& work, Shared<Trans
   }
   const std::int32_t partner = plan.partner[static_cast<std::size_t>(placed.cell)];
   const bool last = work.placed == static_cast<std::int32_t>(plan.placed.size());
-  const Ended ended = last ? finish_transition(at, work, transition) : Ended::step;
+  const Ended ended = last ? finish_join(at, work, join) : Ended::step;
   if (placed.label == Label::main) return {MainPlaced{placed.cell, mains}, ended};
   return {ShapingPlaced{placed.cell, partner, shaping, placed.label}, ended};
 }
 
 }  // namespace
 
-Advanced<IndexEvent> advance_index(const Parameters& parameters, const TransitionAt& at, IndexWork& work,
-                                   Shared<Transition>& transition) {
+Advanced<IndexEvent> advance_index(const Parameters& parameters, const JoinAt& at, IndexWork& work,
+                                   Shared<Join>& join) {
   if (at.above == nullptr) {
     const std::int32_t only = size_of(at.below);
     return {TransitionCounted{only, only, 0, 0, 0}, Ended::stage};
@@ -91,11 +92,11 @@ Advanced<IndexEvent> advance_index(const Parameters& parameters, const Transitio
     case IndexPhase::count:
       return count(parameters, at, work);
     case IndexPhase::space:
-      return space(parameters, at, work, transition);
+      return space(parameters, at, work, join);
     case IndexPhase::place:
       break;
   }
-  return place(at, work, transition);
+  return place(at, work, join);
 }
 
 }  // namespace knit

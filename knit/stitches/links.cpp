@@ -7,7 +7,7 @@ namespace {
 bool follows_main(Label label) { return label == Label::m1r || label == Label::ssk; }
 
 // Partners within one section: its main, then the cells up to the next main.
-void pair_section(Transition& t, std::size_t main, std::size_t end) {
+void pair_section(Join& t, std::size_t main, std::size_t end) {
   std::size_t shaping = 0;
   for (std::size_t cell = main; cell < end; ++cell) shaping += is_shaping(t.labels[cell]) ? 1U : 0U;
   if (shaping == 0) return;
@@ -21,7 +21,7 @@ void pair_section(Transition& t, std::size_t main, std::size_t end) {
 
 }  // namespace
 
-void link_cells(Transition& t) {
+void link_cells(Join& t) {
   const std::size_t cells = t.labels.size();
   t.partner.resize(cells);
   t.link.resize(cells);

@@ -6,11 +6,11 @@
 // across the beginning of the row. Guaranteed: every stitch has one or two links up and one or two down.
 #pragma once
 
-#include "knit/model/products.h"
+#include "knit/fabric/join.h"
 
 namespace knit {
 
 // Fills partner and link from labels, below and above.
-void link_cells(Transition& transition);
+void link_cells(Join& join);
 
 }  // namespace knit

@@ -136,7 +136,7 @@ class Matcher {
 // Gives labels to the cells of the larger row, whose links are made.
 class Labeller {
  public:
-  Labeller(const NearestRows& rows, Transition& t)
+  Labeller(const NearestRows& rows, Join& t)
       : t_(t),
         grows_(t.above >= t.below),
         small_(grows_ ? rows.below : rows.above),
@@ -195,7 +195,7 @@ class Labeller {
     t_.partner[labelled] = static_cast<std::int32_t>(on_first ? cell + 1 : cell);
   }
 
-  Transition& t_;
+  Join& t_;
   bool grows_;
   std::span<const Stitch> small_, big_;
   std::vector<std::uint8_t> is_main_;
@@ -214,9 +214,9 @@ std::vector<std::int32_t> links_of(const std::vector<std::size_t>& doubled, std:
 
 }  // namespace
 
-Transition plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row) {
-  Transition t;
-  t.row = row;
+Join plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row) {
+  Join t;
+  t.to = row;
   t.below = static_cast<std::int32_t>(rows.below.size());
   t.above = static_cast<std::int32_t>(rows.above.size());
   t.rule = Rule::nearest;
@@ -241,7 +241,7 @@ Transition plan_nearest(const NearestRows& rows, const NearestPenalties& penalti
   return t;
 }
 
-std::vector<std::uint8_t> shaped_by(const Transition& t) {
+std::vector<std::uint8_t> shaped_by(const Join& t) {
   std::vector<std::uint8_t> shaped(static_cast<std::size_t>(t.above), 0);
   const bool grows = t.change() >= 0;
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {

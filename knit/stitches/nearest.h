@@ -16,7 +16,8 @@
 #include <span>
 #include <vector>
 
-#include "knit/model/products.h"
+#include "knit/fabric/join.h"
+#include "knit/fabric/stitch.h"
 
 namespace knit {
 
@@ -33,9 +34,9 @@ struct NearestPenalties {
 };
 
 // Requires ceil(below / 2) <= above <= 2 * below. `row` is the row made.
-Transition plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row);
+Join plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row);
 
-// Per stitch of the row that a transition makes: 1 where its shaping took part.
-std::vector<std::uint8_t> shaped_by(const Transition& transition);
+// Per stitch of the row that a join makes: 1 where its shaping took part.
+std::vector<std::uint8_t> shaped_by(const Join& join);
 
 }  // namespace knit

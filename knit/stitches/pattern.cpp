@@ -65,7 +65,7 @@ class LineWriter {
 };
 
 // Cells that a decrease takes in: they are part of its word.
-std::vector<std::uint8_t> absorbed_cells(const Transition& t) {
+std::vector<std::uint8_t> absorbed_cells(const Join& t) {
   std::vector<std::uint8_t> absorbed(t.labels.size(), 0);
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
     if (is_decrease(t.labels[cell])) absorbed[static_cast<std::size_t>(t.partner[cell])] = 1;
@@ -84,7 +84,7 @@ PatternLine cast_on_line(std::int32_t stitches) {
           stitches};
 }
 
-PatternLine round_line(const Transition& t) {
+PatternLine round_line(const Join& t) {
   const std::vector<std::uint8_t> absorbed = absorbed_cells(t);
   LineWriter line;
   bool plain = true;
@@ -105,7 +105,7 @@ PatternLine round_line(const Transition& t) {
   }
   std::string words = line.finish();
   if (plain) words = "Knit";
-  return {t.row, "Rnd " + std::to_string(t.row) + ": " + words + "." + counted(line.produced()),
+  return {t.to, "Rnd " + std::to_string(t.to) + ": " + words + "." + counted(line.produced()),
           line.consumed(), line.produced()};
 }
 
@@ -113,29 +113,28 @@ PatternLine bind_off_line(std::int32_t row, std::int32_t stitches) {
   return {row, "BO " + std::to_string(stitches) + ".", stitches, 0};
 }
 
-std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Transition* const> transitions,
-                                    bool complete) {
+std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins, bool complete) {
   std::vector<LabelRow> view;
   const auto cast = [](std::int32_t size) {
     return std::vector<Label>(static_cast<std::size_t>(size), Label::cast);
   };
   view.push_back({1, std::nullopt, cast(cast_on)});
-  for (std::size_t i = 0; i < transitions.size(); ++i) {
-    const Transition& t = *transitions[i];
-    const bool last = complete && i + 1 == transitions.size();
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    const Join& t = *joins[i];
+    const bool last = complete && i + 1 == joins.size();
     if (t.change() < 0) {
       // Decreases are labelled in the row they start from: in its own list where that is plain.
-      const bool plain_below = i > 0 && transitions[i - 1]->change() <= 0;
+      const bool plain_below = i > 0 && joins[i - 1]->change() <= 0;
       if (plain_below) {
         view.back().labels = t.labels;
       } else {
-        view.push_back({t.row - 1, t.row, t.labels});
+        view.push_back({view.back().row, t.to, t.labels});
       }
       std::vector<Label> carried(static_cast<std::size_t>(t.above), Label::knit);
       for (const std::int32_t main : t.mains) carried[static_cast<std::size_t>(main)] = Label::main;
-      view.push_back({t.row, std::nullopt, last ? cast(t.above) : std::move(carried)});
+      view.push_back({t.to, std::nullopt, last ? cast(t.above) : std::move(carried)});
     } else {
-      view.push_back({t.row, std::nullopt, last && t.change() == 0 ? cast(t.above) : t.labels});
+      view.push_back({t.to, std::nullopt, last && t.change() == 0 ? cast(t.above) : t.labels});
     }
   }
   return view;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "knit/fabric/join.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
 #include "knit/stitches/pattern_events.h"
@@ -17,9 +18,9 @@ struct PatternWork {
 
 // Which line is written.
 struct LineAt {
-  std::int32_t row;
+  RowId row;
   std::int32_t stitches;   // of the row
-  const Transition* into;  // the row; null: it is the cast on
+  const Join* into;        // the row; null: it is the cast on
   bool bind_off;           // the last line, after that of the last row
   bool last_row;
 };

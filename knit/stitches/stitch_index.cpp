@@ -136,13 +136,13 @@ Spacing first_choice(const Sizes& s, const RowBelow& below, PlacementPolicy poli
   return space_remainder_last(s);
 }
 
-void fill_labels(Transition& t, std::vector<PlacedLabel> placed, const Sizes& s) {
+void fill_labels(Join& t, std::vector<PlacedLabel> placed, const Sizes& s) {
   t.placed = std::move(placed);
   t.labels.assign(static_cast<std::size_t>(s.big), Label::knit);
   for (const PlacedLabel& p : t.placed) t.labels[static_cast<std::size_t>(p.cell)] = p.label;
 }
 
-void place_shaping(Transition& t, const Sizes& s, const RowBelow& below, PlacementPolicy policy) {
+void place_shaping(Join& t, const Sizes& s, const RowBelow& below, PlacementPolicy policy) {
   if (below.is_cast_on && s.grows && policy == PlacementPolicy::thesis) {
     t.rule = Rule::from_cast_on;
     fill_labels(t, place_dense(s), s);
@@ -168,7 +168,7 @@ void place_shaping(Transition& t, const Sizes& s, const RowBelow& below, Placeme
 
 // Where the mains stand in the row above: in their cells, less the stitches that a decrease takes away before
 // them.
-std::vector<std::int32_t> mains_above(const Transition& t, bool grows) {
+std::vector<std::int32_t> mains_above(const Join& t, bool grows) {
   std::vector<std::int32_t> mains;
   std::int32_t gone = 0;
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
@@ -184,10 +184,9 @@ std::int32_t mains_wanted(std::int32_t below, std::int32_t above) {
   return (std::abs(above - below) + 1) / 2;
 }
 
-Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32_t row,
-                           PlacementPolicy policy) {
-  Transition t;
-  t.row = row;
+Join plan_join(const RowBelow& below, std::int32_t above, std::int32_t row, PlacementPolicy policy) {
+  Join t;
+  t.to = row;
   t.below = below.size;
   t.above = above;
   const Sizes s = sizes_of(below.size, above);
@@ -203,16 +202,15 @@ Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32
   return t;
 }
 
-std::vector<Transition> plan_transitions(std::span<const std::int32_t> sizes, PlacementPolicy policy) {
-  std::vector<Transition> transitions;
+std::vector<Join> plan_joins(std::span<const std::int32_t> sizes, PlacementPolicy policy) {
+  std::vector<Join> joins;
   for (std::size_t i = 1; i < sizes.size(); ++i) {
     const bool from_cast_on = i == 1;
-    const std::vector<std::int32_t> mains =
-        from_cast_on ? std::vector<std::int32_t>{} : transitions.back().mains;
-    transitions.push_back(plan_transition({sizes[i - 1], mains, from_cast_on}, sizes[i],
-                                          static_cast<std::int32_t>(i) + 1, policy));
+    const std::vector<std::int32_t> mains = from_cast_on ? std::vector<std::int32_t>{} : joins.back().mains;
+    joins.push_back(
+        plan_join({sizes[i - 1], mains, from_cast_on}, sizes[i], static_cast<std::int32_t>(i) + 1, policy));
   }
-  return transitions;
+  return joins;
 }
 
 }  // namespace knit

@@ -1,7 +1,7 @@
 // Stage 4, stitch index: labels 0-6 that say where increases and decreases go around main stitches.
 // Thesis 3.2.4.
 //
-// One label list a transition; cells are those of the larger row, in working order. An increase is labelled
+// One label list a join; cells are those of the larger row, in working order. An increase is labelled
 // in the new row, a decrease in the old one: the label sits on the stitch that appears or disappears.
 //
 // The rules, found from Appendix A (docs/algorithm.md gives the study). p -> n are the sizes, id = |n - p|,
@@ -19,8 +19,8 @@
 #include <span>
 #include <vector>
 
+#include "knit/fabric/join.h"
 #include "knit/model/parameters.h"
-#include "knit/model/products.h"
 
 namespace knit {
 
@@ -34,10 +34,9 @@ struct RowBelow {
 std::int32_t mains_wanted(std::int32_t below, std::int32_t above);
 
 // For the policies thesis and even. Requires ceil(below / 2) <= above <= 2 * below and below, above >= 1. `row` is the row made.
-Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32_t row,
-                           PlacementPolicy policy);
+Join plan_join(const RowBelow& below, std::int32_t above, std::int32_t row, PlacementPolicy policy);
 
-// All transitions of a list of row sizes, the cast on first.
-std::vector<Transition> plan_transitions(std::span<const std::int32_t> sizes, PlacementPolicy policy);
+// All joins of a list of row sizes, the cast on first.
+std::vector<Join> plan_joins(std::span<const std::int32_t> sizes, PlacementPolicy policy);
 
 }  // namespace knit

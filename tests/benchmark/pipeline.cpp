@@ -146,7 +146,7 @@ Json measure_copies(const app::Loaded& loaded) {
     timeline.seek(position);
     largest = std::max(largest, knit::copy_bytes(timeline.state()));
   }
-  const std::size_t rows = timeline.furthest().rows.size();
+  const std::size_t rows = timeline.furthest().fabric.rows().size();
   const std::size_t finished = knit::copy_bytes(timeline.furthest());
   return {{"state_bytes", sizeof(knit::State)},
           {"finished_copy_bytes", finished},

@@ -1,4 +1,4 @@
-// What holds for the state of any run: rows, transitions, strips and lines that fit together. Each function gives
+// What holds for the state of any run: rows, joins, strips and lines that fit together. Each function gives
 // the first thing that does not as a sentence, empty where all does; property tests and the fuzz target share them.
 #pragma once
 
@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,42 +18,107 @@
 
 namespace test_support {
 
-inline std::string at_row(const char* what, std::size_t index) {
-  return std::string(what) + " (row " + std::to_string(index + 1) + ")";
+inline std::string at_row(const char* what, knit::RowId row) {
+  return std::string(what) + " (row " + std::to_string(row) + ")";
 }
 
 // Rows of three stitches or more, numbered from 1, times rising, every stitch at a finite place.
 inline std::string broken_rows(const knit::State& state) {
-  for (std::size_t i = 0; i < state.rows.size(); ++i) {
-    const knit::Row& row = *state.rows[i];
-    if (row.number != static_cast<std::int32_t>(i) + 1) return at_row("rows are numbered from 1", i);
-    if (row.stitches.size() < 3) return at_row("a row has three stitches at least", i);
-    if (!(row.time >= 0.0 && row.time <= 1.0)) return at_row("a row's time lies in 0 to 1", i);
-    if (i > 0 && !(row.time > state.rows[i - 1]->time)) return at_row("rows' times rise", i);
+  double before = -1.0;
+  knit::RowId number = 0;
+  for (const auto& shared : state.fabric.rows()) {
+    const knit::Row& row = *shared;
+    if (row.id != ++number) return at_row("rows are numbered from 1", number);
+    if (row.stitches.size() < 3) return at_row("a row has three stitches at least", row.id);
+    if (!(row.time >= 0.0 && row.time <= 1.0)) return at_row("a row's time lies in 0 to 1", row.id);
+    if (!(row.time > before)) return at_row("rows' times rise", row.id);
+    before = row.time;
     for (const knit::Stitch& stitch : row.stitches) {
       const glm::dvec3& p = stitch.position;
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        return at_row("a stitch has a place", i);
+        return at_row("a stitch has a place", row.id);
     }
   }
   return {};
 }
 
-// Stitches are conserved: what a transition makes is what was there, and one for each increase, less one for each
-// decrease; and no row more than doubles or halves.
-inline std::string broken_transitions(const knit::State& state) {
-  for (std::size_t i = 0; i < state.transitions.size(); ++i) {
-    const knit::Transition& made = *state.transitions[i];
-    const auto below = static_cast<std::int32_t>(state.rows[i]->stitches.size());
-    const auto above = static_cast<std::int32_t>(state.rows[i + 1]->stitches.size());
-    if (made.below != below || made.above != above) return at_row("a transition has its rows' sizes", i + 1);
-    if (above > 2 * below || below > 2 * above) return at_row("no row more than doubles or halves", i + 1);
+// A row is worked on stitches of rows before it, each stitch is taken once, and what nobody has taken is live.
+inline std::string broken_live(const knit::State& state) {
+  const knit::Fabric& fabric = state.fabric;
+  std::set<knit::StitchRef> live;
+  for (const auto& row : fabric.rows()) {
+    for (std::int32_t i = 0; i < row->on.size(); ++i) {
+      if (live.erase(row->on.at(i)) != 1) return at_row("a row takes what is live", row->id);
+    }
+    for (std::int32_t i = 0; i < knit::size_of(*row); ++i) live.insert({row->id, i});
+  }
+  for (std::int32_t i = 0; i < fabric.live().size(); ++i) {
+    if (live.erase(fabric.live().at(i)) != 1) return "what hangs on the needle is taken by no row";
+  }
+  return live.empty() ? "" : "what no row takes hangs on the needle";
+}
+
+// Each stitch of the smaller side has one or two links, in order, first to first and last to last.
+inline bool links_in_order(const knit::Join& join) {
+  const std::int32_t small = std::min(join.below, join.above);
+  std::int32_t before = 0, there = 0;
+  for (const std::int32_t link : join.link) {
+    if (link < before || link > before + 1) return false;
+    there = link == before ? there + 1 : 1;
+    if (there > 2) return false;
+    before = link;
+  }
+  return !join.link.empty() && join.link.front() == 0 && join.link.back() == small - 1;
+}
+
+// What a join takes is what its row is worked on; its cells are the stitches of the larger side, each with a label, a
+// partner and a link. Stitches are conserved: what it makes is what was there, and one for each increase, less one
+// for each decrease; and no row more than doubles or halves.
+inline std::string broken_joins(const knit::State& state) {
+  for (const auto& shared : state.fabric.joins()) {
+    const knit::Join& join = *shared;
+    const knit::Row* row = state.fabric.find_row(join.to);
+    if (row == nullptr || row->on.empty()) return at_row("a join makes a row that is no cast on", join.to);
+    if (join.from != row->on) return at_row("a join takes what its row is worked on", join.to);
+    if (join.below != join.from.size() || join.above != knit::size_of(*row))
+      return at_row("a join has the sizes of its sides", join.to);
+    if (join.above > 2 * join.below || join.below > 2 * join.above)
+      return at_row("no row more than doubles or halves", join.to);
+    const auto cells = static_cast<std::size_t>(state.fabric.larger(join).size());
+    if (join.labels.size() != cells || join.partner.size() != cells || join.link.size() != cells)
+      return at_row("the larger side has a label, a partner and a link a stitch", join.to);
+    if (!links_in_order(join)) return at_row("links rise, one or two a stitch of the smaller side", join.to);
     std::int32_t change = 0;
-    for (const knit::Label label : made.labels)
+    for (const knit::Label label : join.labels)
       change += knit::is_increase(label) ? 1 : knit::is_decrease(label) ? -1 : 0;
-    if (change != above - below) return at_row("shaping makes up the change", i + 1);
-    if (made.labels.size() != static_cast<std::size_t>(std::max(below, above)))
-      return at_row("the larger row has a label a stitch", i + 1);
+    if (change != join.change()) return at_row("shaping makes up the change", join.to);
+    for (const std::int32_t main : join.mains)
+      if (main < 0 || main >= join.above) return at_row("mains are stitches of the row made", join.to);
+  }
+  return {};
+}
+
+// A strip has a column edge for each cell of its join, between the cell's two ends, and a face beside each; as many
+// triangles as there is shaping.
+inline std::string broken_strips(const knit::State& state) {
+  const knit::Fabric& fabric = state.fabric;
+  const knit::KnittingPath path(fabric);
+  for (const auto& strip : fabric.strips()) {
+    const knit::Join* join = fabric.join_into(strip->to);
+    if (join == nullptr) return at_row("a strip follows its join", strip->to);
+    if (strip->column_edges.size() != join->link.size()) return at_row("a cell has a column edge", strip->to);
+    for (std::size_t cell = 0; cell < join->link.size(); ++cell) {
+      const knit::CellEnds ends = knit::ends_of(*join, static_cast<std::int32_t>(cell));
+      const auto& [lower, upper] = strip->column_edges[cell];
+      if (path.at(lower) != join->from.at(ends.below) ||
+          path.at(upper) != knit::StitchRef{join->to, ends.above})
+        return at_row("a column edge stands between its cell's ends", strip->to);
+    }
+    if (strip->faces.size() != knit::Edges(join->link.size(), join->from.closed).size())
+      return at_row("there is a face between two cells", strip->to);
+    const auto triangles = std::count_if(strip->faces.begin(), strip->faces.end(),
+                                         [](const knit::Face& face) { return face.corner_count == 3; });
+    if (triangles != std::abs(join->change())) return at_row("shaping makes triangles", strip->to);
   }
   return {};
 }
@@ -59,9 +126,10 @@ inline std::string broken_transitions(const knit::State& state) {
 // Every edge has one face on each side, which run along it in opposite directions; the edges of one face alone are
 // those of the first and the last row, one loop each.
 inline std::string broken_faces(const knit::State& state) {
-  if (state.strips.empty() || state.strips.size() + 1 != state.rows.size()) return {};
+  if (state.fabric.strips().empty() || state.fabric.strips().size() + 1 != state.fabric.rows().size())
+    return {};
   std::vector<std::array<std::uint32_t, 2>> sides;
-  for (const auto& strip : state.strips) {
+  for (const auto& strip : state.fabric.strips()) {
     for (const knit::Face& face : strip->faces) {
       const auto corners = static_cast<std::size_t>(face.corner_count);
       for (std::size_t k = 0; k < corners; ++k)
@@ -71,9 +139,9 @@ inline std::string broken_faces(const knit::State& state) {
   std::sort(sides.begin(), sides.end());
   if (std::adjacent_find(sides.begin(), sides.end()) != sides.end())
     return "no two faces run along an edge in the same direction";
-  const std::size_t all = knit::count_stitches(state);
-  const std::size_t first = state.rows.front()->stitches.size();
-  const std::size_t last = state.rows.back()->stitches.size();
+  const std::size_t all = state.fabric.stitch_count();
+  const std::size_t first = state.fabric.row(1).stitches.size();
+  const auto last = static_cast<std::size_t>(state.fabric.live().size());
   std::vector<std::uint32_t> after(all, UINT32_MAX);  // along the rim
   std::size_t rim = 0;
   for (const auto& [from, to] : sides) {
@@ -102,9 +170,9 @@ inline std::string broken_faces(const knit::State& state) {
 inline std::string broken_pattern(const knit::State& state) {
   for (std::size_t i = 1; i < state.lines.size(); ++i) {
     if (state.lines[i]->consumed != state.lines[i - 1]->produced)
-      return at_row("a line takes what the one before made", i);
+      return at_row("a line takes what the one before made", static_cast<knit::RowId>(i) + 1);
   }
-  if (state.rows.empty() || state.transitions.size() + 1 != state.rows.size()) return {};
+  if (state.fabric.empty() || state.fabric.joins().size() + 1 != state.fabric.rows().size()) return {};
   const knit::Rounds rounds = knit::rounds_of(state);
   std::int32_t there = rounds.cast_on;
   for (std::size_t i = 0; i < rounds.rounds.size(); ++i) {
@@ -113,8 +181,9 @@ inline std::string broken_pattern(const knit::State& state) {
       taken += knit::consumed_by(operation.hand);
       made += knit::made_by(operation.hand);
     }
-    if (taken != there || made != static_cast<std::int32_t>(state.rows[i + 1]->stitches.size()))
-      return at_row("a round takes what is there and makes its row", i + 1);
+    const knit::RowId row = rounds.rounds[i].number;
+    if (taken != there || made != knit::size_of(state.fabric.row(row)))
+      return at_row("a round takes what is there and makes its row", row);
     there = made;
   }
   if (knit::graph_of(rounds) != knit::graph_of(state)) return "the operations make the graph of the labels";
@@ -122,7 +191,8 @@ inline std::string broken_pattern(const knit::State& state) {
 }
 
 inline std::string broken_promise(const knit::State& state) {
-  for (const auto& check : {broken_rows, broken_transitions, broken_faces, broken_pattern}) {
+  for (const auto& check :
+       {broken_rows, broken_live, broken_joins, broken_strips, broken_faces, broken_pattern}) {
     if (std::string broken = check(state); !broken.empty()) return broken;
   }
   return {};

@@ -34,7 +34,7 @@ inline knit::Parameters small_parameters() {
 
 inline std::vector<int> row_sizes(const knit::State& state) {
   std::vector<int> sizes;
-  for (const auto& row : state.rows) sizes.push_back(static_cast<int>(row->stitches.size()));
+  for (const auto& row : state.fabric.rows()) sizes.push_back(static_cast<int>(row->stitches.size()));
   return sizes;
 }
 

@@ -22,7 +22,7 @@ struct Tube {
 
 inline knit::Row tube_row(const Tube& tube, std::size_t row) {
   knit::Row made;
-  made.number = static_cast<std::int32_t>(row + 1);
+  made.id = static_cast<knit::RowId>(row + 1);
   const double turn = 2.0 * std::numbers::pi / tube.sizes[row];
   for (int i = 0; i < tube.sizes[row]; ++i) {
     const double angle = turn * i + tube.twist * static_cast<double>(row);
@@ -36,10 +36,10 @@ inline knit::Row tube_row(const Tube& tube, std::size_t row) {
   return made;
 }
 
-inline knit::Transition tube_transition(int below, int above, std::size_t row) {
+inline knit::Join tube_join(int below, int above, std::size_t row) {
   const int cells = std::max(below, above);
-  knit::Transition made;
-  made.row = static_cast<std::int32_t>(row + 1);
+  knit::Join made;
+  made.to = static_cast<knit::RowId>(row + 1);
   made.below = below;
   made.above = above;
   made.labels.assign(static_cast<std::size_t>(cells), knit::Label::knit);
@@ -53,14 +53,17 @@ inline knit::State tube_state(const Tube& tube) {
   knit::Timing timing;
   timing.ends.direction = {0.0, tube.row_height * static_cast<double>(tube.sizes.size()), 0.0};
   state.timing = knit::Shared<knit::Timing>(timing);
-  std::uint32_t first = 0;
-  for (std::size_t row = 0; row < tube.sizes.size(); ++row) {
-    state.rows.emplace_back(tube_row(tube, row));
-    if (row == 0) continue;
-    const knit::Transition transition = tube_transition(tube.sizes[row - 1], tube.sizes[row], row);
-    state.transitions.emplace_back(transition);
-    state.strips.emplace_back(knit::build_strip(transition, first));
-    first += static_cast<std::uint32_t>(tube.sizes[row - 1]);
+  knit::Fabric& fabric = state.fabric;
+  for (std::size_t i = 0; i < tube.sizes.size(); ++i) {
+    knit::Row row = tube_row(tube, i);
+    row.on = fabric.live();
+    fabric.add(std::move(row));
+    if (i == 0) continue;
+    knit::Join join = tube_join(tube.sizes[i - 1], tube.sizes[i], i);
+    join.from = fabric.row(join.to).on;
+    fabric.add(knit::Shared(knit::build_strip(join, fabric.path_indices(join.from),
+                                              fabric.path_indices(knit::all_of(fabric.row(join.to))))));
+    fabric.add(knit::Shared(join));
   }
   return state;
 }
@@ -68,8 +71,8 @@ inline knit::State tube_state(const Tube& tube) {
 // A knit mesh as triangles, quads cut between their first and third corner.
 inline knit::Mesh mesh_of(const knit::State& state) {
   knit::Mesh mesh;
-  mesh.positions = knit::knitting_path(state);
-  for (const auto& strip : state.strips) {
+  mesh.positions = knit::knitting_path(state.fabric);
+  for (const auto& strip : state.fabric.strips()) {
     for (const knit::Face& face : strip->faces) {
       const auto& [a, b, c, d] = face.corners;
       mesh.triangles.push_back({a, b, c});
@@ -79,15 +82,37 @@ inline knit::Mesh mesh_of(const knit::State& state) {
   return mesh;
 }
 
+// The fabric with each row and each strip changed, up to the first strip for which the change returns false.
+template <class ChangeRow, class ChangeStrip>
+knit::Fabric remade(const knit::Fabric& fabric, ChangeRow change_row, ChangeStrip change_strip) {
+  knit::Fabric made;
+  for (const auto& row : fabric.rows()) {
+    knit::Row copy = *row;
+    change_row(copy);
+    made.add(std::move(copy));
+  }
+  for (const auto& join : fabric.joins()) made.add(join);
+  for (const auto& strip : fabric.strips()) {
+    knit::Strip copy = *strip;
+    if (!change_strip(copy)) break;
+    made.add(knit::Shared(std::move(copy)));
+  }
+  return made;
+}
+
+inline knit::Fabric first_strips(const knit::Fabric& fabric, std::size_t count) {
+  return remade(
+      fabric, [](knit::Row&) {}, [&](knit::Strip&) { return count-- > 0; });
+}
+
 // The state with every stitch moved; what has no place is kept.
 template <class Move>
 knit::State moved(const knit::State& state, Move move) {
   knit::State made = state;
-  for (auto& row : made.rows) {
-    knit::Row copy = *row;
-    for (knit::Stitch& stitch : copy.stitches) stitch.position = move(stitch.position);
-    row = knit::Shared<knit::Row>(copy);
-  }
+  const auto move_row = [&](knit::Row& row) {
+    for (knit::Stitch& stitch : row.stitches) stitch.position = move(stitch.position);
+  };
+  made.fabric = remade(state.fabric, move_row, [](knit::Strip&) { return true; });
   return made;
 }
 

@@ -9,9 +9,9 @@ namespace {
 std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
                      const knit::PatternOptions& options) {
   knit::Hasher hasher;
-  hasher.add(state.rows.empty() ? 0 : state.rows.front().content_hash());
-  for (const auto& transition : state.transitions) hasher.add(transition.content_hash());
-  hasher.add(state.rows.size());
+  hasher.add(state.fabric.empty() ? 0 : state.fabric.rows().front().content_hash());
+  for (const auto& join : state.fabric.joins()) hasher.add(join.content_hash());
+  hasher.add(state.fabric.rows().size());
   for (const std::string* words : {&options.title, &options.yarn, &options.colour})
     knit::hash_into(hasher, std::string_view(*words));
   for (const double number : {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds})
@@ -30,7 +30,7 @@ void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOpti
   key_ = key;
   chart_ = {};
   pattern_ = {};
-  if (state.transitions.empty()) return;
+  if (state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
   pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);

@@ -1,4 +1,4 @@
-// The chart and the written rounds of the run, made again only when its transitions have changed.
+// The chart and the written rounds of the run, made again only when its joins have changed.
 #pragma once
 
 #include <algorithm>

@@ -196,14 +196,12 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
 
 // What a square stands for: the label that shaped it, else its stitch.
 knit::Thing thing_of(const knit::Timeline& timeline, const StitchAt& at) {
-  const auto& transitions = timeline.furthest().transitions;
-  const auto i = static_cast<std::size_t>(at.row) - 2;
-  if (at.row < 2 || i >= transitions.size()) return knit::StitchThing{at.row, at.stitch};
-  const knit::Transition& t = *transitions[i];
-  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(t.labels.size()); ++cell) {
-    const auto index = static_cast<std::size_t>(cell);
-    const std::int32_t above = t.above >= t.below ? cell : t.link[index];
-    if (above == at.stitch && t.labels[index] != knit::Label::knit) return knit::LabelThing{at.row, cell};
+  const knit::Join* join = timeline.furthest().fabric.join_into(at.row);
+  const std::size_t cells = join != nullptr ? join->labels.size() : 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const auto cell = static_cast<std::int32_t>(i);
+    if (knit::ends_of(*join, cell).above == at.stitch && join->labels[i] != knit::Label::knit)
+      return knit::LabelThing{at.row, cell};
   }
   return knit::StitchThing{at.row, at.stitch};
 }

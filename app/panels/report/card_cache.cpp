@@ -16,9 +16,9 @@ CardCache::Key CardCache::key_of(const knit::Timeline& timeline) {
     products.add(list.size());
     for (const auto& product : list) products.add(product.content_hash());
   };
-  add(state.rows);
-  add(state.transitions);
-  add(state.strips);
+  add(state.fabric.rows());
+  add(state.fabric.joins());
+  add(state.fabric.strips());
   const knit::Parameters& parameters = timeline.parameters();
   return {timeline.input_pointer(), parameters.stitch_width, knit::stitch_height_of(parameters),
           products.value()};
@@ -29,7 +29,7 @@ void CardCache::refresh(const knit::Timeline& timeline) {
   Key key = key_of(timeline);
   const bool rests = key == seen_;
   seen_ = key;
-  if (timeline.state().rows.empty()) {
+  if (timeline.state().fabric.empty()) {
     quality_.reset();
     return;
   }

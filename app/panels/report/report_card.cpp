@@ -202,7 +202,7 @@ RowPlot row_plot(const PanelFrame& frame, const RowValues& values) {
   plot.ghosts = values.pinned;
   plot.missing = "after the cast on";
   if (frame.timeline() == nullptr) return plot;
-  const auto& rows = frame.timeline()->furthest().rows;
+  const auto& rows = frame.timeline()->furthest().fabric.rows();
   plot.rows = rows.size();
   for (const auto& row : rows)
     plot.highest = std::max(plot.highest, static_cast<double>(row->stitches.size()));
@@ -239,8 +239,8 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
     values.made.push_back(row.stitches);
     values.ideal.push_back(row.ideal);
   }
-  if (frame.session.document && frame.session.document->pinned) {
-    for (const auto& row : frame.session.document->pinned->end.rows)
+  if (frame.session.document->pinned) {
+    for (const auto& row : frame.session.document->pinned->end.fabric.rows())
       values.pinned.push_back(static_cast<double>(row->stitches.size()));
   }
   const auto clicked = draw_row_plot(frame, row_plot(frame, values), ImVec2(room.x, heights.rows));

@@ -166,7 +166,7 @@ float width_of_buttons(std::span<const std::string_view> names) {
 }
 
 void draw_lists(PanelFrame& frame) {
-  const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().rows.size() : 0;
+  const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().fabric.rows().size() : 0;
   const std::string rows_name = counted("Rows", rows);
   const std::string problems_name = counted("Problems", count_problems(frame));
   const std::string breaks_name = counted("Breaks", frame.session.view->breaks.size());

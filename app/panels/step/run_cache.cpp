@@ -9,9 +9,9 @@ namespace {
 
 std::size_t index_of(knit::Label label) { return static_cast<std::size_t>(label); }
 
-LabelTally::Counts counts_of(const knit::Transition& transition, std::size_t placed) {
+LabelTally::Counts counts_of(const knit::Join& join, std::size_t placed) {
   LabelTally::Counts counts{};
-  for (std::size_t i = 0; i < placed; ++i) ++counts[index_of(transition.placed[i].label)];
+  for (std::size_t i = 0; i < placed; ++i) ++counts[index_of(join.placed[i].label)];
   return counts;
 }
 
@@ -71,32 +71,32 @@ void RunCache::find_problems(const knit::Timeline& timeline) {
 }
 
 LabelTally::Counts LabelTally::count(const knit::State& state) {
-  transitions_.resize(state.transitions.size());
+  const auto& made = state.fabric.joins();
+  joins_.resize(made.size());
   Counts sum{};
   const auto add = [&](const Counts& counts) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
   };
-  for (std::size_t i = 0; i < transitions_.size(); ++i) {
-    const auto transition = state.transitions[i].pointer();
-    if (transitions_[i].first != transition) {
-      Counts counts = counts_of(*transition, transition->placed.size());
-      const auto knit_cells =
-          std::count(transition->labels.begin(), transition->labels.end(), knit::Label::knit);
+  for (std::size_t i = 0; i < joins_.size(); ++i) {
+    const auto join = made[i].pointer();
+    if (joins_[i].first != join) {
+      Counts counts = counts_of(*join, join->placed.size());
+      const auto knit_cells = std::count(join->labels.begin(), join->labels.end(), knit::Label::knit);
       counts[index_of(knit::Label::knit)] = static_cast<std::size_t>(knit_cells);
-      transitions_[i] = {transition, counts};
+      joins_[i] = {join, counts};
     }
-    add(transitions_[i].second);
+    add(joins_[i].second);
   }
   if (const auto* work = std::get_if<knit::IndexWork>(&state.work); work != nullptr && work->plan) {
     add(counts_of(*work->plan, static_cast<std::size_t>(work->placed)));
   }
   std::size_t& cast = sum[index_of(knit::Label::cast)];
-  if (!state.rows.empty()) cast += state.rows.front()->stitches.size();
+  if (const knit::Row* first = state.fabric.find_row(1)) cast += first->stitches.size();
   if (const auto* work = std::get_if<knit::CastOnWork>(&state.work)) cast += work->stitches.size();
-  if (const auto* work = std::get_if<knit::ContourWork>(&state.work); work != nullptr && state.rows.empty())
+  if (const auto* work = std::get_if<knit::ContourWork>(&state.work); work != nullptr && state.fabric.empty())
     cast += work->stitches.size();
-  if (state.stage() > knit::Stage::stitches && state.rows.size() > 1)
-    cast += state.rows.back()->stitches.size();
+  if (state.stage() > knit::Stage::stitches && state.fabric.row_count() > 1)
+    cast += static_cast<std::size_t>(state.fabric.live().size());
   return sum;
 }
 

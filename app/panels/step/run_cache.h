@@ -50,14 +50,14 @@ class RunCache {
   knit::ProblemRanking ranked_;
 };
 
-// How often each label has been placed at a state, by Label. Finished transitions are counted once.
+// How often each label has been placed at a state, by Label. Finished joins are counted once.
 class LabelTally {
  public:
   using Counts = std::array<std::size_t, 7>;
   Counts count(const knit::State& state);
 
  private:
-  std::vector<std::pair<std::shared_ptr<const knit::Transition>, Counts>> transitions_;
+  std::vector<std::pair<std::shared_ptr<const knit::Join>, Counts>> joins_;
 };
 
 }  // namespace app

@@ -56,8 +56,7 @@ void wish_why(PanelFrame& frame, std::int32_t row) {
   if (row > 1) frame.wish(SeekPlace{{knit::Stage::stitches, row, 0}});
 }
 
-void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
-  const auto number = static_cast<std::int32_t>(i) + 1;
+void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string label = std::to_string(number);
@@ -74,7 +73,8 @@ void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
   tooltip(frame,
           "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
           "gives it its stitches, or counts its change.");
-  if (i >= state.rows.size()) {  // in the making
+  const knit::Row* row = state.fabric.find_row(number);
+  if (row == nullptr) {  // in the making
     ImGui::TableNextColumn();
     const auto* walk = std::get_if<knit::RowWork>(&state.work);
     const auto* contour = std::get_if<knit::ContourWork>(&state.work);
@@ -84,11 +84,10 @@ void draw_row(PanelFrame& frame, const knit::State& state, std::size_t i) {
     right_aligned((made > 0 ? std::to_string(made) : "") + "...", theme().faint_text);
     return;
   }
-  const auto stitches = static_cast<std::ptrdiff_t>(state.rows[i]->stitches.size());
   ImGui::TableNextColumn();
-  right_aligned(std::to_string(stitches), theme().text);
+  right_aligned(std::to_string(row->stitches.size()), theme().text);
   ImGui::TableNextColumn();
-  if (i > 0) draw_change(stitches - static_cast<std::ptrdiff_t>(state.rows[i - 1]->stitches.size()));
+  if (!row->on.empty()) draw_change(knit::size_of(*row) - row->on.size());
 }
 
 // Keeps the row at hand in sight, when it has changed.
@@ -213,12 +212,13 @@ void draw_rows(PanelFrame& frame) {
   if (frame.timeline() != nullptr) {
     const knit::State& state = frame.timeline()->state();
     const auto at_hand = static_cast<std::size_t>(row_at_hand(frame));
-    const std::size_t lines = std::max(state.rows.size(), state.stage() == knit::Stage::rows ? at_hand : 0);
+    const std::size_t lines =
+        std::max(state.fabric.rows().size(), state.stage() == knit::Stage::rows ? at_hand : 0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(lines));
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        draw_row(frame, state, static_cast<std::size_t>(i));
+        draw_row(frame, state, i + 1);
       }
     }
     follow_row(frame, lines);

@@ -98,7 +98,7 @@ void draw_view_legend(PanelFrame& frame) {
   draw_coarse_note(frame);
   const knit::Timeline* timeline = frame.timeline();
   if (timeline == nullptr || frame.session.view->gaze.knit_along) return;
-  const bool labelled = !timeline->state().transitions.empty();
+  const bool labelled = !timeline->state().fabric.joins().empty();
   const bool seen = frame.session.view->shows(Layer::faces) || frame.session.view->shows(Layer::stitches);
   if (labelled && seen) return draw_labels(frame);
   draw_time_ramp(frame);

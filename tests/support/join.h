@@ -1,8 +1,10 @@
-// What must hold for every transition from row to row, whatever placed it.
+// What must hold for every join from row to row, whatever placed it.
 #pragma once
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "knit/stitches/faces.h"
@@ -41,7 +43,7 @@ inline std::vector<knit::Label> mirrored_labels(const std::vector<knit::Label>& 
   }
   return image;
 }
-inline Cells mirrored_links(const knit::Transition& t) {
+inline Cells mirrored_links(const knit::Join& t) {
   const std::int32_t small = std::min(t.below, t.above);
   Cells image = round_the_other_way(t.link);
   for (std::int32_t& stitch : image) stitch = (small - stitch) % small;
@@ -49,7 +51,7 @@ inline Cells mirrored_links(const knit::Transition& t) {
 }
 
 // Each stitch has one or two links, in order, first to first and last to last.
-inline bool links_sound(const knit::Transition& t) {
+inline bool links_sound(const knit::Join& t) {
   const std::int32_t small = std::min(t.below, t.above);
   if (static_cast<std::int32_t>(t.link.size()) != std::max(t.below, t.above)) return false;
   Cells links(static_cast<std::size_t>(small), 0);
@@ -62,7 +64,7 @@ inline bool links_sound(const knit::Transition& t) {
 }
 
 // Shaping stands on one cell of each doubled stitch and works with the other one.
-inline bool labels_agree(const knit::Transition& t) {
+inline bool labels_agree(const knit::Join& t) {
   std::int32_t shaping = 0;
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
     const auto partner = static_cast<std::size_t>(t.partner[cell]);
@@ -80,7 +82,7 @@ inline bool labels_agree(const knit::Transition& t) {
   return shaping == std::abs(t.change());
 }
 
-inline bool placed_agree(const knit::Transition& t) {
+inline bool placed_agree(const knit::Join& t) {
   std::vector<knit::Label> labels(t.labels.size(), knit::Label::knit);
   bool mains_over = false;
   for (const knit::PlacedLabel& placed : t.placed) {
@@ -91,15 +93,23 @@ inline bool placed_agree(const knit::Transition& t) {
   return labels == t.labels;
 }
 
-inline bool mains_sound(const knit::Transition& t, const Cells& below) {
+inline bool mains_sound(const knit::Join& t, const Cells& below) {
   bool good = !t.mains.empty() && t.mains.front() >= 0 && t.mains.back() < t.above;
   for (std::size_t i = 1; i < t.mains.size(); ++i) good = good && t.mains[i - 1] < t.mains[i];
   return good && (below.empty() ? t.mains.size() <= 6 : t.mains.size() <= below.size());
 }
 
+// As if its rows were the first of a piece.
+inline knit::Strip strip_of(const knit::Join& t) {
+  std::vector<std::uint32_t> path(static_cast<std::size_t>(t.below + t.above));
+  std::iota(path.begin(), path.end(), 0U);
+  const auto below = static_cast<std::size_t>(t.below);
+  return knit::build_strip(t, std::span(path).first(below), std::span(path).subspan(below));
+}
+
 // What faces and the written line make of it.
-inline bool counts_agree(const knit::Transition& t) {
-  const knit::Strip strip = knit::build_strip(t, 0);
+inline bool counts_agree(const knit::Join& t) {
+  const knit::Strip strip = strip_of(t);
   std::int32_t quads = 0;
   std::int32_t triangles = 0;
   for (const knit::Face& face : strip.faces) {
@@ -111,7 +121,7 @@ inline bool counts_agree(const knit::Transition& t) {
          line.consumed == t.below && line.produced == t.above;
 }
 
-inline Cells shaping_cells(const knit::Transition& t) {
+inline Cells shaping_cells(const knit::Join& t) {
   Cells cells;
   for (std::size_t cell = 0; cell < t.labels.size(); ++cell)
     if (knit::is_shaping(t.labels[cell])) cells.push_back(static_cast<std::int32_t>(cell));
