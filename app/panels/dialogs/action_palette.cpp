@@ -1,4 +1,5 @@
 #include "app/panels/dialogs/action_palette.h"
+#include "app/panels/dialogs/dialogs.h"
 
 #include <algorithm>
 #include <iterator>
@@ -140,7 +141,7 @@ void begin(const Session& session, ActionPaletteState& state) {
 }
 
 void close_palette(PanelFrame& frame) {
-  frame.ui.words.palette.shown = false;
+  frame.own<ActionPaletteState>().shown = false;
   frame.wish(ShowActionPalette{false});
   ImGui::CloseCurrentPopup();
 }
@@ -153,13 +154,13 @@ void remember(ActionPaletteState& state, const std::string& words) {
 
 // It closes before anything is done, so that what is opened comes up over the panels.
 void do_it(PanelFrame& frame, const ActionEntry& entry, Action action) {
-  remember(frame.ui.words.palette, entry.words);
+  remember(frame.own<ActionPaletteState>(), entry.words);
   close_palette(frame);
   if (!action.is<ShowActionPalette>()) frame.wish(std::move(action));
 }
 
 void choose(PanelFrame& frame, const ActionEntry& entry) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   if (!entry.why_not.empty()) return;
   if (std::holds_alternative<ActionPrompt>(entry.does)) {
     state.asking = entry.words;
@@ -167,7 +168,7 @@ void choose(PanelFrame& frame, const ActionEntry& entry) {
   }
   if (const auto* kind = std::get_if<ExportKind>(&entry.does)) {
     remember(state, entry.words);
-    frame.ui.save.wanted = *kind;
+    ask_to_save(frame, *kind);
     return close_palette(frame);
   }
   if (const CommandInfo* command = command_of(entry)) {
@@ -329,7 +330,7 @@ void draw_prompt(PanelFrame& frame, PaletteView& view, const ActionEntry& entry)
 }
 
 void draw_palette_inside(PanelFrame& frame) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   PaletteView view{state, palette_entries(frame.session, *state.sources), {}};
   const ActionEntry* asking = view.asking();
   const bool again = key_mods().ctrl && key_pressed(Key::P);
@@ -347,7 +348,7 @@ void draw_palette_inside(PanelFrame& frame) {
 }  // namespace
 
 void draw_action_palette(PanelFrame& frame) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   const bool wanted = frame.session.view->dialogs.action_palette_open;
   if (!wanted && !state.shown) return;
   if (wanted && !state.shown) {
