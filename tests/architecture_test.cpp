@@ -114,8 +114,7 @@ const std::vector<Arrow> arrows{
     {"app/panels/pattern", {"knit/", "app/", "app/panels/kit", "app/panels/dialogs"}, {"imgui.h"}},
     {"app/panels",
      {"knit/", "app/", "app/panels/kit", "app/panels/view", "app/panels/timeline", "app/panels/parameters",
-      "app/panels/step", "app/panels/report", "app/panels/compare", "app/panels/dialogs",
-      "app/panels/pattern"},
+      "app/panels/step", "app/panels/dialogs", "app/panels/pattern"},
      {"imgui.h"}},
 
     {"app/render",

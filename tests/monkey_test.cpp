@@ -215,7 +215,7 @@ class Monkey {
       case 0:
         return SetLayer{static_cast<Layer>(below(layer_count)), below(2) == 0};
       case 1:
-        return ShowSide{static_cast<SidePanel>(below(5))};
+        return ShowSide{static_cast<SidePanel>(below(side_keys.size()))};
       case 2:
         return ShowCentre{static_cast<CentrePanel>(below(2))};
       case 3:

@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string>
 
-#include "app/panels/compare/compare.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/panel_buttons.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/widgets.h"
-#include "app/panels/pattern/pattern.h"
-#include "app/panels/report/report.h"
 #include "app/panels/step/step.h"
 
 namespace app {
@@ -19,10 +18,18 @@ namespace app {
 namespace {
 
 struct Tab {
-  SidePanel side;
-  const char* words;
-  const char* mark;
+  SidePanel side = SidePanel::step;
+  std::string words, mark;  // "Step", "side/step"
 };
+using Tabs = std::array<Tab, side_keys.size()>;
+
+Tabs tabs_of_all() {
+  Tabs tabs;
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
+    tabs[i] = {static_cast<SidePanel>(i), std::string(side_words[i]), "side/" + std::string(side_keys[i])};
+  }
+  return tabs;
+}
 
 // A word over a line that is thick below the chosen one.
 void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont* font) {
@@ -31,7 +38,8 @@ void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont
   const float width = size.x;
   const float height = size.y;
   push_font(font);
-  if (ImGui::InvisibleButton(tab.mark, ImVec2(width, height)) && !chosen) frame.wish(ShowSide{tab.side});
+  if (ImGui::InvisibleButton(tab.mark.c_str(), ImVec2(width, height)) && !chosen)
+    frame.wish(ShowSide{tab.side});
   frame.mark(tab.mark);
   const bool lit = chosen || ImGui::IsItemHovered();
   text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
@@ -44,15 +52,10 @@ void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont
                                             style::packed(theme().accent));
 }
 
-constexpr std::array side_tabs{
-    Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
-    Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
-    Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
-
-float width_of_words(ImFont* font) {
+float width_of_words(std::span<const Tab> tabs, ImFont* font) {
   float words = 0.0f;
   push_font(font);
-  for (const Tab& tab : side_tabs) words += ImGui::CalcTextSize(tab.words).x;
+  for (const Tab& tab : tabs) words += ImGui::CalcTextSize(tab.words.c_str()).x;
   pop_font();
   return words;
 }
@@ -67,7 +70,7 @@ void draw_tab_line(PanelFrame& frame, std::span<const Tab> tabs, ImFont* font, f
                                             style::packed(theme().outline));
   for (const Tab& tab : tabs) {
     push_font(font);
-    const float width = ImGui::CalcTextSize(tab.words).x + air;
+    const float width = ImGui::CalcTextSize(tab.words.c_str()).x + air;
     pop_font();
     draw_tab(frame, tab, ImVec2(width, height), thin, font);
     ImGui::SameLine(0.0f, 0.0f);
@@ -80,14 +83,15 @@ void draw_tab_line(PanelFrame& frame, std::span<const Tab> tabs, ImFont* font, f
 void draw_tabs(PanelFrame& frame) {
   draw_cross(frame, Panel::side);
   const float room = ImGui::GetContentRegionAvail().x - room_for_cross(frame);
-  const std::span<const Tab> tabs(side_tabs);
+  const Tabs all = tabs_of_all();
+  const std::span<const Tab> tabs(all);
   for (ImFont* const font : {frame.fonts.strong, frame.fonts.small}) {
     const float air =
-        std::min((room - width_of_words(font)) / static_cast<float>(tabs.size()), frame.units(20.0f));
+        std::min((room - width_of_words(tabs, font)) / static_cast<float>(tabs.size()), frame.units(20.0f));
     if (air >= frame.units(5.0f)) return draw_tab_line(frame, tabs, font, air);
   }
-  draw_tab_line(frame, tabs.first(3), frame.fonts.strong, frame.units(12.0f));
-  draw_tab_line(frame, tabs.subspan(3), frame.fonts.strong, frame.units(12.0f));
+  draw_tab_line(frame, tabs.first((tabs.size() + 1) / 2), frame.fonts.strong, frame.units(12.0f));
+  draw_tab_line(frame, tabs.subspan((tabs.size() + 1) / 2), frame.fonts.strong, frame.units(12.0f));
 }
 
 }  // namespace
@@ -96,23 +100,7 @@ void draw_side_panel(PanelFrame& frame) {
   begin_panel("Explanation", frame.layout.explanation);
   draw_tabs(frame);
   if (frame.session.view->side != SidePanel::step) leave_variables(frame);
-  switch (frame.session.view->side) {
-    case SidePanel::step:
-      draw_step_side(frame);
-      break;
-    case SidePanel::report:
-      draw_report_card(frame);
-      break;
-    case SidePanel::pattern:
-      draw_pattern_text(frame);
-      break;
-    case SidePanel::compare:
-      draw_compare(frame);
-      break;
-    case SidePanel::sweep:
-      draw_sweep(frame);
-      break;
-  }
+  side_drawings.at(static_cast<std::size_t>(frame.session.view->side))(frame);
   ImGui::End();
 }
 

@@ -70,6 +70,14 @@ std::string mend_list() {
   return text;
 }
 
+// "a, b or c"
+std::string one_of(std::span<const std::string_view> names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+  return all;
+}
+
 // An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
 void refuse_empty_values(CLI::App& app) {
   const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
@@ -93,10 +101,8 @@ void declare(CLI::App& app, Words& words) {
   }
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
-  app.add_option("--side", words.side,
-                 "what the right column shows: step, report, pattern, compare or sweep");
-  app.add_option("--list", words.list,
-                 "which list stands below the step: rows, candidates, problems or breaks");
+  app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
+  app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
   app.add_option("--theme", words.theme, "dark or light");
   app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
@@ -193,16 +199,12 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
 }
 
 // The index of a word among those that an option takes; a sentence where it is none of them.
-template <std::size_t count>
 std::optional<std::string> choose(const std::string& option, const std::string& word,
-                                  const std::array<std::string_view, count>& names, std::size_t& index) {
+                                  std::span<const std::string_view> names, std::size_t& index) {
   const auto name = std::find(names.begin(), names.end(), word);
   index = static_cast<std::size_t>(name - names.begin());
   if (name != names.end()) return std::nullopt;
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i)
-    all += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(names[i]);
-  return option + " cannot be \"" + word + "\"; give " + all + ".";
+  return option + " cannot be \"" + word + "\"; give " + one_of(names) + ".";
 }
 
 std::optional<std::string> read_side(const Words& words, CommandLine& line) {

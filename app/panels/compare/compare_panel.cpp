@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/compare/compare.h"
 #include "app/panels/compare/compare_cache.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
@@ -171,7 +171,8 @@ void draw_plots(PanelFrame& frame) {
 
 }  // namespace
 
-void draw_compare(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::compare>(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   if (!frame.session.document->pinned) return draw_nothing_pinned(frame);
   frame.own<CompareCache>().refresh(frame.session, frame.own<RunCache>().problems().size() +

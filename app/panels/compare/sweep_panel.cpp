@@ -5,9 +5,9 @@
 #include <string>
 
 #include "app/base/text.h"
-#include "app/panels/compare/compare.h"
 #include "app/panels/compare/sweep_cache.h"
 #include "app/panels/compare/sweep_plot.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "knit/model/words.h"
@@ -255,7 +255,8 @@ void draw_results(PanelFrame& frame) {
 
 }  // namespace
 
-void draw_sweep(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::sweep>(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   refresh_form(frame);
   draw_form(frame);

@@ -5,8 +5,7 @@
 
 namespace app {
 
-void draw_chart(PanelFrame& frame);         // in the view's place
-void draw_knit_along(PanelFrame& frame);    // over the foot of either
-void draw_pattern_text(PanelFrame& frame);  // inside the side panel: the written rounds
+void draw_chart(PanelFrame& frame);       // in the view's place
+void draw_knit_along(PanelFrame& frame);  // over the foot of either
 
 }  // namespace app

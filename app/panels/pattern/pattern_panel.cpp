@@ -7,6 +7,7 @@
 
 #include "app/files/pattern_export.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/pattern/chart_cache.h"
@@ -248,7 +249,8 @@ void draw_pattern_fields(PanelFrame& frame) {
 
 }  // namespace
 
-void draw_pattern_text(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::pattern>(PanelFrame& frame) {
   draw_pattern_fields(frame);
   if (frame.timeline() != nullptr)
     frame.own<ChartCache>().refresh(*frame.timeline(), frame.session.view->pattern);

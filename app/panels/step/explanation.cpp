@@ -8,6 +8,7 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step.h"
@@ -212,7 +213,8 @@ float step_height(const PanelFrame& frame, float wanted) {
 
 }  // namespace
 
-void draw_step_side(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::step>(PanelFrame& frame) {
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   const ImGuiID wanted = ImGui::GetID("step height");
   ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, kept.GetFloat(wanted))), false);
