@@ -123,7 +123,7 @@ Controls all_controls() {
   look(desk);
   desk.session.view->dialogs.open_dialog_open = false;
   desk.settle();
-  desk.ui.own<SaveDialog>().wanted = ExportKind::map;
+  desk.ui.own<SaveDialog>().wanted = find_export("map");
   look(desk);
   Desk learner(1600, 1600);
   learner.session.program->assets = KNIT_ASSETS_DIR;
@@ -136,7 +136,7 @@ void note_entries(const Session& session, std::set<std::size_t>& reached) {
   for (const ActionEntry& entry : palette_entries(session, read_action_sources(session))) {
     if (const auto* action = std::get_if<Action>(&entry.does)) {
       reached.insert(action->index());
-    } else if (std::holds_alternative<ExportKind>(entry.does)) {
+    } else if (std::holds_alternative<AskToSave>(entry.does)) {
       reached.insert(Action(Export{}).index());
     } else if (session.document) {
       const auto& prompt = std::get<ActionPrompt>(entry.does);

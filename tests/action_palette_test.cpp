@@ -166,7 +166,7 @@ TEST_CASE("pasting asks the clipboard when it is chosen, and saving opens its di
   desk.show();
   desk.type("save report card");
   CHECK(desk.done().empty());
-  CHECK(desk.ui.own<SaveDialog>().wanted == ExportKind::card);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("card"));
   desk.settle();
   CHECK(desk.ui.controls.count("save/path") == 1);
 }

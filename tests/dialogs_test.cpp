@@ -68,18 +68,18 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
 TEST_CASE("the save dialog gives an export, and says that a file would be replaced") {
   Desk desk;
   desk.open();
-  desk.ui.own<SaveDialog>().wanted = ExportKind::map;
+  desk.ui.own<SaveDialog>().wanted = find_export("map");
   desk.settle();
   const auto path = std::filesystem::temp_directory_path() / "knit-panels-test-map.txt";
   CHECK(desk.ui.own<SaveDialog>().path.text().find("-map.txt") != std::string::npos);
   desk.type(path.string());
   const Export saved = only<Export>(desk.press({Key::Enter, {}, 0}));
-  CHECK(saved.kind == ExportKind::map);
+  CHECK(saved.what == "map");
   CHECK(saved.path == path);
   CHECK_FALSE(desk.ui.own<SaveDialog>().wanted);
   desk.settle();
   only<SetPlaying>(desk.press({Key::Space, {}, 0}));
-  desk.ui.own<SaveDialog>().wanted = ExportKind::picture;
+  desk.ui.own<SaveDialog>().wanted = find_export("screenshot");
   desk.settle();
   CHECK(desk.press({Key::Escape, {}, 0}).empty());
   CHECK_FALSE(desk.ui.own<SaveDialog>().wanted);

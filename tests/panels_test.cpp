@@ -272,5 +272,5 @@ TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing el
   CHECK(desk.click("menu/file").empty());
   desk.settle();
   CHECK(desk.click("menu/Save the report...").empty());
-  CHECK(desk.ui.own<SaveDialog>().wanted == ExportKind::report);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("report"));
 }

@@ -266,5 +266,5 @@ TEST_CASE("before there are labels the panel says so, and saving is at hand afte
   CHECK(desk.ui.controls.count("pattern/text") == 0);
   show_pattern(desk);
   desk.click("pattern/save");
-  CHECK(desk.ui.own<SaveDialog>().wanted == ExportKind::pattern);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("pattern"));
 }

@@ -1,11 +1,11 @@
 #include "app/panels/dialogs/action_palette.h"
+#include "app/files/export.h"
 #include "app/panels/dialogs/dialogs.h"
 
 #include <algorithm>
 #include <iterator>
 #include <string>
 
-#include "app/panels/dialogs/file_dialogs.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -79,9 +79,10 @@ ActionEntry entry_of(const Session& session, const CommandInfo& info) {
 std::vector<ActionEntry> palette_entries(const Session& session, const ActionSources& sources) {
   std::vector<ActionEntry> entries;
   for (const CommandInfo& info : command_table()) entries.push_back(entry_of(session, info));
-  for (const SaveKind& kind : save_kinds()) {
-    entries.push_back({"Save the " + std::string(kind.words) + "...", "Files", "Asks for the file's name.",
-                       kind.kind, unless(session.document.has_value(), no_mesh), "", false});
+  for (const ExportInfo* kind : exports_of_menu()) {
+    entries.push_back({"Save the " + std::string(kind->words) + "...", "Files", "Asks for the file's name.",
+                       AskToSave{std::string(kind->key)}, unless(session.document.has_value(), no_mesh), "",
+                       false});
   }
   auto others = action_entries(session, sources);
   std::move(others.begin(), others.end(), std::back_inserter(entries));
@@ -166,9 +167,9 @@ void choose(PanelFrame& frame, const ActionEntry& entry) {
     state.asking = entry.words;
     return fill_field(state, "");
   }
-  if (const auto* kind = std::get_if<ExportKind>(&entry.does)) {
+  if (const auto* ask = std::get_if<AskToSave>(&entry.does)) {
     remember(state, entry.words);
-    ask_to_save(frame, *kind);
+    ask_to_save(frame, ask->what);
     return close_palette(frame);
   }
   if (const CommandInfo* command = command_of(entry)) {

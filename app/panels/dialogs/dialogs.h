@@ -15,7 +15,7 @@ void draw_save_dialog(PanelFrame& frame);
 void draw_figure_dialog(PanelFrame& frame);  // size, stretch and rate of what is saved
 void draw_animation_progress(PanelFrame& frame);
 
-// Opens the dialog that asks where to.
-void ask_to_save(PanelFrame& frame, ExportKind kind);
+// Opens the dialog that asks where to; the key is that of an export.
+void ask_to_save(PanelFrame& frame, std::string_view key);
 
 }  // namespace app

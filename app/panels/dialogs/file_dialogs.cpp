@@ -188,31 +188,13 @@ void draw_open_dialog(PanelFrame& frame) {
 
 namespace {
 
-constexpr std::array kinds{
-    SaveKind{ExportKind::mesh, "knit mesh", "-knit.obj"},
-    SaveKind{ExportKind::gltf, "knit mesh as glTF", "-knit.glb"},
-    SaveKind{ExportKind::map, "stitch map", "-map.txt"},
-    SaveKind{ExportKind::report, "report", "-report.json"},
-    SaveKind{ExportKind::card, "report card", "-card.txt"},
-    SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
-    SaveKind{ExportKind::chart, "chart", "-chart.svg"},
-    SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
-    SaveKind{ExportKind::plots, "plots", "-plots.svg"},
-    SaveKind{ExportKind::session, "session", "-session.json"},
-    SaveKind{ExportKind::picture, "picture", ".png"},
-};
-
-const SaveKind& info_of(ExportKind kind) {
-  return *std::find_if(kinds.begin(), kinds.end(), [&](const SaveKind& k) { return k.kind == kind; });
-}
-
-std::string suggestion(const PanelFrame& frame, const SaveKind& kind) {
+std::string suggestion(const PanelFrame& frame, const ExportInfo& kind) {
   const std::string name = frame.timeline() != nullptr ? frame.timeline()->input().mesh.name : "";
   return (name.empty() ? "mesh" : name) + std::string(kind.ending);
 }
 
 void close_save_dialog(PanelFrame& frame) {
-  frame.own<SaveDialog>().wanted.reset();
+  frame.own<SaveDialog>().wanted = nullptr;
   frame.own<SaveDialog>().shown = false;
   ImGui::CloseCurrentPopup();
 }
@@ -235,7 +217,7 @@ void draw_save_buttons(PanelFrame& frame, bool entered) {
   frame.mark("save/save");
   ImGui::EndDisabled();
   if (usable && (clicked || entered)) {
-    frame.wish(Export{*frame.own<SaveDialog>().wanted, path});
+    frame.wish(Export{std::string(frame.own<SaveDialog>().wanted->key), path});
     close_save_dialog(frame);
     return;
   }
@@ -246,15 +228,14 @@ void draw_save_buttons(PanelFrame& frame, bool entered) {
 
 }  // namespace
 
-// A picture has a dialog of its own: figure_dialog.h.
-std::span<const SaveKind> save_kinds() { return std::span(kinds).first(kinds.size() - 1); }
-
-void ask_to_save(PanelFrame& frame, ExportKind kind) { frame.own<SaveDialog>().wanted = kind; }
+void ask_to_save(PanelFrame& frame, std::string_view key) {
+  frame.own<SaveDialog>().wanted = find_export(key);
+}
 
 void draw_save_dialog(PanelFrame& frame) {
   SaveDialog& dialog = frame.own<SaveDialog>();
-  if (!dialog.wanted) return;
-  const SaveKind& kind = info_of(*dialog.wanted);
+  if (dialog.wanted == nullptr) return;
+  const ExportInfo& kind = *dialog.wanted;
   const std::string title = "Save the " + std::string(kind.words) + "###save";
   const bool begins = !dialog.shown;
   if (begins) {
@@ -271,7 +252,7 @@ void draw_save_dialog(PanelFrame& frame) {
       ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
   pop_raised_look();
   if (!open) {
-    dialog.wanted.reset();
+    dialog.wanted = nullptr;
     dialog.shown = false;
     return;
   }

@@ -1,25 +1,14 @@
-// What can be saved, for the File menu and the dialog, and what the two dialogs about files remember.
+// What the two dialogs about files remember.
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "app/files/export.h"
 #include "app/panels/kit/widgets.h"
-#include "app/session/action.h"
 
 namespace app {
-
-struct SaveKind {
-  ExportKind kind;
-  std::string_view words;   // "stitch map"
-  std::string_view ending;  // of the suggested name: "-map.txt"
-};
-
-std::span<const SaveKind> save_kinds();
 
 struct OpenDialog {
   struct Entry {
@@ -37,7 +26,7 @@ struct OpenDialog {
 };
 
 struct SaveDialog {
-  std::optional<ExportKind> wanted;  // open for this
+  const ExportInfo* wanted = nullptr;  // open for this; null: for none
   bool shown = false;
   TextBuffer path;
 };

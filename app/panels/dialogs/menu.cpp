@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "app/files/export.h"
 #include "app/files/preferences_file.h"
 #include "app/panels/dialogs/dialogs.h"
-#include "app/panels/dialogs/file_dialogs.h"
 #include "app/panels/dialogs/menu_parts.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/frame.h"
@@ -160,10 +160,10 @@ void draw_file_menu(PanelFrame& frame) {
   draw_recent_menu(frame);
   command_item(frame, info_of(Command::close_mesh), "Close", frame.timeline() != nullptr);
   ImGui::Separator();
-  for (const SaveKind& kind : save_kinds()) {
-    const std::string label = "Save the " + std::string(kind.words) + "...";
+  for (const ExportInfo* kind : exports_of_menu()) {
+    const std::string label = "Save the " + std::string(kind->words) + "...";
     if (ImGui::MenuItem(label.c_str(), nullptr, false, frame.timeline() != nullptr)) {
-      ask_to_save(frame, kind.kind);
+      ask_to_save(frame, kind->key);
     }
     frame.mark("menu/" + label);
   }

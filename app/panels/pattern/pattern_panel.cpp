@@ -217,7 +217,7 @@ void draw_style(PanelFrame& frame, knit::PatternOptions options) {
 }
 
 void draw_save(PanelFrame& frame) {
-  if (ImGui::Button("Save...")) ask_to_save(frame, ExportKind::pattern);
+  if (ImGui::Button("Save...")) ask_to_save(frame, "pattern");
   frame.mark("pattern/save");
   std::string help("The ending says the format: ");
   help.append(pattern_endings).append(". The chart alone: File, Save the chart.");
