@@ -67,14 +67,6 @@ std::string mend_list() {
   return text;
 }
 
-// "a, b or c"
-std::string one_of(std::span<const std::string_view> names) {
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
-  return all;
-}
-
 // An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
 void refuse_empty_values(CLI::App& app) {
   const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
@@ -141,7 +133,7 @@ void declare(CLI::App& app, Words& words) {
                "list the parameters with range, unit and default");
   CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
   index->add_option("SIZES", words.index_sizes, "row sizes, the cast on first: 6,12,17,22")->required();
-  index->add_option("--placement", words.index_placement, "thesis or even");
+  index->add_option("--placement", words.index_placement, placements_of_index());
   refuse_empty_values(app);
   refuse_empty_values(*index);
   CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");

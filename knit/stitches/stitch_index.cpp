@@ -203,16 +203,4 @@ Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32
   return t;
 }
 
-std::vector<Transition> plan_transitions(std::span<const std::int32_t> sizes, PlacementPolicy policy) {
-  std::vector<Transition> transitions;
-  for (std::size_t i = 1; i < sizes.size(); ++i) {
-    const bool from_cast_on = i == 1;
-    const std::vector<std::int32_t> mains =
-        from_cast_on ? std::vector<std::int32_t>{} : transitions.back().mains;
-    transitions.push_back(plan_transition({sizes[i - 1], mains, from_cast_on}, sizes[i],
-                                          static_cast<std::int32_t>(i) + 1, policy));
-  }
-  return transitions;
-}
-
 }  // namespace knit

@@ -37,7 +37,4 @@ std::int32_t mains_wanted(std::int32_t below, std::int32_t above);
 Transition plan_transition(const RowBelow& below, std::int32_t above, std::int32_t row,
                            PlacementPolicy policy);
 
-// All transitions of a list of row sizes, the cast on first.
-std::vector<Transition> plan_transitions(std::span<const std::int32_t> sizes, PlacementPolicy policy);
-
 }  // namespace knit
