@@ -149,7 +149,7 @@ TEST_CASE("everything that is listed somewhere has its entry") {
     CHECK(entry_named(entries, words_of(info))->keys == keys_of(info));
   }
   for (const std::string& name : list_examples(desk.session.program->assets)) has("Open the example " + name);
-  for (const SaveKind& kind : save_kinds()) has("Save the " + std::string(kind.words) + "...");
+  for (const ExportInfo* kind : exports_of_menu()) has("Save the " + std::string(kind->words) + "...");
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     const auto* choice = std::get_if<knit::Choice>(&info.kind);
     for (std::size_t i = 0; choice != nullptr && i < choice->names.size(); ++i)

@@ -1,5 +1,6 @@
 // Every action has a name, an entry in the palette, and a button, a line of a menu or a place to point at.
 #include "app/actions/action_names.h"
+#include "app/panels/pattern/pattern_parts.h"
 
 #include <set>
 
@@ -110,7 +111,7 @@ Controls all_controls() {
   desk.session.document->before_mend = std::make_shared<const Session>();
   look(desk);
   desk.session.view->side = SidePanel::pattern;
-  desk.ui.pattern_fields.open = true;
+  desk.ui.own<PatternFields>().open = true;
   look(desk);
   desk.session.view->side = SidePanel::sweep;
   desk.session.jobs->beside = true;
@@ -122,7 +123,7 @@ Controls all_controls() {
   look(desk);
   desk.session.view->dialogs.open_dialog_open = false;
   desk.settle();
-  desk.ui.save.wanted = ExportKind::map;
+  desk.ui.own<SaveDialog>().wanted = find_export("map");
   look(desk);
   Desk learner(1600, 1600);
   learner.session.program->assets = KNIT_ASSETS_DIR;
@@ -135,7 +136,7 @@ void note_entries(const Session& session, std::set<std::size_t>& reached) {
   for (const ActionEntry& entry : palette_entries(session, read_action_sources(session))) {
     if (const auto* action = std::get_if<Action>(&entry.does)) {
       reached.insert(action->index());
-    } else if (std::holds_alternative<ExportKind>(entry.does)) {
+    } else if (std::holds_alternative<AskToSave>(entry.does)) {
       reached.insert(Action(Export{}).index());
     } else if (session.document) {
       const auto& prompt = std::get<ActionPrompt>(entry.does);

@@ -1,5 +1,7 @@
 // The palette of all actions by keyboard and mouse, and the ways that lead there.
+#include "app/panels/dialogs/action_palette.h"
 #include "app/actions/action_entries.h"
+#include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/document.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
@@ -87,21 +89,21 @@ TEST_CASE("arrow keys choose in the palette, and what was used lately is first")
   CHECK(desk.press(down).empty());
   CHECK(desk.press(down).empty());
   CHECK(desk.press(up).empty());
-  CHECK(desk.ui.words.palette.chosen == 1);
+  CHECK(desk.ui.own<ActionPaletteState>().chosen == 1);
   only<Orbit>(desk.done());
-  REQUIRE(desk.ui.words.palette.recent.size() == 1);
-  const std::string used = desk.ui.words.palette.recent[0];
+  REQUIRE(desk.ui.own<ActionPaletteState>().recent.size() == 1);
+  const std::string used = desk.ui.own<ActionPaletteState>().recent[0];
   desk.show();
   CHECK(desk.press({Key::PageDown, {}, 0}).empty());
   CHECK(desk.press({Key::PageDown, {}, 0}).empty());
-  CHECK(desk.ui.words.palette.chosen == 22);
+  CHECK(desk.ui.own<ActionPaletteState>().chosen == 22);
   desk.settle();
   CHECK_FALSE(desk.lists(used));
   for (int i = 0; i < 4; ++i) CHECK(desk.press({Key::PageUp, {}, 0}).empty());
   desk.settle();
   CHECK(desk.lists(used));
   only<Orbit>(desk.done());
-  CHECK(desk.ui.words.palette.recent.size() == 1);
+  CHECK(desk.ui.own<ActionPaletteState>().recent.size() == 1);
 }
 
 TEST_CASE("the palette goes by the mouse") {
@@ -130,13 +132,13 @@ TEST_CASE("an entry that asks turns the field into a prompt that says why someth
     desk.settle();
     CHECK(desk.ui.controls.count("action-trouble") == 0);
     CHECK(only<SeekPlace>(desk.done()).place.row == 2);
-    CHECK(desk.ui.words.palette.recent.front() == "Go to row...");
+    CHECK(desk.ui.own<ActionPaletteState>().recent.front() == "Go to row...");
   }
   SECTION("Escape goes back to what was searched for, and then closes") {
     CHECK(desk.press(escape).empty());
     desk.settle();
     CHECK(desk.lists("Go to row..."));
-    CHECK(std::string(desk.ui.words.palette.field.data()) == "go to row");
+    CHECK(std::string(desk.ui.own<ActionPaletteState>().field.data()) == "go to row");
     CHECK_FALSE(only<ShowActionPalette>(desk.press(escape)).open);
   }
   SECTION("the mesh goes away meanwhile") {
@@ -164,7 +166,7 @@ TEST_CASE("pasting asks the clipboard when it is chosen, and saving opens its di
   desk.show();
   desk.type("save report card");
   CHECK(desk.done().empty());
-  CHECK(desk.ui.save.wanted == ExportKind::card);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("card"));
   desk.settle();
   CHECK(desk.ui.controls.count("save/path") == 1);
 }
@@ -202,7 +204,7 @@ TEST_CASE("the help leads on to all actions, the glossary and the lessons") {
   SECTION("the lessons") {
     desk.act(desk.click("help-to/lessons"));
     desk.settle();
-    CHECK(std::string(desk.ui.words.palette.field.data()) == "lesson ");
+    CHECK(std::string(desk.ui.own<ActionPaletteState>().field.data()) == "lesson ");
   }
   CHECK_FALSE(desk.session.view->dialogs.help_open);
 }

@@ -165,9 +165,8 @@ TEST_CASE("what cannot be opened leaves the session as it was, with a sentence")
 
 TEST_CASE("with nothing open, actions about a run do nothing") {
   Session session;
-  apply_all(session,
-            {StepBy{}, SeekTo{5}, SeekPlace{}, ToFirst{}, ToLast{}, SetPlaying{}, PassTime{0.1}, Tune{},
-             EditFromHere{}, RemoveEdit{}, PickVertex{3}, FrameAll{}, Export{ExportKind::map, "-"}});
+  apply_all(session, {StepBy{}, SeekTo{5}, SeekPlace{}, ToFirst{}, ToLast{}, SetPlaying{}, PassTime{0.1},
+                      Tune{}, EditFromHere{}, RemoveEdit{}, PickVertex{3}, FrameAll{}, Export{"map", "-"}});
   CHECK_FALSE(session.document);
   CHECK_FALSE(session.view->playback.playing);
   CHECK(session.outbox->notices.empty());
@@ -455,16 +454,15 @@ TEST_CASE("the camera turns, moves, zooms and frames, and nonsense is ignored") 
 TEST_CASE("exports are written where asked, with a notice either way") {
   const test_support::Folder folder;
   Session session = finished_small_session();
-  for (const ExportKind kind : {ExportKind::mesh, ExportKind::map, ExportKind::report, ExportKind::steps}) {
-    const std::filesystem::path path = folder.path() / ("out." + std::to_string(static_cast<int>(kind)));
-    apply(session, Export{kind, path});
+  for (const std::string what : {"mesh", "map", "report", "steps"}) {
+    const std::filesystem::path path = folder.path() / ("out." + what);
+    apply(session, Export{what, path});
     CHECK(std::filesystem::file_size(path) > 0);
     CHECK(session.outbox->notices.back().kind == Notice::Kind::info);
     CHECK(contains(session.outbox->notices.back().text, path.filename().string()));
   }
-  check_refused(session, Export{ExportKind::map, folder.path() / "no" / "such" / "folder.txt"},
-                "cannot write");
-  apply(session, Export{ExportKind::picture, "p.png"});
+  check_refused(session, Export{"map", folder.path() / "no" / "such" / "folder.txt"}, "cannot write");
+  apply(session, Export{"screenshot", "p.png"});
   REQUIRE(session.outbox->screenshots.size() == 1);
   CHECK(session.outbox->screenshots[0] == "p.png");
 }

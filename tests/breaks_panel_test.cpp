@@ -1,4 +1,5 @@
 // The list of break conditions, their marks, the loop on the track, and what the timeline says.
+#include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "tests/support/desk.h"
@@ -46,8 +47,8 @@ TEST_CASE("what is no condition gets its sentence below the field and adds nothi
   desk.click("break/field");
   desk.type("row=x");
   CHECK(desk.click("break/add").empty());
-  CHECK_FALSE(desk.ui.break_field.trouble.empty());
-  CHECK(desk.ui.break_field.text.text() == "row=x");
+  CHECK_FALSE(desk.ui.own<BreakField>().trouble.empty());
+  CHECK(desk.ui.own<BreakField>().text.text() == "row=x");
 }
 
 TEST_CASE("the buttons of the list run to the hits", "[breaks]") {

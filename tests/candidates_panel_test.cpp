@@ -1,4 +1,5 @@
 // The candidates of a row and the ways to "why" in the panels: view, chart, lists, the line of what is selected.
+#include "app/panels/step/candidate_list.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "tests/support/desk.h"
@@ -29,17 +30,17 @@ TEST_CASE("candidates: a line each, and a click goes to the step that decided") 
   Desk desk(1280, 1200);
   desk.open();
   go_into_row(desk, 4);
-  const auto& table = desk.ui.candidates.table();
+  const auto& table = desk.ui.own<CandidateList>().table();
   REQUIRE(table.none == knit::NoCandidates::has_some);
   CHECK(table.row == 4);
-  REQUIRE(desk.ui.candidates.size() == table.candidates.size());
+  REQUIRE(desk.ui.own<CandidateList>().size() == table.candidates.size());
   const knit::Candidate& fifth = table.candidates[5];
   CHECK(only<ShowWhy>(desk.click("candidate/5")).thing == knit::Thing(knit::VertexThing{fifth.vertex}));
   desk.act({ShowWhy{knit::VertexThing{fifth.vertex}}});
   CHECK(desk.session.document->timeline.position() == fifth.step + 1);
   desk.settle();
-  CHECK(desk.ui.candidates.order_of(desk.session.document->timeline,
-                                    *desk.session.document->travel.selected) == 5);
+  CHECK(desk.ui.own<CandidateList>().order_of(desk.session.document->timeline,
+                                              *desk.session.document->travel.selected) == 5);
   CHECK(count_of<ShowWhy>(desk.click("plot/candidates", 0.7f)) == 1);
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("candidates: sorted by what is clicked, both ways") {
   Desk desk;
   desk.open();
   go_into_row(desk, 4);
-  const CandidateList& list = desk.ui.candidates;
+  const CandidateList& list = desk.ui.own<CandidateList>();
   const auto rises = [&](auto value) {
     for (std::size_t i = 1; i < list.size(); ++i) {
       if (value(list.at(i)) < value(list.at(i - 1))) return false;
@@ -75,16 +76,16 @@ TEST_CASE("candidates: where there are none it says so, and nothing breaks") {
   desk.open();
   desk.act({ToFirst{}});
   desk.settle();
-  CHECK(desk.ui.candidates.table().none == knit::NoCandidates::no_row);
+  CHECK(desk.ui.own<CandidateList>().table().none == knit::NoCandidates::no_row);
   desk.act({SeekPlace{{knit::Stage::cast_on, 1, 2}}});
   desk.settle();
-  CHECK(desk.ui.candidates.table().none == knit::NoCandidates::cast_on);
+  CHECK(desk.ui.own<CandidateList>().table().none == knit::NoCandidates::cast_on);
   knit::Parameters parameters = wide_band();
   parameters.rows = knit::RowSource::contours;
   desk.open(parameters);
   desk.act({SeekPlace{{knit::Stage::rows, 3, 4}}});
   desk.settle();
-  CHECK(desk.ui.candidates.table().none == knit::NoCandidates::cut);
+  CHECK(desk.ui.own<CandidateList>().table().none == knit::NoCandidates::cut);
 }
 
 TEST_CASE("a click in the view shows why, once it can be no double click") {

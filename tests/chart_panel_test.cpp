@@ -1,4 +1,6 @@
 // The chart in the centre and the round at hand over it: keys, pointer, and what they wish.
+#include "app/panels/pattern/chart_cache.h"
+#include "app/panels/pattern/pattern_parts.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "tests/support/desk.h"
@@ -37,7 +39,8 @@ TEST_CASE("the chart stands in the view's place, before there is anything to cha
   show_chart(desk);
   CHECK(desk.ui.controls.count("view") == 0);
   CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
-  CHECK(desk.ui.chart.rounds() == static_cast<int>(desk.session.document->timeline.furthest().fabric.rows().size()));
+  CHECK(desk.ui.own<ChartCache>().rounds() ==
+        static_cast<int>(desk.session.document->timeline.furthest().fabric.rows().size()));
 }
 
 TEST_CASE("a square under the pointer is shown everywhere, and a click goes to its round") {
@@ -69,7 +72,7 @@ TEST_CASE("a drag moves the chart and goes nowhere, the wheel brings it nearer")
   const Actions dragged =
       desk.frames({MouseMove{middle.x + 60, middle.y + 10}, MouseClick{MouseButton::Left, false}});
   CHECK(count_of<SeekPlace>(dragged) == 0);
-  CHECK(desk.ui.chart_view.move.x > 50.0f);
+  CHECK(desk.ui.own<ChartView>().move.x > 50.0f);
 }
 
 TEST_CASE("knitting along: forward, back, first, and away") {
@@ -83,10 +86,10 @@ TEST_CASE("knitting along: forward, back, first, and away") {
   CHECK_FALSE(only<KnitAlong>(desk.click("knit-along/close")).round);
   desk.act({KnitAlong{100000}});
   desk.settle();
-  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == desk.ui.chart.rounds());
-  CHECK(desk.ui.chart.line_of(1).find("CO") != std::string::npos);
-  for (int round = 2; round <= desk.ui.chart.rounds(); ++round)
-    CHECK(desk.ui.chart.line_of(round).rfind("Rnd", 0) == 0);
+  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == desk.ui.own<ChartCache>().rounds());
+  CHECK(desk.ui.own<ChartCache>().line_of(1).find("CO") != std::string::npos);
+  for (int round = 2; round <= desk.ui.own<ChartCache>().rounds(); ++round)
+    CHECK(desk.ui.own<ChartCache>().line_of(round).rfind("Rnd", 0) == 0);
 }
 
 TEST_CASE("the round at hand is lit in the view") {

@@ -150,16 +150,16 @@ TEST_CASE("what to do: headless, where to stop, what to save, how large") {
   REQUIRE(line.at);
   CHECK(std::get<knit::Place>(*line.at) == knit::Place{knit::Stage::rows, 7, 0});
   REQUIRE(line.saves.size() == 5);
-  const auto path_of = [&](ExportKind kind) {
+  const auto path_of = [&](std::string_view key) {
     const auto found = std::find_if(line.saves.begin(), line.saves.end(),
-                                    [&](const Export& save) { return save.kind == kind; });
+                                    [&](const Export& save) { return save.what == key; });
     return found == line.saves.end() ? std::filesystem::path() : found->path;
   };
-  CHECK(path_of(ExportKind::mesh) == "m.obj");
-  CHECK(path_of(ExportKind::map) == "m.txt");
-  CHECK(path_of(ExportKind::report) == "-");
-  CHECK(path_of(ExportKind::steps) == "s.jsonl");
-  CHECK(path_of(ExportKind::picture) == "p.png");
+  CHECK(path_of("mesh") == "m.obj");
+  CHECK(path_of("map") == "m.txt");
+  CHECK(path_of("report") == "-");
+  CHECK(path_of("steps") == "s.jsonl");
+  CHECK(path_of("screenshot") == "p.png");
   CHECK(line.width == 640);
   CHECK(line.height == 480);
 }

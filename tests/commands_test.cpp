@@ -1,5 +1,6 @@
 // Keys: each gives its action, and none while a person types.
 #include "app/panels/kit/commands.h"
+#include "app/panels/parameters/parameters.h"
 #include "app/session/view.h"
 
 #include <set>
@@ -60,7 +61,7 @@ TEST_CASE("a vertex that the mesh has not is refused where it is typed") {
   CHECK(desk.click("knob/end", 0.2f).empty());
   desk.type("999999");
   CHECK(desk.frames({KeyPress{Key::Enter, true, {}}, KeyPress{Key::Enter, false, {}}}).empty());
-  CHECK(desk.ui.vertex_fields.at("end").trouble.find("999999") != std::string::npos);
+  CHECK(desk.ui.own<VertexFields>().at("end").trouble.find("999999") != std::string::npos);
 }
 
 TEST_CASE("the key of the side panels goes round all that have a name, and each has its tab") {

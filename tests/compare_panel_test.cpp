@@ -1,4 +1,5 @@
 // The sides Compare and Sweep of the right column, without a window.
+#include "app/panels/compare/compare_cache.h"
 #include "tests/support/desk.h"
 
 #include "app/panels/compare/sweep_plot.h"
@@ -33,14 +34,14 @@ TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
   CHECK(shows(desk, "compare/stitches"));
   CHECK(count_of<SeekPlace>(desk.click("compare/first-row")) == 1);
   CHECK(count_of<SeekPlace>(desk.click("compare/stitches")) == 1);
-  const std::size_t times = desk.ui.compare.times_compared();
+  const std::size_t times = desk.ui.own<CompareCache>().times_compared();
   desk.settle();
-  CHECK(desk.ui.compare.times_compared() == times);
+  CHECK(desk.ui.own<CompareCache>().times_compared() == times);
   desk.act({only<SwapPinned>(desk.click("compare/swap"))});
   CHECK(desk.session.document->timeline.parameters().epsilon == wide_band().epsilon);
   desk.session.document->timeline.extend_to_end();
   desk.settle();
-  CHECK(desk.ui.compare.times_compared() == times + 1);
+  CHECK(desk.ui.own<CompareCache>().times_compared() == times + 1);
   desk.act({only<Unpin>(desk.click("compare/unpin"))});
   desk.settle();
   CHECK(shows(desk, "compare/pin"));
@@ -52,9 +53,9 @@ TEST_CASE("sweep side: start, point, take", "[panels]") {
   desk.session.view->side = SidePanel::sweep;
   desk.settle();
   desk.open();
-  CHECK(desk.ui.sweep_form.axis.key == "epsilon");
+  CHECK(desk.ui.own<SweepForm>().axis.key == "epsilon");
   CHECK_FALSE(shows(desk, "sweep/problems"));
-  desk.ui.sweep_form.axis = {"epsilon", 0.05, 0.25, 5};
+  desk.ui.own<SweepForm>().axis = {"epsilon", 0.05, 0.25, 5};
   desk.act({only<StartSweep>(desk.click("sweep/start"))});
   REQUIRE(desk.session.document->sweep);
   desk.settle();
@@ -74,12 +75,12 @@ TEST_CASE("sweep side: the form shows the plan of a sweep that a script began", 
   desk.open();
   desk.act({StartSweep{{{"epsilon", 0.06, 0.2, 4}, SweepAxis{"stitch-width", 0.4, 0.6, 3}}}});
   desk.settle();
-  CHECK(desk.ui.sweep_form.axis == SweepAxis{"epsilon", 0.06, 0.2, 4});
-  CHECK(desk.ui.sweep_form.grid);
-  CHECK(desk.ui.sweep_form.second == SweepAxis{"stitch-width", 0.4, 0.6, 3});
-  desk.ui.sweep_form.axis.to = 0.1;  // a hand may change it afterwards
+  CHECK(desk.ui.own<SweepForm>().axis == SweepAxis{"epsilon", 0.06, 0.2, 4});
+  CHECK(desk.ui.own<SweepForm>().grid);
+  CHECK(desk.ui.own<SweepForm>().second == SweepAxis{"stitch-width", 0.4, 0.6, 3});
+  desk.ui.own<SweepForm>().axis.to = 0.1;  // a hand may change it afterwards
   desk.settle();
-  CHECK(desk.ui.sweep_form.axis.to == 0.1);
+  CHECK(desk.ui.own<SweepForm>().axis.to == 0.1);
 }
 
 TEST_CASE("sweep side: two parameters make a map", "[panels]") {
@@ -88,10 +89,10 @@ TEST_CASE("sweep side: two parameters make a map", "[panels]") {
   desk.open();
   desk.click("sweep/grid");
   desk.settle();
-  REQUIRE(desk.ui.sweep_form.grid);
-  CHECK(desk.ui.sweep_form.second.key == "stitch-width");
-  desk.ui.sweep_form.axis = {"epsilon", 0.05, 0.25, 4};
-  desk.ui.sweep_form.second = {"stitch-width", 0.3, 0.5, 3};
+  REQUIRE(desk.ui.own<SweepForm>().grid);
+  CHECK(desk.ui.own<SweepForm>().second.key == "stitch-width");
+  desk.ui.own<SweepForm>().axis = {"epsilon", 0.05, 0.25, 4};
+  desk.ui.own<SweepForm>().second = {"stitch-width", 0.3, 0.5, 3};
   desk.act({only<StartSweep>(desk.click("sweep/start"))});
   desk.settle();
   REQUIRE(shows(desk, "sweep/map"));
@@ -117,7 +118,7 @@ TEST_CASE("sweep side: the usual range of every parameter can be swept, one that
   Desk desk(1280, 720);
   desk.session.view->side = SidePanel::sweep;
   desk.open();
-  desk.ui.sweep_form.axis.from = 9.0;
+  desk.ui.own<SweepForm>().axis.from = 9.0;
   CHECK(desk.click("sweep/start").empty());
 }
 
@@ -125,11 +126,11 @@ TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the for
   Desk desk(1280, 720);
   desk.session.view->side = SidePanel::sweep;
   desk.open();
-  CHECK(desk.ui.sweep_form.axis.key == "epsilon");
+  CHECK(desk.ui.own<SweepForm>().axis.key == "epsilon");
   knit::Parameters parameters = desk.session.document->timeline.parameters();
   parameters.rows = knit::RowSource::contours;
   apply(desk.session, Tune{parameters});
   desk.settle();
-  CHECK(desk.ui.sweep_form.axis.key == "stitch-width");
-  CHECK_FALSE(fault_of(SweepPlan{desk.ui.sweep_form.axis, std::nullopt}));
+  CHECK(desk.ui.own<SweepForm>().axis.key == "stitch-width");
+  CHECK_FALSE(fault_of(SweepPlan{desk.ui.own<SweepForm>().axis, std::nullopt}));
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/view.h"
 #include "tests/support/desk.h"
 
@@ -16,7 +17,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   std::ofstream(folder / "notes.txt") << "no mesh\n";
   Desk desk;
   desk.open();
-  desk.ui.open.folder = folder;
+  desk.ui.own<OpenDialog>().folder = folder;
   desk.session.view->dialogs.open_dialog_open = true;
   desk.settle();
   CHECK(desk.ui.controls.count("open/ball.OBJ") == 1);
@@ -28,7 +29,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   SECTION("a typed path") {
     desk.type("nothing.obj");
     CHECK(desk.press({Key::Enter, {}, 0}).empty());
-    CHECK(desk.ui.open.trouble.find("nothing.obj") != std::string::npos);
+    CHECK(desk.ui.own<OpenDialog>().trouble.find("nothing.obj") != std::string::npos);
   }
   SECTION("a typed path that exists, from the folder shown") {
     desk.type("ball.OBJ");
@@ -45,7 +46,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
     const MouseClick down{MouseButton::Left, true};
     const MouseClick up{MouseButton::Left, false};
     CHECK(desk.frames({desk.over("open/inner", 0.1f), down, up, down, up}).empty());
-    CHECK(std::filesystem::equivalent(desk.ui.open.folder, folder / "inner"));
+    CHECK(std::filesystem::equivalent(desk.ui.own<OpenDialog>().folder, folder / "inner"));
     desk.settle();
     desk.type("../ball.OBJ");
     CHECK(count_of<OpenFile>(desk.press({Key::Enter, {}, 0})) == 1);
@@ -67,19 +68,19 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
 TEST_CASE("the save dialog gives an export, and says that a file would be replaced") {
   Desk desk;
   desk.open();
-  desk.ui.save.wanted = ExportKind::map;
+  desk.ui.own<SaveDialog>().wanted = find_export("map");
   desk.settle();
   const auto path = std::filesystem::temp_directory_path() / "knit-panels-test-map.txt";
-  CHECK(desk.ui.save.path.text().find("-map.txt") != std::string::npos);
+  CHECK(desk.ui.own<SaveDialog>().path.text().find("-map.txt") != std::string::npos);
   desk.type(path.string());
   const Export saved = only<Export>(desk.press({Key::Enter, {}, 0}));
-  CHECK(saved.kind == ExportKind::map);
+  CHECK(saved.what == "map");
   CHECK(saved.path == path);
-  CHECK_FALSE(desk.ui.save.wanted);
+  CHECK_FALSE(desk.ui.own<SaveDialog>().wanted);
   desk.settle();
   only<SetPlaying>(desk.press({Key::Space, {}, 0}));
-  desk.ui.save.wanted = ExportKind::picture;
+  desk.ui.own<SaveDialog>().wanted = find_export("screenshot");
   desk.settle();
   CHECK(desk.press({Key::Escape, {}, 0}).empty());
-  CHECK_FALSE(desk.ui.save.wanted);
+  CHECK_FALSE(desk.ui.own<SaveDialog>().wanted);
 }

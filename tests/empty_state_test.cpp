@@ -29,7 +29,7 @@ TEST_CASE("closing the mesh puts away all that belongs to it, and another can be
   // With nothing open these do nothing, and exports say so.
   for (const Action& action : Actions{CloseMesh{}, ToLast{}, PassTime{0.1}, Undo{}, GoBack{}, FrameAll{}})
     apply(session, action);
-  const auto refused = export_to_file(session, ExportKind::mesh, "knit.obj");
+  const auto refused = export_to_file(session, {"mesh", "knit.obj"});
   REQUIRE(refused);
   CHECK(refused->find("nothing is open") != std::string::npos);
   apply(session, OpenExample{"sphere"});

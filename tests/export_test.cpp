@@ -379,11 +379,11 @@ TEST_CASE("a mesh whose name is no valid text still gives a report") {
 TEST_CASE("files are written whole, and nothing else is left in the folder") {
   const Folder folder;
   const Session session = test_support::finished_small_session();
-  CHECK_FALSE(export_to_file(session, ExportKind::mesh, folder.path() / "mesh.obj"));
-  CHECK_FALSE(export_to_file(session, ExportKind::map, folder.path() / "map.txt"));
-  CHECK_FALSE(export_to_file(session, ExportKind::report, folder.path() / "report.json"));
-  CHECK_FALSE(export_to_file(session, ExportKind::card, folder.path() / "card.txt"));
-  CHECK_FALSE(export_to_file(session, ExportKind::steps, folder.path() / "steps.jsonl"));
+  CHECK_FALSE(export_to_file(session, {"mesh", folder.path() / "mesh.obj"}));
+  CHECK_FALSE(export_to_file(session, {"map", folder.path() / "map.txt"}));
+  CHECK_FALSE(export_to_file(session, {"report", folder.path() / "report.json"}));
+  CHECK_FALSE(export_to_file(session, {"card", folder.path() / "card.txt"}));
+  CHECK_FALSE(export_to_file(session, {"steps", folder.path() / "steps.jsonl"}));
   CHECK(folder.files() == 5);
   CHECK(read_text(folder.path() / "card.txt") == card_text(session));
   CHECK(read_text(folder.path() / "mesh.obj") == mesh_text(session));

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "app/files/figures.h"
+#include "app/panels/dialogs/figure_dialog.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "tests/support/desk.h"
@@ -20,7 +21,7 @@ void choose(Desk& desk, const std::string& control, float across) {
 TEST_CASE("the picture dialog gives the wish by Enter, and Escape closes it") {
   Desk desk;
   desk.open();
-  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::picture;
   desk.settle();
   CHECK(desk.press({Key::Space, {}, 0}).empty());
   desk.type("/tmp/x.png");
@@ -29,13 +30,13 @@ TEST_CASE("the picture dialog gives the wish by Enter, and Escape closes it") {
   CHECK(wish.width == static_cast<int>(std::lround(desk.layout.view.width)));
   CHECK_FALSE(wish.panels);
   CHECK_FALSE(wish.transparent);
-  CHECK_FALSE(desk.ui.figure.wanted);
+  CHECK_FALSE(desk.ui.own<FigureDialog>().wanted);
   desk.settle();
   CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
-  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::picture;
   desk.settle();
   CHECK(desk.press({Key::Escape, {}, 0}).empty());
-  CHECK_FALSE(desk.ui.figure.wanted);
+  CHECK_FALSE(desk.ui.own<FigureDialog>().wanted);
   desk.settle();
   only<SetPlaying>(desk.press({Key::Space, {}, 0}));
 }
@@ -43,25 +44,25 @@ TEST_CASE("the picture dialog gives the wish by Enter, and Escape closes it") {
 TEST_CASE("the picture dialog offers sizes, panels and no ground") {
   Desk desk;
   desk.open();
-  desk.ui.figure.wanted = FigureDialog::Kind::picture;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::picture;
   desk.settle();
-  desk.ui.figure.size = 2;
+  desk.ui.own<FigureDialog>().size = 2;
   choose(desk, "figure/transparent", 0.1f);
-  CHECK(desk.ui.figure.transparent);
+  CHECK(desk.ui.own<FigureDialog>().transparent);
   SavePicture wish = only<SavePicture>(desk.click("figure/save"));
   CHECK(wish.width == 3840);
   CHECK(wish.height == 2160);
   CHECK(wish.transparent);
 
-  desk.ui.figure.wanted = FigureDialog::Kind::picture;  // with what was chosen the last time
-  desk.ui.figure.panels = true;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::picture;  // with what was chosen the last time
+  desk.ui.own<FigureDialog>().panels = true;
   desk.settle();
   choose(desk, "figure/size", 0.5f);  // the last of the sizes: one's own
-  CHECK(desk.ui.figure.own == std::array<int, 2>{3840, 2160});
-  desk.ui.figure.own = {1600, 20};
+  CHECK(desk.ui.own<FigureDialog>().own == std::array<int, 2>{3840, 2160});
+  desk.ui.own<FigureDialog>().own = {1600, 20};
   desk.settle();
   CHECK(desk.click("figure/save").empty());  // too low
-  desk.ui.figure.own = {1600, 1200};
+  desk.ui.own<FigureDialog>().own = {1600, 1200};
   desk.settle();
   wish = only<SavePicture>(desk.click("figure/save"));
   CHECK(wish.width == 1600);
@@ -73,7 +74,7 @@ TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   Desk desk;
   desk.open();
   desk.act({SeekTo{desk.session.document->timeline.known() / 2}});
-  desk.ui.figure.wanted = FigureDialog::Kind::animation;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::animation;
   desk.settle();
   SaveAnimation wish = only<SaveAnimation>(desk.click("figure/save"));
   CHECK(wish.stretch == Stretch{0, desk.session.document->timeline.known()});
@@ -81,8 +82,8 @@ TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   CHECK(wish.frames_per_second == 20.0);
   CHECK(wish.path.extension() == ".gif");
 
-  desk.ui.figure.wanted = FigureDialog::Kind::animation;
-  desk.ui.figure.of = FigureDialog::Of::row;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::animation;
+  desk.ui.own<FigureDialog>().of = FigureDialog::Of::row;
   desk.settle();
   wish = only<SaveAnimation>(desk.press({Key::Enter, {}, 0}));
   CHECK(wish.stretch.begin < desk.session.document->timeline.position());
@@ -93,17 +94,17 @@ TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   CHECK(first.stage == last.stage);
 
   desk.act({SetLoop{Stretch{10, 20}}});
-  desk.ui.figure.wanted = FigureDialog::Kind::animation;
-  desk.ui.figure.of = FigureDialog::Of::loop;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::animation;
+  desk.ui.own<FigureDialog>().of = FigureDialog::Of::loop;
   desk.settle();
   CHECK(only<SaveAnimation>(desk.press({Key::Enter, {}, 0})).stretch == Stretch{10, 20});
   desk.act({SetLoop{}});
-  desk.ui.figure.wanted = FigureDialog::Kind::animation;
-  desk.ui.figure.frames = 0;
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::animation;
+  desk.ui.own<FigureDialog>().frames = 0;
   desk.settle();
-  CHECK(desk.ui.figure.of == FigureDialog::Of::run);
+  CHECK(desk.ui.own<FigureDialog>().of == FigureDialog::Of::run);
   CHECK(desk.press({Key::Enter, {}, 0}).empty());  // no frames
-  CHECK(desk.ui.figure.wanted);
+  CHECK(desk.ui.own<FigureDialog>().wanted);
 }
 
 TEST_CASE("an animation in the making shows how far it has come and can be cancelled") {
@@ -125,7 +126,7 @@ TEST_CASE("the file menu leads to both dialogs") {
   desk.click("menu/file");
   desk.settle();
   desk.click("menu/Save an animation...");
-  CHECK(desk.ui.figure.wanted == FigureDialog::Kind::animation);
+  CHECK(desk.ui.own<FigureDialog>().wanted == FigureDialog::Kind::animation);
   desk.settle();
   CHECK(desk.ui.controls.count("figure/rate") == 1);
 }

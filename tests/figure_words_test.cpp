@@ -48,8 +48,8 @@ TEST_CASE("the command line asks for a picture and an animation") {
   CHECK(std::get<knit::Place>(line.from) == knit::Place{knit::Stage::rows, 2, 0});
   CHECK(std::get<std::size_t>(line.to) == 500);
   CHECK(line_of({"--save-picture", "p.png"}).picture->panels);
-  CHECK(line_of({"--save-gltf", "m.glb"}).saves.at(0).kind == ExportKind::gltf);
-  CHECK(line_of({"--save-plots", "p.csv"}).saves.at(0).kind == ExportKind::plots);
+  CHECK(line_of({"--save-gltf", "m.glb"}).saves.at(0).what == "gltf");
+  CHECK(line_of({"--save-plots", "p.csv"}).saves.at(0).what == "plots");
 }
 
 TEST_CASE("what is wrong about figures on the command line is said in a sentence") {

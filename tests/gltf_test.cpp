@@ -224,7 +224,7 @@ TEST_CASE("before faces are made glTF has only rows, and before rows it says so"
   Session session = test_support::small_session();
   CHECK(gltf_missing(session).has_value());
   const test_support::Folder folder;
-  const auto early = export_to_file(session, ExportKind::gltf, folder.path() / "x.glb");
+  const auto early = export_to_file(session, {"gltf", folder.path() / "x.glb"});
   REQUIRE(early.has_value());
   CHECK(test_support::is_one_sentence(*early));
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
@@ -232,11 +232,11 @@ TEST_CASE("before faces are made glTF has only rows, and before rows it says so"
   const Gltf gltf = read_binary(gltf_file(session, GltfFormat::binary));
   CHECK(gltf.json["meshes"][0]["primitives"].size() == 1);
   primitive_of(gltf, "row edges");
-  const auto odd = export_to_file(session, ExportKind::gltf, folder.path() / "x.obj");
+  const auto odd = export_to_file(session, {"gltf", folder.path() / "x.obj"});
   REQUIRE(odd.has_value());
   CHECK(test_support::is_one_sentence(*odd));
   CHECK(test_support::contains(*odd, ".glb"));
   CHECK(folder.files() == 0);
-  CHECK_FALSE(export_to_file(session, ExportKind::gltf, folder.path() / "X.GLB").has_value());
+  CHECK_FALSE(export_to_file(session, {"gltf", folder.path() / "X.GLB"}).has_value());
   CHECK(folder.files() == 1);
 }

@@ -146,7 +146,7 @@ TEST_CASE("with edits the link names the session file, while that says what is s
   CHECK(contains(session.outbox->notices.back().text, "save the session first"));
 
   const auto path = folder.path() / "my session.json";
-  apply(session, Export{ExportKind::session, path});
+  apply(session, Export{"session", path});
   const std::string link = copied(session);
   CHECK(link == "knit-mesh --session '" + path.string() + "'");
   Session other = opened_by(link);

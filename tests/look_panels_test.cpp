@@ -159,7 +159,8 @@ TEST_CASE("the crosses stand clear of their neighbours, in the narrowest panels 
       const auto& at = desk.ui.controls;
       for (const char* tool : {"undo", "redo", "copy", "paste"})
         CHECK_FALSE(overlap(at.at("close/parameters"), at.at(tool)));
-      for (const char* tab : {"side/step", "side/report", "side/pattern", "side/compare", "side/sweep"}) {
+      for (const std::string_view key : side_keys) {
+        const std::string tab = "side/" + std::string(key);
         CHECK_FALSE(overlap(at.at("close/side"), at.at(tab)));
         CHECK(inside(at.at(tab), desk.layout.explanation));
       }

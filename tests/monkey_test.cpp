@@ -194,13 +194,13 @@ class Monkey {
     const std::filesystem::path saved = folder_ / "monkey-session.json";
     switch (below(30)) {
       case 0:
-        return Export{ExportKind::session, saved};
+        return Export{"session", saved};
       case 1:
         return OpenSession{saved};
       case 2:
-        return Export{ExportKind::card, "/dev/null"};
+        return Export{"card", "/dev/null"};
       case 3:
-        return Export{ExportKind::mesh, folder_ / "no" / "such" / "folder.obj"};
+        return Export{"mesh", folder_ / "no" / "such" / "folder.obj"};
       case 4:
         return CopyLink{};
       case 5:
@@ -215,7 +215,7 @@ class Monkey {
       case 0:
         return SetLayer{static_cast<Layer>(below(layer_count)), below(2) == 0};
       case 1:
-        return ShowSide{static_cast<SidePanel>(below(5))};
+        return ShowSide{static_cast<SidePanel>(below(side_keys.size()))};
       case 2:
         return ShowCentre{static_cast<CentrePanel>(below(2))};
       case 3:

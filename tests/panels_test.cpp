@@ -1,4 +1,7 @@
 // The panels without a display: drawn at every stage, clicked and dragged; each act gives its one wish.
+#include "app/panels/dialogs/file_dialogs.h"
+#include "app/panels/kit/run_cache.h"
+#include "app/panels/parameters/parameters.h"
 #include "app/panels/ui.h"
 #include "app/session/document.h"
 #include "app/session/outbox.h"
@@ -65,7 +68,7 @@ TEST_CASE("every panel is drawn at every stage, with everything open, and contro
     desk.session.program->assets = KNIT_ASSETS_DIR;
     CHECK(desk.frame().empty());
     desk.open();
-    for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
+    for (const RunCache::Stretch& stage : std::vector(desk.ui.own<RunCache>().stages())) {
       for (const std::size_t position : {stage.begin, (stage.begin + stage.end) / 2, stage.end}) {
         desk.session.document->timeline.seek(position);
         CHECK(desk.frame().empty());
@@ -174,7 +177,7 @@ TEST_CASE("choices, the axis and welding are one click") {
   desk.open();
   CHECK(only<Tune>(desk.click("knob/last-anchor", 0.9f)).parameters.last_anchor == knit::LastAnchor::drop);
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.axis.kind == knit::AxisKind::x);
-  desk.ui.from_here = true;
+  desk.ui.own<ChangeMode>().from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.weld == knit::Weld::on);
   CHECK(only<EditFromHere>(desk.click("knob/rows", 0.9f)).parameters.rows == knit::RowSource::contours);
   CHECK(only<SetPicking>(desk.click("pick/start")).picking == Picking::start);
@@ -245,8 +248,8 @@ TEST_CASE("layers, rows and problems are clicked") {
   desk.open(narrow);
   desk.session.view->list = RunList::problems;
   desk.settle();
-  REQUIRE_FALSE(desk.ui.run.problems().empty());
-  CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.run.ranked()[0].step + 1);
+  REQUIRE_FALSE(desk.ui.own<RunCache>().problems().empty());
+  CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.own<RunCache>().ranked()[0].step + 1);
 }
 
 TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing else") {
@@ -269,5 +272,5 @@ TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing el
   CHECK(desk.click("menu/file").empty());
   desk.settle();
   CHECK(desk.click("menu/Save the report...").empty());
-  CHECK(desk.ui.save.wanted == ExportKind::report);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("report"));
 }

@@ -1,7 +1,10 @@
 // The written pattern in its panel: what is lit, what is hovered, what is typed.
 #include "app/files/pattern_export.h"
-#include "app/panels/kit/track.h"
+#include "app/panels/dialogs/file_dialogs.h"
+#include "app/panels/pattern/chart_cache.h"
 #include "app/panels/pattern/pattern_lines.h"
+#include "app/panels/pattern/pattern_parts.h"
+#include "app/panels/timeline/track.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "tests/support/desk.h"
@@ -18,18 +21,18 @@ void show_pattern(Desk& desk) {
 }
 
 // The first round whose line stands on the screen, counted from `from`.
-std::int32_t seen_round(const Desk& desk, std::int32_t from = 1) {
-  for (std::int32_t round = from; round <= desk.ui.chart.rounds(); ++round) {
+std::int32_t seen_round(Desk& desk, std::int32_t from = 1) {
+  for (std::int32_t round = from; round <= desk.ui.own<ChartCache>().rounds(); ++round) {
     if (desk.ui.controls.count("pattern/round/" + std::to_string(round)) > 0) return round;
   }
   FAIL("no round is seen");
   return 0;
 }
 
-bool is_seen(const Desk& desk, std::int32_t round) {
-  const auto line = desk.ui.pattern_view.layout.line_of(round);
+bool is_seen(Desk& desk, std::int32_t round) {
+  const auto line = desk.ui.own<PatternView>().layout.line_of(round);
   REQUIRE(line);
-  const auto& rounds = desk.ui.pattern_view.layout.lines()[*line].line.rounds;
+  const auto& rounds = desk.ui.own<PatternView>().layout.lines()[*line].line.rounds;
   return desk.ui.controls.count("pattern/round/" + std::to_string(rounds->first)) > 0;
 }
 
@@ -60,7 +63,7 @@ void open_fields(Desk& desk) {
 TEST_CASE("the pattern's lines are the document, in its order") {
   Desk desk;
   show_pattern(desk);
-  const knit::WrittenPattern& pattern = desk.ui.chart.pattern();
+  const knit::WrittenPattern& pattern = desk.ui.own<ChartCache>().pattern();
   const std::vector<PatternLine> lines = lines_of(pattern);
   CHECK(lines.front().words == pattern.title);
   CHECK(lines.back().words == pattern.finishing.back());
@@ -72,7 +75,7 @@ TEST_CASE("the pattern's lines are the document, in its order") {
     CHECK(line.rounds->first == next);
     next = line.rounds->last + 1;
   }
-  CHECK(next == desk.ui.chart.rounds() + 1);
+  CHECK(next == desk.ui.own<ChartCache>().rounds() + 1);
   CHECK(headings == std::vector<std::string>{"Finished size", "Materials", "Gauge", "Abbreviations", "Notes",
                                              "Instructions", "Finishing"});
 }
@@ -80,7 +83,7 @@ TEST_CASE("the pattern's lines are the document, in its order") {
 TEST_CASE("lines stand one below the other, and a round finds its own") {
   Desk desk;
   show_pattern(desk);
-  const PatternLayout& layout = desk.ui.pattern_view.layout;
+  const PatternLayout& layout = desk.ui.own<PatternView>().layout;
   float bottom = 0.0f;
   for (std::size_t i = 0; i < layout.lines().size(); ++i) {
     const auto& placed = layout.lines()[i];
@@ -90,13 +93,13 @@ TEST_CASE("lines stand one below the other, and a round finds its own") {
     CHECK(layout.line_below(placed.top) == i);
   }
   CHECK(bottom <= layout.height());
-  for (std::int32_t round = 1; round <= desk.ui.chart.rounds(); ++round) {
+  for (std::int32_t round = 1; round <= desk.ui.own<ChartCache>().rounds(); ++round) {
     const auto line = layout.line_of(round);
     REQUIRE(line);
     CHECK(layout.lines()[*line].line.rounds->holds(round));
   }
   CHECK_FALSE(layout.line_of(0));
-  CHECK_FALSE(layout.line_of(desk.ui.chart.rounds() + 1));
+  CHECK_FALSE(layout.line_of(desk.ui.own<ChartCache>().rounds() + 1));
 }
 
 TEST_CASE("a line under the pointer lights its rounds in the view, and a click goes there") {
@@ -148,7 +151,7 @@ TEST_CASE("the round at hand is kept in sight while the run plays") {
   show_pattern(desk);
   desk.act({ToFirst{}});
   desk.settle();
-  const std::int32_t last = desk.ui.chart.rounds();
+  const std::int32_t last = desk.ui.own<ChartCache>().rounds();
   CHECK_FALSE(is_seen(desk, last));
   for (const std::int32_t round : {2, last / 2, last, 3}) {
     CAPTURE(round);
@@ -178,7 +181,7 @@ TEST_CASE("the round under the pointer on the timeline is meant everywhere") {
   Desk desk;
   show_pattern(desk);
   const knit::Timeline& timeline = desk.session.document->timeline;
-  const knit::Place wanted{knit::Stage::stitches, desk.ui.chart.rounds() / 2, INT32_MAX};
+  const knit::Place wanted{knit::Stage::stitches, desk.ui.own<ChartCache>().rounds() / 2, INT32_MAX};
   const Box box = desk.ui.controls.at("track");
   const float margin = desk.layout.scale * 6.0f;
   const Track track{box.x + margin, box.right() - margin, box.y, box.bottom(), timeline.known()};
@@ -217,8 +220,8 @@ TEST_CASE("the pattern's own words are folded away, and taken as they are typed"
   CHECK(desk.session.view->pattern.title == "My ball");
   CHECK(desk.session.view->pattern.yarn == "Wool");
   CHECK(desk.session.view->pattern.colour == "moss");
-  CHECK(desk.ui.chart.pattern().title == "My ball");
-  CHECK(desk.ui.chart.pattern().materials.front().find("Wool, in moss") != std::string::npos);
+  CHECK(desk.ui.own<ChartCache>().pattern().title == "My ball");
+  CHECK(desk.ui.own<ChartCache>().pattern().materials.front().find("Wool, in moss") != std::string::npos);
   for (const char* box : {"pattern/markers", "pattern/stars"}) desk.act(desk.click(box, 0.1f));
   CHECK(desk.session.view->pattern.markers);
   CHECK(desk.session.view->pattern.stars);
@@ -235,8 +238,8 @@ TEST_CASE("options that come from elsewhere fill the fields") {
   leave_field(desk);
   desk.act({SetPatternOptions{options}});
   desk.settle();
-  CHECK(desk.ui.pattern_fields.title.text() == "From a file");
-  CHECK(desk.ui.pattern_fields.needle.text() == "3.25");
+  CHECK(desk.ui.own<PatternFields>().title.text() == "From a file");
+  CHECK(desk.ui.own<PatternFields>().needle.text() == "3.25");
 }
 
 TEST_CASE("a needle is a number from 0.5 to 50, another is refused with a sentence, and stays to be mended") {
@@ -245,10 +248,11 @@ TEST_CASE("a needle is a number from 0.5 to 50, another is refused with a senten
   open_fields(desk);
   type_into(desk, "pattern/Needle", "3.5x");
   CHECK(desk.session.view->pattern.needle_mm == 3.5);
-  CHECK(desk.ui.pattern_fields.trouble.empty());  // not while it is typed
+  CHECK(desk.ui.own<PatternFields>().trouble.empty());  // not while it is typed
   leave_field(desk);
-  CHECK(desk.ui.pattern_fields.trouble == "The needle cannot be \"3.5x\" mm; give a number from 0.5 to 50.");
-  CHECK(desk.ui.pattern_fields.needle.text() == "3.5x");
+  CHECK(desk.ui.own<PatternFields>().trouble ==
+        "The needle cannot be \"3.5x\" mm; give a number from 0.5 to 50.");
+  CHECK(desk.ui.own<PatternFields>().needle.text() == "3.5x");
   CHECK(desk.session.view->pattern.needle_mm == 3.5);  // the last that could be
   for (const char* bad : {"0", "0.4", "51", "nan", "3,5", "-2", "4 mm"}) CHECK_FALSE(needle_mm_of(bad));
   CHECK(needle_mm_of("0.5") == 0.5);
@@ -262,5 +266,5 @@ TEST_CASE("before there are labels the panel says so, and saving is at hand afte
   CHECK(desk.ui.controls.count("pattern/text") == 0);
   show_pattern(desk);
   desk.click("pattern/save");
-  CHECK(desk.ui.save.wanted == ExportKind::pattern);
+  CHECK(desk.ui.own<SaveDialog>().wanted == find_export("pattern"));
 }

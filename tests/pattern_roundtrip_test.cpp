@@ -8,7 +8,7 @@
 #include "knit/pattern/written_pattern.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/run/timeline.h"
-#include "knit/stitches/stitch_index.h"
+#include "knit/stitches/placement.h"
 #include "tests/support/catch.h"
 
 using namespace knit;

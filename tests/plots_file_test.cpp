@@ -107,12 +107,12 @@ TEST_CASE("a wrong ending and a missing run are said in a sentence") {
   Session session = test_support::small_session();
   const test_support::Folder folder;
   for (const char* name : {"p.svg", "p.pdf"}) {
-    const auto error = export_to_file(session, ExportKind::plots, folder.path() / name);
+    const auto error = export_to_file(session, {"plots", folder.path() / name});
     REQUIRE(error.has_value());
     CHECK(test_support::is_one_sentence(*error));
   }
   apply(session, ToLast{});
-  CHECK_FALSE(export_to_file(session, ExportKind::plots, folder.path() / "p.svg").has_value());
-  CHECK_FALSE(export_to_file(session, ExportKind::plots, folder.path() / "p.CSV").has_value());
+  CHECK_FALSE(export_to_file(session, {"plots", folder.path() / "p.svg"}).has_value());
+  CHECK_FALSE(export_to_file(session, {"plots", folder.path() / "p.CSV"}).has_value());
   CHECK(folder.files() == 2);
 }

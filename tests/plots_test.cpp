@@ -26,7 +26,7 @@ class Stage {
   template <class Draw>
   auto frame(Draw draw, const std::vector<InputEvent>& events = {}) {
     glue_.begin_frame({layout_.window.width, layout_.window.height, 1, 1, 1.0f / 60.0f}, events);
-    PanelFrame frame{session_, ui_, scene_, layout_, fonts_, {}};
+    PanelFrame frame{session_, memory_, scene_, layout_, fonts_, {}};
     begin_panel("stage", layout_.window);
     const auto result = draw(frame);
     drawn_ = bounds_of(*ImGui::GetWindowDrawList());
@@ -35,7 +35,7 @@ class Stage {
     glue_.end_frame();
     return result;
   }
-  [[nodiscard]] Box box(const char* name) const { return ui_.controls.at(name); }
+  [[nodiscard]] Box box(const char* name) const { return memory_.controls.at(name); }
   [[nodiscard]] const Box& drawn() const { return drawn_; }
   [[nodiscard]] int indices() const { return indices_; }
 
@@ -60,7 +60,7 @@ class Stage {
   Layout layout_;
   Fonts fonts_;
   Session session_;
-  UiState ui_;
+  PanelMemory memory_;
   Scene scene_;
   Box drawn_;
   int indices_ = 0;

@@ -238,7 +238,7 @@ TEST_CASE("a session is remembered as itself, not as its mesh, when it is saved 
   const Folder folder;
   const auto path = folder.path() / "s.json";
   Session session = example_session("thesis-sphere");
-  apply(session, Export{ExportKind::session, path});
+  apply(session, Export{"session", path});
   const std::vector<std::string> both{path.string(), "example:thesis-sphere"};
   CHECK(session.program->preferences.recent == both);
   apply(session, OpenSession{path});

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "app/explain/code_variables.h"
+#include "app/panels/kit/run_cache.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
 #include "app/session/view.h"
@@ -54,7 +55,7 @@ TEST_CASE("every line and every value has its place in a low window, at every st
   for (const float scale : {1.0f, 1.5f}) {
     Desk desk(1280 * scale, 720 * scale, scale, KNIT_ASSETS_DIR "/fonts");
     desk.open();
-    for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
+    for (const RunCache::Stretch& stage : std::vector(desk.ui.own<RunCache>().stages())) {
       for (const std::size_t position : {stage.begin + 1, (stage.begin + stage.end) / 2, stage.end}) {
         desk.session.document->timeline.seek(position);
         desk.settle();

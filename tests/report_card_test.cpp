@@ -3,6 +3,7 @@
 #include <set>
 
 #include "app/files/card.h"
+#include "app/panels/kit/run_cache.h"
 #include "app/panels/report/card_cache.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -126,7 +127,7 @@ TEST_CASE("a click on a tab shows its side, once, and R shows the next") {
   CHECK(desk.click("side/report").empty());
   CHECK(desk.ui.controls.count("layer/faces") == 0);
   CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::pattern);
-  desk.session.view->side = SidePanel::sweep;
+  desk.session.view->side = static_cast<SidePanel>(side_keys.size() - 1);
   CHECK(only<ShowSide>(desk.press({Key::R, {}, 0})).side == SidePanel::step);
   desk.act(desk.click("side/step"));
   desk.settle();
@@ -166,7 +167,7 @@ TEST_CASE("the card keeps to its column and nothing on it overlaps, at every sta
     desk.settle();
     check_places(desk);
     desk.open();
-    for (const RunCache::Stretch& stage : std::vector(desk.ui.run.stages())) {
+    for (const RunCache::Stretch& stage : std::vector(desk.ui.own<RunCache>().stages())) {
       for (const std::size_t position : {stage.begin, (stage.begin + stage.end) / 2, stage.end}) {
         CAPTURE(position);
         desk.session.document->timeline.seek(position);

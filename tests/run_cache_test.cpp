@@ -1,5 +1,5 @@
 // What the panels keep of a run, against a walk through all of it.
-#include "app/panels/step/run_cache.h"
+#include "app/panels/kit/run_cache.h"
 
 #include <algorithm>
 

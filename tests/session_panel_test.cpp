@@ -1,6 +1,7 @@
 // Undo and redo by hand, the rescue banner, opening sessions, and the help with all its keys.
 #include <fstream>
 
+#include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/document.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
@@ -85,7 +86,7 @@ TEST_CASE("the open dialog shows sessions and opens them as such") {
   test_support::write_text(folder.path() / "saved.json", "{\"knit-mesh-session\": 1}");
   Desk desk;
   desk.open();
-  desk.ui.open.folder = folder.path();
+  desk.ui.own<OpenDialog>().folder = folder.path();
   desk.session.view->dialogs.open_dialog_open = true;
   desk.settle();
   CHECK(desk.ui.controls.count("open/saved.json") == 1);

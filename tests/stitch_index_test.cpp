@@ -1,5 +1,5 @@
 // Labels against Appendix A, and what must hold for every join.
-#include "knit/stitches/stitch_index.h"
+#include "knit/stitches/placement.h"
 
 #include <algorithm>
 #include <map>

@@ -21,11 +21,16 @@ struct ActionPrompt {
   std::function<std::variant<Action, std::string>(const Session& session, const std::string& typed)> read;
 };
 
+// The dialog asks for the file's name.
+struct AskToSave {
+  std::string what;  // as in Export
+};
+
 struct ActionEntry {
-  std::string words;                                    // "Go to row...": no two entries have the same
-  std::string group;                                    // "The run"
-  std::string help;                                     // one sentence; may be empty
-  std::variant<Action, ActionPrompt, ExportKind> does;  // a kind: the dialog asks for the file's name
+  std::string words;  // "Go to row...": no two entries have the same
+  std::string group;  // "The run"
+  std::string help;   // one sentence; may be empty
+  std::variant<Action, ActionPrompt, AskToSave> does;
   std::string why_not;       // it cannot be done now, in one sentence; empty: it can
   std::string keys;          // "Ctrl+Z"
   bool one_of_many = false;  // stands behind the others

@@ -264,19 +264,20 @@ struct Apply {
 
   void operator()(const Export& a) {
     if (!open()) return;
-    if (a.kind == ExportKind::picture) {
+    const ExportInfo* info = find_export(a.what);
+    if (info != nullptr && info->write == nullptr) {
       session.outbox->screenshots.push_back(a.path);
       return;
     }
     // A page with a picture of the finished piece is made where pictures are.
-    if (a.kind == ExportKind::pattern && pattern_format_of(a.path) == PatternFormat::html) {
+    if (wants_picture(a)) {
       session.outbox->pages.push_back(a.path);
       return;
     }
-    if (const auto error = export_to_file(session, a.kind, a.path)) {
+    if (const auto error = export_to_file(session, a)) {
       notify(session, Notice::Kind::error, *error);
     } else if (a.path != "-") {
-      if (a.kind == ExportKind::session) {
+      if (info->opens_again) {
         note_saved(session, a.path);
         note_recent(session.program->preferences, recent_name(a.path));
       }

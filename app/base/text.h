@@ -30,6 +30,9 @@ inline std::vector<std::string_view> split(std::string_view text, char separator
   }
 }
 
+// "a, b or c"
+std::string one_of(std::span<const std::string_view> names);
+
 // Numbers for tables and plots.
 
 // With this many decimals; never "-0.00".

@@ -5,6 +5,7 @@
 #include "app/explain/code_variables.h"
 #include "app/explain/pseudo_code_texts.h"
 #include "app/session/document.h"
+#include "knit/stitches/placement.h"
 
 namespace app {
 
@@ -27,15 +28,9 @@ Listing timing_listing(knit::TimingKind kind) {
 }
 
 Listing index_listing(knit::PlacementPolicy placement) {
-  switch (placement) {
-    case knit::PlacementPolicy::thesis:
-      return Listing::index_thesis;
-    case knit::PlacementPolicy::even:
-      return Listing::index_even;
-    case knit::PlacementPolicy::nearest:
-      return Listing::index_nearest;
-  }
-  return Listing::index_thesis;
+  const knit::PlacementPolicy told = knit::placement_of(placement).told_as;
+  if (told == knit::PlacementPolicy::even) return Listing::index_even;
+  return told == knit::PlacementPolicy::nearest ? Listing::index_nearest : Listing::index_thesis;
 }
 
 Listing rows_listing(knit::Stage stage, knit::RowSource rows) {

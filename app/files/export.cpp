@@ -1,5 +1,6 @@
 #include "app/files/export.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -33,25 +34,6 @@ void append_face(std::string& text, const knit::Face& face) {
     text += " " + std::to_string(face.corners[static_cast<std::size_t>(i)] + 1);
   }
   text += "\n";
-}
-
-std::string wrong_ending(const char* what, const std::filesystem::path& path, const char* endings) {
-  return std::string(what) + " cannot be written as " + path.string() + "; give a name that ends in " +
-         endings + ".";
-}
-
-std::optional<std::string> export_gltf(const Session& session, const std::filesystem::path& path) {
-  const auto format = gltf_format_of(path);
-  if (!format) return wrong_ending("glTF", path, gltf_endings);
-  if (auto missing = gltf_missing(session)) return missing;
-  return write_file(path, gltf_file(session, *format));
-}
-
-std::optional<std::string> export_plots(const Session& session, const std::filesystem::path& path) {
-  const auto format = plots_format_of(path);
-  if (!format) return wrong_ending("plots", path, plots_endings);
-  if (auto missing = plots_missing(session)) return missing;
-  return write_file(path, plots_file_text(session, *format));
 }
 
 }  // namespace
@@ -104,47 +86,116 @@ std::string report_text(const Session& session) {
   return report_json(session).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::optional<std::string> export_pattern(const Session& session, const std::filesystem::path& path,
-                                          std::span<const std::uint8_t> picture_png) {
-  const auto format = pattern_format_of(path);
-  if (!format) {
-    return "a pattern cannot be written as " + path.string() + "; give a name that ends in " +
-           pattern_endings + ".";
-  }
-  if (auto missing = pattern_missing(session)) return missing;
-  return write_file(path, pattern_file_text(session, *format, picture_png));
+namespace {
+
+using Png = std::span<const std::uint8_t>;
+
+template <std::string (*text)(const Session&)>
+std::optional<std::string> as_text(const Session& session, const std::filesystem::path& path,
+                                   Png /*picture*/) {
+  return write_file(path, text(session));
 }
 
-std::optional<std::string> export_to_file(const Session& session, ExportKind kind,
-                                          const std::filesystem::path& path) {
-  if (!session.document)
-    return "nothing is open, so " + path.string() + " was not written; open a mesh first.";
-  switch (kind) {
-    case ExportKind::mesh:
-      return write_file(path, mesh_text(session));
-    case ExportKind::map:
-      return write_file(path, map_text(session));
-    case ExportKind::report:
-      return write_file(path, report_text(session));
-    case ExportKind::card:
-      return write_file(path, card_text(session));
-    case ExportKind::pattern:
-      return export_pattern(session, path);
-    case ExportKind::chart:
-      if (auto missing = pattern_missing(session)) return missing;
-      return write_file(path, chart_file_text(session));
-    case ExportKind::steps:
-      return write_file(path, steps_text(session));
-    case ExportKind::session:
-      return save_session(session, path);
-    case ExportKind::gltf:
-      return export_gltf(session, path);
-    case ExportKind::plots:
-      return export_plots(session, path);
-    case ExportKind::picture:
-      break;
+std::optional<std::string> write_session(const Session& session, const std::filesystem::path& path,
+                                         Png /*picture*/) {
+  return save_session(session, path);
+}
+
+std::optional<std::string> write_pattern(const Session& session, const std::filesystem::path& path,
+                                         Png picture) {
+  return write_file(path, pattern_file_text(session, *pattern_format_of(path), picture));
+}
+
+std::optional<std::string> write_gltf(const Session& session, const std::filesystem::path& path,
+                                      Png /*picture*/) {
+  return write_file(path, gltf_file(session, *gltf_format_of(path)));
+}
+
+std::optional<std::string> write_plots(const Session& session, const std::filesystem::path& path,
+                                       Png /*picture*/) {
+  return write_file(path, plots_file_text(session, *plots_format_of(path)));
+}
+
+template <auto format_of>
+bool has_format(const std::filesystem::path& path) {
+  return format_of(path).has_value();
+}
+
+using About = ExportAbout;
+
+const std::array export_table{
+    ExportInfo{"session", "session", "-session.json", About::session, "write the session, to open it again",
+               write_session, nullptr, ExportEndings{}, true},
+    ExportInfo{"mesh", "knit mesh", "-knit.obj", About::piece,
+               "write the knit mesh as OBJ (\"-\": standard output)", as_text<mesh_text>},
+    ExportInfo{"map", "stitch map", "-map.txt", About::figures, "write the label arrays, a row a line",
+               as_text<map_text>},
+    ExportInfo{"report", "report", "-report.json", About::figures, "write the report as JSON",
+               as_text<report_text>},
+    ExportInfo{"card", "report card", "-card.txt", About::figures, "write the report card as text",
+               as_text<card_text>},
+    ExportInfo{"pattern", "pattern", "-pattern.html", About::pattern, "write the knitting pattern",
+               write_pattern, pattern_missing,
+               ExportEndings{"a pattern", pattern_endings, has_format<pattern_format_of>}},
+    ExportInfo{"chart", "chart", "-chart.svg", About::pattern, "write the chart as SVG",
+               as_text<chart_file_text>, pattern_missing},
+    ExportInfo{"steps", "log of steps", "-steps.jsonl", About::run, "write every step as JSON, one a line",
+               as_text<steps_text>},
+    ExportInfo{"gltf", "knit mesh as glTF", "-knit.glb", About::piece, "write the knit mesh as glTF",
+               write_gltf, gltf_missing, ExportEndings{"glTF", gltf_endings, has_format<gltf_format_of>}},
+    ExportInfo{"plots", "plots", "-plots.svg", About::run, "write the report's plots", write_plots,
+               plots_missing, ExportEndings{"plots", plots_endings, has_format<plots_format_of>}},
+    // Of the window; one of any size has a dialog of its own.
+    ExportInfo{"screenshot", "", ".png", About::session, "write a picture as PNG"},
+};
+
+}  // namespace
+
+std::span<const ExportInfo> exports() { return export_table; }
+
+std::vector<const ExportInfo*> exports_of_menu() {
+  std::vector<const ExportInfo*> listed;
+  for (const ExportInfo& info : export_table) {
+    if (!info.words.empty()) listed.push_back(&info);
   }
-  return "a picture is taken by the window, not written here.";
+  std::stable_sort(listed.begin(), listed.end(),
+                   [](const ExportInfo* a, const ExportInfo* b) { return a->about < b->about; });
+  return listed;
+}
+
+const ExportInfo* find_export(std::string_view key) {
+  const auto found = std::find_if(export_table.begin(), export_table.end(),
+                                  [&](const ExportInfo& info) { return info.key == key; });
+  return found == export_table.end() ? nullptr : &*found;
+}
+
+std::string option_of(const ExportInfo& info) {
+  return (info.write != nullptr ? "--save-" : "--") + std::string(info.key);
+}
+
+std::optional<std::string> fault_of_ending(const ExportInfo& info, const std::filesystem::path& path,
+                                           const std::string& blamed) {
+  if (info.endings.fit == nullptr || info.endings.fit(path)) return std::nullopt;
+  return blamed + "; give a name that ends in " + std::string(info.endings.words) + ".";
+}
+
+bool wants_picture(const Export& wish) {
+  return wish.what == "pattern" && pattern_format_of(wish.path) == PatternFormat::html;
+}
+
+std::optional<std::string> export_to_file(const Session& session, const Export& wish,
+                                          std::span<const std::uint8_t> picture_png) {
+  const ExportInfo* info = find_export(wish.what);
+  if (info == nullptr) return "there is nothing to save that is called \"" + wish.what + "\".";
+  const std::string path = wish.path.string();
+  if (!session.document) return "nothing is open, so " + path + " was not written; open a mesh first.";
+  if (info->write == nullptr) return "a picture is taken by the window, not written here.";
+  const std::string blamed = std::string(info->endings.what) + " cannot be written as " + path;
+  if (auto fault = fault_of_ending(*info, wish.path, blamed)) return fault;
+  if (info->missing != nullptr) {
+    if (auto missing = info->missing(session)) return missing;
+  }
+  return info->write(session, wish.path, picture_png);
 }
 
 }  // namespace app

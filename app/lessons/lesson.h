@@ -107,7 +107,7 @@ struct Question {
 struct Light {
   std::optional<knit::Thing> thing;  // selected in the view
   std::int32_t row = 0;              // or a whole row
-  std::string control;               // or a control, by its name in UiState::controls
+  std::string control;               // or a control, by its name in PanelMemory::controls
 };
 struct LessonPage {
   std::string title, text;

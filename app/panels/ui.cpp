@@ -2,31 +2,22 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-
+#include "app/panels/dialogs/dialogs.h"
 #include "app/panels/kit/commands.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/splitters.h"
+#include "app/panels/kit/widgets.h"
+#include "app/panels/parameters/parameters.h"
+#include "app/panels/pattern/pattern.h"
+#include "app/panels/side_panel.h"
+#include "app/panels/timeline/timeline.h"
+#include "app/panels/view/view.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
 
 namespace app {
-
-void TextBuffer::set(const std::string& text) {
-  bytes.fill('\0');
-  std::copy_n(text.begin(), std::min(text.size(), bytes.size() - 1), bytes.begin());
-}
-
-std::string TextBuffer::text() const { return {bytes.data()}; }
-
-void PanelFrame::mark(std::string_view control) {
-  const ImVec2 low = ImGui::GetItemRectMin();
-  const ImVec2 high = ImGui::GetItemRectMax();
-  // What is scrolled out of its panel is not there to be pointed at.
-  if (!ImGui::IsItemVisible()) return;
-  ui.controls.insert_or_assign(std::string(control), Box{low.x, low.y, high.x - low.x, high.y - low.y});
-}
 
 LayoutWish layout_wish(const Session& session) {
   const Preferences& chosen = session.program->preferences;
@@ -42,21 +33,18 @@ LayoutWish layout_wish(const Session& session) {
           session.learning->lesson ? lesson_height : 0.0f};
 }
 
-Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const Layout& layout,
+Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
                 const Fonts& fonts) {
-  PanelFrame frame{session, ui, scene, layout, fonts, pressed_commands(session)};
-  ui.controls.clear();
-  if (session.document) ui.run.refresh(session.document->timeline);
-  const bool wants_chart = session.view->centre == CentrePanel::chart || session.view->gaze.knit_along ||
-                           session.view->side == SidePanel::pattern;
-  if (session.document && wants_chart) ui.chart.refresh(session.document->timeline, session.view->pattern);
+  PanelFrame frame{session, memory, scene, layout, fonts, pressed_commands(session)};
+  memory.controls.clear();
+  if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
   draw_menu(frame);
   draw_splitters(frame);
   if (session.program->preferences.shows(Panel::parameters)) draw_parameters(frame);
-  if (session.program->preferences.shows(Panel::side)) draw_explanation(frame);
+  if (session.program->preferences.shows(Panel::side)) draw_side_panel(frame);
   if (session.program->preferences.shows(Panel::timeline)) draw_timeline(frame);
   if (session.view->centre == CentrePanel::chart) {
-    ui.click.reset();
+    memory.own<PendingClick>() = {};
     draw_chart(frame);
   } else {
     draw_view(frame);
@@ -74,6 +62,24 @@ Actions draw_ui(const Session& session, UiState& ui, const Scene& scene, const L
   draw_figure_dialog(frame);
   if (frame.rounds_under != session.view->gaze.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
   return std::move(frame.actions);
+}
+
+void draw_captions_alone(const Session& session, PanelMemory& memory, const Scene& scene,
+                         const Layout& layout, const Fonts& fonts) {
+  PanelFrame frame{session, memory, scene, layout, fonts, {}};
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel("Captions", layout.view, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  draw_captions(frame);
+  ImGui::End();
+}
+
+bool click_waits(PanelMemory& memory) { return memory.own<PendingClick>().waits; }
+
+void forget_what_was_seen(PanelMemory& memory) {
+  RunCache run = std::move(memory.own<RunCache>());
+  memory = PanelMemory();
+  memory.own<RunCache>() = std::move(run);
 }
 
 }  // namespace app

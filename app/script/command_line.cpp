@@ -6,9 +6,8 @@
 #include <charconv>
 
 #include "app/base/text.h"
-#include "app/files/gltf.h"
+#include "app/files/export.h"
 #include "app/files/pattern_export.h"
-#include "app/files/plots.h"
 #include "app/files/session_file.h"
 #include "app/lessons/lesson.h"
 #include "app/script/figure_words.h"
@@ -25,12 +24,10 @@ namespace {
 struct Words {
   std::string session, diff, why, point;
   std::vector<std::string> breaks, sweep;
-  std::string save_session;
   std::string mesh, example, preset, at, side, list, centre, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
-  std::string save_mesh, save_map, save_report, save_card, save_pattern, save_chart, save_steps, screenshot,
-      size;
-  std::string save_gltf, save_plots;
+  std::vector<std::string> saves;     // beside the table of exports; empty: not given
+  std::string size;
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
   std::string theme, scale, mend;
@@ -76,6 +73,16 @@ void refuse_empty_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) option->check(given);
 }
 
+void declare_saves(CLI::App& app, std::vector<std::string>& saves) {
+  const auto table = exports();
+  saves.resize(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    std::string help(table[i].help);
+    if (!table[i].endings.words.empty()) help.append("; a name that ends in ").append(table[i].endings.words);
+    app.add_option(option_of(table[i]), saves[i], help);
+  }
+}
+
 void declare(CLI::App& app, Words& words) {
   app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
   app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
@@ -93,10 +100,8 @@ void declare(CLI::App& app, Words& words) {
   }
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
-  app.add_option("--side", words.side,
-                 "what the right column shows: step, report, pattern, compare or sweep");
-  app.add_option("--list", words.list,
-                 "which list stands below the step: rows, candidates, problems or breaks");
+  app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
+  app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
   app.add_option("--theme", words.theme, "dark or light");
   app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
@@ -112,14 +117,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--sweep", words.sweep, "run for PARAM=FROM:TO:N and write a table as CSV; twice: a grid")
       ->allow_extra_args(false);
   app.add_option("--diff", words.diff, "say what differs from the run of another session file");
-  app.add_option("--save-session", words.save_session, "write the session, to open it again");
-  app.add_option("--save-mesh", words.save_mesh, "write the knit mesh as OBJ (\"-\": standard output)");
-  app.add_option("--save-map", words.save_map, "write the label arrays, a row a line");
-  app.add_option("--save-report", words.save_report, "write the report as JSON");
-  app.add_option("--save-card", words.save_card, "write the report card as text");
-  app.add_option("--save-pattern", words.save_pattern,
-                 std::string("write the knitting pattern; a name that ends in ") + pattern_endings);
-  app.add_option("--save-chart", words.save_chart, "write the chart as SVG");
+  declare_saves(app, words.saves);
   app.add_option("--title", words.title, "the pattern's title")->group("Pattern");
   app.add_option("--yarn", words.yarn, "the yarn's name, for the pattern")->group("Pattern");
   app.add_option("--colour", words.colour, "the yarn's colour, for the pattern")->group("Pattern");
@@ -127,13 +125,7 @@ void declare(CLI::App& app, Words& words) {
       ->group("Pattern");
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
-  app.add_option("--save-steps", words.save_steps, "write every step as JSON, one a line");
-  app.add_option("--save-gltf", words.save_gltf,
-                 std::string("write the knit mesh as glTF; a name that ends in ") + gltf_endings);
-  app.add_option("--save-plots", words.save_plots,
-                 std::string("write the report's plots; a name that ends in ") + plots_endings);
   declare_figures(app, words.figures);
-  app.add_option("--screenshot", words.screenshot, "write a picture as PNG");
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
   app.add_flag("--list-lessons", words.list_lessons, "list the lessons");
@@ -141,7 +133,7 @@ void declare(CLI::App& app, Words& words) {
                "list the parameters with range, unit and default");
   CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
   index->add_option("SIZES", words.index_sizes, "row sizes, the cast on first: 6,12,17,22")->required();
-  index->add_option("--placement", words.index_placement, "thesis or even");
+  index->add_option("--placement", words.index_placement, placements_of_index());
   refuse_empty_values(app);
   refuse_empty_values(*index);
   CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");
@@ -161,21 +153,16 @@ bool parse_size(const std::string& text, int& width, int& height) {
          number(std::string_view(text).substr(cross + 1), height);
 }
 
-void add_saves(const Words& words, CommandLine& line) {
-  const auto add = [&](const std::string& path, ExportKind kind) {
-    if (!path.empty()) line.saves.push_back({kind, path});
-  };
-  add(words.save_mesh, ExportKind::mesh);
-  add(words.save_map, ExportKind::map);
-  add(words.save_report, ExportKind::report);
-  add(words.save_card, ExportKind::card);
-  add(words.save_pattern, ExportKind::pattern);
-  add(words.save_chart, ExportKind::chart);
-  add(words.save_steps, ExportKind::steps);
-  add(words.save_gltf, ExportKind::gltf);
-  add(words.save_plots, ExportKind::plots);
-  add(words.save_session, ExportKind::session);
-  add(words.screenshot, ExportKind::picture);
+std::optional<std::string> read_saves(const Words& words, CommandLine& line) {
+  for (std::size_t i = 0; i < words.saves.size(); ++i) {
+    const std::string& path = words.saves[i];
+    if (path.empty()) continue;
+    const ExportInfo& info = exports()[i];
+    if (auto fault = fault_of_ending(info, path, option_of(info) + " cannot be \"" + path + "\""))
+      return fault;
+    line.saves.push_back({std::string(info.key), path});
+  }
+  return std::nullopt;
 }
 
 // Stitch sizes may be given in one view only, unless --sizes says which one counts.
@@ -193,16 +180,12 @@ std::optional<std::string> clash_of_sizes(const CommandLine& line) {
 }
 
 // The index of a word among those that an option takes; a sentence where it is none of them.
-template <std::size_t count>
 std::optional<std::string> choose(const std::string& option, const std::string& word,
-                                  const std::array<std::string_view, count>& names, std::size_t& index) {
+                                  std::span<const std::string_view> names, std::size_t& index) {
   const auto name = std::find(names.begin(), names.end(), word);
   index = static_cast<std::size_t>(name - names.begin());
   if (name != names.end()) return std::nullopt;
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i)
-    all += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(names[i]);
-  return option + " cannot be \"" + word + "\"; give " + all + ".";
+  return option + " cannot be \"" + word + "\"; give " + one_of(names) + ".";
 }
 
 std::optional<std::string> read_side(const Words& words, CommandLine& line) {
@@ -281,25 +264,10 @@ std::optional<std::string> read_lesson_words(const Words& words, CommandLine& li
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
   line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
-  if (!words.save_pattern.empty() && !pattern_format_of(words.save_pattern)) {
-    return "--save-pattern cannot be \"" + words.save_pattern + "\"; give a name that ends in " +
-           pattern_endings + ".";
-  }
   if (words.needle.empty()) return std::nullopt;
   line.pattern.needle_mm = needle_mm_of(words.needle);
   if (!line.pattern.needle_mm)
     return "--needle-mm cannot be \"" + words.needle + "\"; give " + needle_range + ".";
-  return std::nullopt;
-}
-
-std::optional<std::string> fault_of_endings(const Words& words) {
-  const auto fault = [](const char* option, const std::string& path, const char* endings) {
-    return std::string(option) + " cannot be \"" + path + "\"; give a name that ends in " + endings + ".";
-  };
-  if (!words.save_gltf.empty() && !gltf_format_of(words.save_gltf))
-    return fault("--save-gltf", words.save_gltf, gltf_endings);
-  if (!words.save_plots.empty() && !plots_format_of(words.save_plots))
-    return fault("--save-plots", words.save_plots, plots_endings);
   return std::nullopt;
 }
 
@@ -310,7 +278,7 @@ std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool sets = !line.settings.empty() || !line.preset.empty();
   const bool saves = line.picture || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),
-                                 [](const Export& wish) { return wish.kind != ExportKind::picture; });
+                                 [](const Export& wish) { return find_export(wish.what)->write != nullptr; });
   const bool needs = opens || !line.session.empty() || !line.lesson.empty() || asks || sets || saves;
   if (!line.empty || !needs) return std::nullopt;
   return "--empty opens nothing, so there is no mesh for the other options; leave it out.";
@@ -349,6 +317,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
     line.settings.emplace_back(&info, words.settings[i]);
   }
   if (const auto clash = clash_of_sizes(line)) return bad_usage(*clash);
+  if (const auto trouble = read_saves(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_pattern_words(words, line)) return bad_usage(*trouble);
   line.preset = words.preset;
   if (!words.preset.empty() && find_preset(words.preset) == nullptr) {
@@ -372,10 +341,8 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
   }
-  if (const auto trouble = fault_of_endings(words)) return bad_usage(*trouble);
   if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
   line.headless = words.headless;
-  add_saves(words, line);
   line.empty = words.empty;
   if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
     return bad_usage(*trouble);

@@ -1,5 +1,6 @@
 #include "app/script/subcommands.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -10,7 +11,7 @@
 #include "app/base/text.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/stitches/pattern.h"
-#include "knit/stitches/stitch_index.h"
+#include "knit/stitches/placement.h"
 
 namespace app {
 
@@ -63,7 +64,14 @@ Answer check_file(const std::filesystem::path& path) {
   return check_text(text, path.string());
 }
 
-namespace {}  // namespace
+std::string placements_of_index() {
+  std::vector<std::string_view> names;
+  for (const knit::Placement& placement : knit::placements()) {
+    if (!placement.by_place)
+      names.push_back(knit::placement_names[static_cast<std::size_t>(placement.policy)]);
+  }
+  return one_of(names);
+}
 
 Answer index_answer(const std::string& sizes_text, const std::string& placement) {
   std::vector<std::int32_t> sizes;
@@ -75,14 +83,15 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
     }
     sizes.push_back(*size);
   }
-  if (placement == "nearest") {
-    return bad_usage(
-        "index: --placement nearest needs to know where stitches stand, and a list of sizes does not say; "
-        "give "
-        "thesis or even.");
-  }
-  if (placement != "thesis" && placement != "even") {
-    return bad_usage("index: --placement cannot be \"" + placement + "\"; give thesis or even.");
+  const auto name = std::find(knit::placement_names.begin(), knit::placement_names.end(), placement);
+  const std::string may = placements_of_index();
+  if (name == knit::placement_names.end())
+    return bad_usage("index: --placement cannot be \"" + placement + "\"; give " + may + ".");
+  const auto policy = static_cast<knit::PlacementPolicy>(name - knit::placement_names.begin());
+  if (knit::placement_of(policy).by_place) {
+    return bad_usage("index: --placement " + placement +
+                     " needs to know where stitches stand, and a list of sizes does not say; give " + may +
+                     ".");
   }
   for (std::size_t i = 1; i < sizes.size(); ++i) {
     if (sizes[i] <= 2 * sizes[i - 1] && 2 * sizes[i] >= sizes[i - 1]) continue;
@@ -90,7 +99,6 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
                      " stitches after " + std::to_string(sizes[i - 1]) +
                      "; a row may at most double or halve.");
   }
-  const auto policy = placement == "even" ? knit::PlacementPolicy::even : knit::PlacementPolicy::thesis;
   const std::vector<knit::Join> joins = knit::plan_joins(sizes, policy);
   std::vector<const knit::Join*> view;
   view.reserve(joins.size());

@@ -18,6 +18,8 @@ Answer check_file(const std::filesystem::path& path);
 
 // `knit-mesh index 6,12,17`: the label arrays for a list of row sizes.
 
+// The placements that need no more than sizes: "thesis or even".
+std::string placements_of_index();
 Answer index_answer(const std::string& sizes, const std::string& placement);
 
 }  // namespace app

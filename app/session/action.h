@@ -167,13 +167,8 @@ struct ShowList {
 };
 
 // Files. A failure is a notice in the session.
-enum class ExportKind : std::uint8_t {
-  // clang-format off
-  mesh, map, report, card, steps, pattern, chart, picture, session, gltf, plots
-  // clang-format on
-};
 struct Export {
-  ExportKind kind = ExportKind::mesh;
+  std::string what = "mesh";  // its key in the table of app/files/export.h
   std::filesystem::path path;
 };
 

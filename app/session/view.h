@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/scene/camera.h"
+#include "app/session/side_panels.h"
 #include "knit/insight/breaks.h"
 #include "knit/pattern/written_pattern.h"
 
@@ -59,14 +60,10 @@ struct RoundSpan {
   friend bool operator==(const RoundSpan&, const RoundSpan&) = default;
 };
 
-// What the right column shows.
-enum class SidePanel : std::uint8_t { step, report, pattern, compare, sweep };
-
 // Which list stands below the step.
 enum class RunList : std::uint8_t { rows, candidates, problems, breaks };
 
 // By index: what scripts and session files call them.
-inline constexpr std::array<std::string_view, 5> side_keys{"step", "report", "pattern", "compare", "sweep"};
 inline constexpr std::array<std::string_view, 4> list_keys{"rows", "candidates", "problems", "breaks"};
 
 enum class Picking : std::uint8_t { nothing, start, end };

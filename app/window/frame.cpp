@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/panels/captions_alone.h"
 #include "app/panels/kit/style.h"
 #include "app/render/headless_gl.h"
 #include "app/session/document.h"
@@ -89,7 +88,7 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
   drawn.scene =
       describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds), in_pieces});
   unfinished_ = drawn.scene.unfinished;
-  drawn.wishes = draw_ui(session, ui_, drawn.scene, drawn.layout, fonts_);
+  drawn.wishes = draw_ui(session, panels_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
   return drawn;
 }
@@ -106,7 +105,7 @@ FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape
   drawn.layout.window = drawn.layout.view = {0.0f, 0.0f, shape.width, shape.height};
   apply(session, SetAspect{drawn.layout.view_aspect()});
   drawn.scene = describer_.describe(session, {height_px_of(drawn.layout), 1.0});
-  draw_captions_alone(session, ui_, drawn.scene, drawn.layout, fonts_);
+  draw_captions_alone(session, panels_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
   return drawn;
 }
@@ -132,9 +131,7 @@ Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
   Drawn drawn;
   if (figure.panels) {
     // What was scrolled for the picture before does not count; panels find their size in some frames.
-    RunCache run = std::move(ui_.run);  // of the whole run: it stays
-    ui_ = UiState();
-    ui_.run = std::move(run);
+    forget_what_was_seen(panels_);
     for (int i = 0; i < frames_to_settle; ++i) drawn = lay_out(session, shape, {}, false);
   } else {
     drawn = lay_out_alone(session, shape);

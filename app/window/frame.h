@@ -61,8 +61,8 @@ class FrameDrawer {
   // Why a shader saved meanwhile is not in use; for developers.
   [[nodiscard]] const std::string& shader_problem() const { return renderer_.shader_problem(); }
   // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
-  [[nodiscard]] bool busy() const {
-    return glue_.busy() || ui_.click.has_value() || since_step_s_ < motion_s || unfinished_;
+  [[nodiscard]] bool busy() {
+    return glue_.busy() || click_waits(panels_) || since_step_s_ < motion_s || unfinished_;
   }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
@@ -86,7 +86,7 @@ class FrameDrawer {
   Renderer renderer_;
   Target target_;
   Describer describer_;
-  UiState ui_;
+  PanelMemory panels_;
   bool unfinished_ = false;  // the last scene
   std::size_t last_position_ = 0;
   double since_step_s_ = motion_s;  // since the last step was taken; motion_s: long ago

@@ -55,8 +55,8 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
     code = exit_usage;
   };
   for (const Export& wish : line.saves) {
-    note(wish.kind == ExportKind::picture ? save_png(wish.path.string(), drawer.target().read())
-                                          : export_to_file(session, wish.kind, wish.path));
+    note(find_export(wish.what)->write == nullptr ? save_png(wish.path.string(), drawer.target().read())
+                                                  : export_to_file(session, wish));
   }
   if (!session.document && (line.picture || line.animation))
     note("nothing is open any more, so its picture or animation was not saved.");

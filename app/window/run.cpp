@@ -5,9 +5,6 @@
 #include "app/actions/background_work.h"
 #include "app/base/files.h"
 #include "app/files/export.h"
-#include "app/files/gltf.h"
-#include "app/files/pattern_export.h"
-#include "app/files/plots.h"
 #include "app/render/memory.h"
 #include "app/script/figure_words.h"
 #include "app/script/queries.h"
@@ -42,20 +39,24 @@ std::optional<std::string> save_picture(Session& session, const CommandLine& lin
 }
 
 // A page is worth having without its picture too.
-std::optional<std::string> save_page(const Session& session, const std::filesystem::path& path) {
+std::optional<std::string> save_page(const Session& session, const Export& wish) {
   const auto picture = finished_picture_of(session, page_picture_px);
   if (const auto* trouble = std::get_if<std::string>(&picture)) {
     say(*trouble + " The page is written without a picture.");
-    return export_pattern(session, path);
+    return export_to_file(session, wish);
   }
-  return export_pattern(session, path, png_bytes(std::get<Image>(picture)));
+  return export_to_file(session, wish, png_bytes(std::get<Image>(picture)));
+}
+
+std::optional<std::string> missing_for(const Session& session, const Export& wish) {
+  const auto missing = find_export(wish.what)->missing;
+  return missing != nullptr ? missing(session) : std::nullopt;
 }
 
 std::optional<std::string> save(Session& session, const CommandLine& line, const Export& wish) {
-  if (wish.kind == ExportKind::picture) return save_picture(session, line, wish.path);
-  const bool page = wish.kind == ExportKind::pattern && pattern_format_of(wish.path) == PatternFormat::html;
-  return page && !pattern_missing(session) ? save_page(session, wish.path)
-                                           : export_to_file(session, wish.kind, wish.path);
+  if (find_export(wish.what)->write == nullptr) return save_picture(session, line, wish.path);
+  return wants_picture(wish) && !missing_for(session, wish) ? save_page(session, wish)
+                                                            : export_to_file(session, wish);
 }
 
 void look_at_all(Session& session, const FigureShape& shape) {
@@ -80,19 +81,8 @@ std::optional<std::string> save_animation(Session& session, const CommandLine& l
 }
 
 // What is not there because the run stopped is not the command line's mistake: the exit code speaks of the stop.
-bool missing_as_stopped(const Session& session, ExportKind kind) {
-  if (stop_shown(session) == nullptr) return false;
-  switch (kind) {
-    case ExportKind::pattern:
-    case ExportKind::chart:
-      return pattern_missing(session).has_value();
-    case ExportKind::gltf:
-      return gltf_missing(session).has_value();
-    case ExportKind::plots:
-      return plots_missing(session).has_value();
-    default:
-      return false;
-  }
+bool missing_as_stopped(const Session& session, const Export& wish) {
+  return stop_shown(session) != nullptr && missing_for(session, wish);
 }
 
 // True when all that is asked for, and is there, has been written.
@@ -104,7 +94,7 @@ bool save_all(Session& session, const CommandLine& line) {
   };
   for (const Export& wish : line.saves) {
     const auto error = save(session, line, wish);
-    if (error && missing_as_stopped(session, wish.kind))
+    if (error && missing_as_stopped(session, wish))
       say(*error);
     else
       note(error);

@@ -55,9 +55,9 @@ void save_pictures_wanted(Session& session, const Target& target) {
 void save_pages_wanted(Session& session, FrameDrawer& drawer) {
   for (const std::filesystem::path& path : std::exchange(session.outbox->pages, {})) {
     const auto missing = pattern_missing(session);
-    const auto error =
-        missing ? missing
-                : export_pattern(session, path, png_bytes(drawer.finished(session, page_picture_px)));
+    const auto error = missing ? missing
+                               : export_to_file(session, {"pattern", path},
+                                                png_bytes(drawer.finished(session, page_picture_px)));
     session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
                                             : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
   }

@@ -21,7 +21,6 @@ constexpr std::array<std::string_view, 2> stall_names{"continue", "stop"};
 constexpr std::array<std::string_view, 2> anchor_names{"keep", "drop"};
 constexpr std::array<std::string_view, 2> switch_names{"on", "off"};
 constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"};
-constexpr std::array<std::string_view, 3> placement_names{"thesis", "even", "nearest"};
 constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
 
 const std::array table{
@@ -110,10 +109,7 @@ const std::array table{
         "close", "Closing gap", "",
         "How the gap between last and first stitch is shared out: none, the thesis's shift, or equal arcs.",
         "Rows", Stage::rows, choice<&Parameters::close, Closing>(closing_names)},
-    ParameterInfo{"placement", "Placement", "",
-                  "Where mains and shaping go. thesis: its rules (R0-R4). even: sections as even as can be. "
-                  "nearest: where the rows' stitches lie closest to each other.",
-                  "Stitches", Stage::stitches,
+    ParameterInfo{"placement", "Placement", "", placement_help, "Stitches", Stage::stitches,
                   choice<&Parameters::placement, PlacementPolicy>(placement_names)},
     ParameterInfo{"stacking-penalty", "Against stacking", "squared widths",
                   "nearest: what it costs to place shaping above the shaping of the row before; 0 lets it "

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/placement_policy.h"
 #include "knit/model/stage.h"
 
 namespace knit {
@@ -31,9 +32,8 @@ enum class Closing : std::uint8_t { none, thesis, arc };  // how the closing gap
 enum class LastAnchor : std::uint8_t { keep, drop };      // drop: when nearer than w/2 to the first stitch
 enum class OnStall : std::uint8_t { continue_, stop };    // when no vertex lies in the band
 enum class Resample : std::uint8_t { on, off };           // when a row more than doubles or halves
-enum class PlacementPolicy : std::uint8_t { thesis, even, nearest };  // where mains and shaping go
-enum class FollowMains : std::uint8_t { off, on };                    // nearest: shaping stands beside mains
-enum class Weld : std::uint8_t { off, on };                           // merge coincident vertices on import
+enum class FollowMains : std::uint8_t { off, on };        // nearest: shaping stands beside mains
+enum class Weld : std::uint8_t { off, on };               // merge coincident vertices on import
 
 // A knitter's swatch: stitches and rounds in 10 cm.
 struct Gauge {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "knit/stitches/nearest.h"
+#include "knit/stitches/placement.h"
 #include "knit/stitches/stitch_index.h"
 
 namespace knit {
@@ -28,38 +28,40 @@ TransitionCounted count(const Parameters& parameters, const JoinAt& at, IndexWor
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
   const auto carried = static_cast<std::int32_t>(below.mains.size());
-  const bool nearest = parameters.placement == PlacementPolicy::nearest;
-  return {below.size, above, above - below.size, nearest ? carried : mains_wanted(below.size, above),
+  const bool by_place = placement_of(parameters.placement).by_place;
+  return {below.size, above, above - below.size, by_place ? carried : mains_wanted(below.size, above),
           carried};
 }
 
-Join plan_nearest_join(const Parameters& parameters, const JoinAt& at) {
+Join plan(const Parameters& parameters, const JoinAt& at) {
+  const Placement& placement = placement_of(parameters.placement);
   const RowBelow below = row_below(at);
+  if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});
   const std::vector<std::uint8_t> shaped =
       at.before != nullptr ? shaped_by(*at.before) : std::vector<std::uint8_t>{};
   const double square = parameters.stitch_width * parameters.stitch_width;
   const NearestPenalties penalties{parameters.stacking_penalty * square,
                                    parameters.follow_mains == FollowMains::on ? square : 0.0};
-  return plan_nearest({at.below.stitches, at.above->stitches, below.mains, shaped}, penalties, at.row);
+  return placement.plan(
+      {below, size_of(*at.above), at.row, at.below.stitches, at.above->stitches, shaped, penalties});
 }
 
 Advanced<IndexEvent> space(const Parameters& parameters, const JoinAt& at, IndexWork& work,
                            Shared<Join>& join) {
-  const bool nearest = parameters.placement == PlacementPolicy::nearest;
-  Join made = nearest ? plan_nearest_join(parameters, at)
-                      : plan_join(row_below(at), size_of(*at.above), at.row, parameters.placement);
+  Join made = plan(parameters, at);
   made.from = at.from;
   work.plan = Shared(std::move(made));
   work.phase = IndexPhase::place;
-  const Join& plan = *work.plan;
+  const Join& planned = *work.plan;
   std::int32_t mains = 0;
-  for (const PlacedLabel& p : plan.placed) mains += p.label == Label::main ? 1 : 0;
+  for (const PlacedLabel& p : planned.placed) mains += p.label == Label::main ? 1 : 0;
   const IndexEvent step =
-      nearest ? IndexEvent(RowsMatched{static_cast<std::int32_t>(plan.link.size()), std::abs(plan.change()),
-                                       plan.sum_of_squares, std::sqrt(plan.longest_square)})
-              : IndexEvent(SpacingChosen{plan.rule, plan.tried.value_or(plan.rule), plan.tried.has_value(),
-                                         plan.spacing, plan.remainder, mains});
-  return {step, plan.placed.empty() ? finish_join(at, work, join) : Ended::step};
+      placement_of(parameters.placement).by_place
+          ? IndexEvent(RowsMatched{static_cast<std::int32_t>(planned.link.size()), std::abs(planned.change()),
+                                   planned.sum_of_squares, std::sqrt(planned.longest_square)})
+          : IndexEvent(SpacingChosen{planned.rule, planned.tried.value_or(planned.rule),
+                                     planned.tried.has_value(), planned.spacing, planned.remainder, mains});
+  return {step, planned.placed.empty() ? finish_join(at, work, join) : Ended::step};
 }
 
 Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join) {

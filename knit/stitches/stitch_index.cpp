@@ -202,15 +202,4 @@ Join plan_join(const RowBelow& below, std::int32_t above, std::int32_t row, Plac
   return t;
 }
 
-std::vector<Join> plan_joins(std::span<const std::int32_t> sizes, PlacementPolicy policy) {
-  std::vector<Join> joins;
-  for (std::size_t i = 1; i < sizes.size(); ++i) {
-    const bool from_cast_on = i == 1;
-    const std::vector<std::int32_t> mains = from_cast_on ? std::vector<std::int32_t>{} : joins.back().mains;
-    joins.push_back(
-        plan_join({sizes[i - 1], mains, from_cast_on}, sizes[i], static_cast<std::int32_t>(i) + 1, policy));
-  }
-  return joins;
-}
-
 }  // namespace knit

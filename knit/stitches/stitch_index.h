@@ -36,7 +36,4 @@ std::int32_t mains_wanted(std::int32_t below, std::int32_t above);
 // For the policies thesis and even. Requires ceil(below / 2) <= above <= 2 * below and below, above >= 1. `row` is the row made.
 Join plan_join(const RowBelow& below, std::int32_t above, std::int32_t row, PlacementPolicy policy);
 
-// All joins of a list of row sizes, the cast on first.
-std::vector<Join> plan_joins(std::span<const std::int32_t> sizes, PlacementPolicy policy);
-
 }  // namespace knit

@@ -46,7 +46,7 @@ class Desk {
   app::ImGuiGlue glue_;
   app::Fonts fonts_;
   app::Layout layout_;
-  app::UiState ui_;
+  app::PanelMemory ui_;
   app::Describer describer_;
   app::Scene scene_;
 };

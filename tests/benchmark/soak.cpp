@@ -184,13 +184,10 @@ class Person {
     frame();
   }
   void export_all() {
-    using app::ExportKind;
-    const std::initializer_list<std::pair<ExportKind, const char*>> all{
-        {ExportKind::mesh, "knit.obj"},      {ExportKind::map, "map.txt"},
-        {ExportKind::report, "report.json"}, {ExportKind::card, "card.json"},
-        {ExportKind::steps, "steps.csv"},    {ExportKind::pattern, "pattern.txt"},
-        {ExportKind::chart, "chart.svg"},    {ExportKind::session, "a.json"},
-        {ExportKind::gltf, "knit.glb"},      {ExportKind::plots, "plots.svg"}};
+    const std::initializer_list<std::pair<const char*, const char*>> all{
+        {"mesh", "knit.obj"},   {"map", "map.txt"},         {"report", "report.json"}, {"card", "card.json"},
+        {"steps", "steps.csv"}, {"pattern", "pattern.txt"}, {"chart", "chart.svg"},    {"session", "a.json"},
+        {"gltf", "knit.glb"},   {"plots", "plots.svg"}};
     for (const auto& [kind, name] : all) act(app::Export{kind, workshop_.path / name});
     frame();
     act(app::OpenSession{workshop_.path / "a.json"});

@@ -90,7 +90,7 @@ class Desk {
   Desk& operator=(const Desk&) = delete;
 
   Session session;
-  UiState ui;
+  PanelMemory ui;
   Layout layout;
   std::string clipboard = "stitch-width = 0.5\n";
 

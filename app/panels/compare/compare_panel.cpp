@@ -4,7 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "app/panels/compare/compare_cache.h"
 #include "app/panels/kit/plots.h"
+#include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/sides.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 
@@ -139,8 +143,8 @@ RowPlot plot_of(const PanelFrame& frame, const std::vector<double>& values,
 }
 
 void draw_plots(PanelFrame& frame) {
-  const RowFigures& now = frame.ui.compare.rows();
-  const RowFigures& pinned = frame.ui.compare.pinned_rows();
+  const RowFigures& now = frame.own<CompareCache>().rows();
+  const RowFigures& pinned = frame.own<CompareCache>().pinned_rows();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const float height =
@@ -167,13 +171,14 @@ void draw_plots(PanelFrame& frame) {
 
 }  // namespace
 
-void draw_compare(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::compare>(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   if (!frame.session.document->pinned) return draw_nothing_pinned(frame);
-  frame.ui.compare.refresh(frame.session,
-                           frame.ui.run.problems().size() + (frame.timeline()->stop() != nullptr ? 1U : 0U));
+  frame.own<CompareCache>().refresh(frame.session, frame.own<RunCache>().problems().size() +
+                                                       (frame.timeline()->stop() != nullptr ? 1U : 0U));
   draw_buttons(frame);
-  const RunDifference* difference = frame.ui.compare.difference();
+  const RunDifference* difference = frame.own<CompareCache>().difference();
   if (difference == nullptr) return faint_text("The pinned run is being worked out...");
   if (!difference->same_mesh)
     wrapped_text(

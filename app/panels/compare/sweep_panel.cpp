@@ -5,7 +5,9 @@
 #include <string>
 
 #include "app/base/text.h"
+#include "app/panels/compare/sweep_cache.h"
 #include "app/panels/compare/sweep_plot.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "knit/model/words.h"
@@ -34,7 +36,7 @@ const knit::ParameterInfo& first_offered(const knit::Parameters& parameters, std
 
 // An axis of a parameter that is not read now would sweep nothing.
 void refresh_form(PanelFrame& frame) {
-  SweepForm& form = frame.ui.sweep_form;
+  SweepForm& form = frame.own<SweepForm>();
   const knit::Parameters& parameters = frame.timeline()->parameters();
   const auto input = frame.timeline()->input_pointer();
   bool other_mesh = form.input != input;
@@ -101,7 +103,7 @@ void draw_range(PanelFrame& frame, SweepAxis& axis, const std::string& mark) {
 std::string label_of(const std::string& key) { return std::string(knit::find_parameter(key)->label); }
 
 void draw_form(PanelFrame& frame) {
-  SweepForm& form = frame.ui.sweep_form;
+  SweepForm& form = frame.own<SweepForm>();
   const knit::Parameters& parameters = frame.timeline()->parameters();
   const float wide = ImGui::GetContentRegionAvail().x;
   if (const auto* info = draw_choice(frame, "##axis", label_of(form.axis.key),
@@ -142,7 +144,7 @@ void draw_progress(PanelFrame& frame, const SweepWork& work, float width) {
 }
 
 void draw_start(PanelFrame& frame) {
-  const SweepPlan plan = plan_of(frame.ui.sweep_form);
+  const SweepPlan plan = plan_of(frame.own<SweepForm>());
   const auto& sweep = frame.session.document->sweep;
   const bool running = sweep && sweep->work->running();
   const float button = frame.units(84.0f);
@@ -168,8 +170,10 @@ void draw_start(PanelFrame& frame) {
     return faint_text(with_commas(runs) + " runs");
   }
   std::string words = with_commas(sweep->work->done()) + " runs";
-  if (frame.ui.sweep.stopped() > 0) words += ", " + with_commas(frame.ui.sweep.stopped()) + " stopped";
-  if (frame.ui.sweep.refused() > 0) words += ", " + with_commas(frame.ui.sweep.refused()) + " refused";
+  if (frame.own<SweepCache>().stopped() > 0)
+    words += ", " + with_commas(frame.own<SweepCache>().stopped()) + " stopped";
+  if (frame.own<SweepCache>().refused() > 0)
+    words += ", " + with_commas(frame.own<SweepCache>().refused()) + " refused";
   if (swept_otherwise(*sweep->work, *frame.timeline())) words += ", of other settings than now";
   if (sweep->work->cancelled() && sweep->work->done() < sweep->work->total()) words += ", cancelled";
   faint_text(words);
@@ -215,7 +219,7 @@ SweepPointed draw_lines(PanelFrame& frame, SweepPlot plot) {
 }
 
 SweepPointed draw_map(PanelFrame& frame, SweepPlot plot) {
-  int& chosen = frame.ui.sweep_form.figure;
+  int& chosen = frame.own<SweepForm>().figure;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (ImGui::BeginCombo("##figure", std::string(name_of(static_cast<SweepFigure>(chosen))).c_str())) {
     for (int f = 0; f < static_cast<int>(sweep_figures); ++f) {
@@ -237,11 +241,12 @@ void draw_results(PanelFrame& frame) {
   const SweepWork& work = *frame.session.document->sweep->work;
   const SweepPlan& plan = work.plan();
   const knit::Parameters& now = frame.timeline()->parameters();
-  SweepPlot plot{"", SweepFigure::problems, work, frame.ui.sweep, {}, {}, frame.ui.sweep_form.hovered};
+  SweepPlot plot{"", SweepFigure::problems,         work, frame.own<SweepCache>(), {},
+                 {}, frame.own<SweepForm>().hovered};
   plot.present = present_value(*knit::find_parameter(plan.axis.key), now);
   if (plan.second) plot.second_present = present_value(*knit::find_parameter(plan.second->key), now);
   const SweepPointed pointed = plan.second ? draw_map(frame, plot) : draw_lines(frame, plot);
-  frame.ui.sweep_form.hovered = pointed.run;
+  frame.own<SweepForm>().hovered = pointed.run;
   const SweepRun* run = pointed.run ? work.run(*pointed.run) : nullptr;
   if (run == nullptr) return;
   tooltip_at_pointer(frame, run_words(plan, *run));
@@ -250,12 +255,13 @@ void draw_results(PanelFrame& frame) {
 
 }  // namespace
 
-void draw_sweep(PanelFrame& frame) {
+template <>
+void draw_side<SidePanel::sweep>(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   refresh_form(frame);
   draw_form(frame);
   const auto& sweep = frame.session.document->sweep;
-  frame.ui.sweep.refresh(sweep ? sweep->work : nullptr);
+  frame.own<SweepCache>().refresh(sweep ? sweep->work : nullptr);
   draw_start(frame);
   if (sweep) return draw_results(frame);
   wrapped_text(

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/panels/compare/sweep_cache.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 
 namespace app {
 

@@ -1,10 +1,11 @@
 #include "app/panels/dialogs/action_palette.h"
+#include "app/files/export.h"
+#include "app/panels/dialogs/dialogs.h"
 
 #include <algorithm>
 #include <iterator>
 #include <string>
 
-#include "app/panels/dialogs/file_dialogs.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -78,9 +79,10 @@ ActionEntry entry_of(const Session& session, const CommandInfo& info) {
 std::vector<ActionEntry> palette_entries(const Session& session, const ActionSources& sources) {
   std::vector<ActionEntry> entries;
   for (const CommandInfo& info : command_table()) entries.push_back(entry_of(session, info));
-  for (const SaveKind& kind : save_kinds()) {
-    entries.push_back({"Save the " + std::string(kind.words) + "...", "Files", "Asks for the file's name.",
-                       kind.kind, unless(session.document.has_value(), no_mesh), "", false});
+  for (const ExportInfo* kind : exports_of_menu()) {
+    entries.push_back({"Save the " + std::string(kind->words) + "...", "Files", "Asks for the file's name.",
+                       AskToSave{std::string(kind->key)}, unless(session.document.has_value(), no_mesh), "",
+                       false});
   }
   auto others = action_entries(session, sources);
   std::move(others.begin(), others.end(), std::back_inserter(entries));
@@ -140,7 +142,7 @@ void begin(const Session& session, ActionPaletteState& state) {
 }
 
 void close_palette(PanelFrame& frame) {
-  frame.ui.words.palette.shown = false;
+  frame.own<ActionPaletteState>().shown = false;
   frame.wish(ShowActionPalette{false});
   ImGui::CloseCurrentPopup();
 }
@@ -153,21 +155,21 @@ void remember(ActionPaletteState& state, const std::string& words) {
 
 // It closes before anything is done, so that what is opened comes up over the panels.
 void do_it(PanelFrame& frame, const ActionEntry& entry, Action action) {
-  remember(frame.ui.words.palette, entry.words);
+  remember(frame.own<ActionPaletteState>(), entry.words);
   close_palette(frame);
   if (!action.is<ShowActionPalette>()) frame.wish(std::move(action));
 }
 
 void choose(PanelFrame& frame, const ActionEntry& entry) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   if (!entry.why_not.empty()) return;
   if (std::holds_alternative<ActionPrompt>(entry.does)) {
     state.asking = entry.words;
     return fill_field(state, "");
   }
-  if (const auto* kind = std::get_if<ExportKind>(&entry.does)) {
+  if (const auto* ask = std::get_if<AskToSave>(&entry.does)) {
     remember(state, entry.words);
-    frame.ui.save.wanted = *kind;
+    ask_to_save(frame, ask->what);
     return close_palette(frame);
   }
   if (const CommandInfo* command = command_of(entry)) {
@@ -329,7 +331,7 @@ void draw_prompt(PanelFrame& frame, PaletteView& view, const ActionEntry& entry)
 }
 
 void draw_palette_inside(PanelFrame& frame) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   PaletteView view{state, palette_entries(frame.session, *state.sources), {}};
   const ActionEntry* asking = view.asking();
   const bool again = key_mods().ctrl && key_pressed(Key::P);
@@ -347,7 +349,7 @@ void draw_palette_inside(PanelFrame& frame) {
 }  // namespace
 
 void draw_action_palette(PanelFrame& frame) {
-  ActionPaletteState& state = frame.ui.words.palette;
+  ActionPaletteState& state = frame.own<ActionPaletteState>();
   const bool wanted = frame.session.view->dialogs.action_palette_open;
   if (!wanted && !state.shown) return;
   if (wanted && !state.shown) {

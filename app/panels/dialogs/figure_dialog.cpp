@@ -1,5 +1,8 @@
 // Saving pictures and animations: the menu's items, the dialog, and how far an animation has come.
 #include "app/panels/dialogs/figure_dialog.h"
+#include "app/panels/dialogs/dialogs.h"
+#include "app/panels/dialogs/menu_parts.h"
+#include "app/panels/kit/run_cache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +40,7 @@ void set_path(FigureDialog& dialog, const std::string& path) {
 
 // Of the view or of the whole window, as the screen has it.
 Size size_shown(const PanelFrame& frame) {
-  const Box& box = frame.ui.figure.panels ? frame.layout.window : frame.layout.view;
+  const Box& box = frame.own<FigureDialog>().panels ? frame.layout.window : frame.layout.view;
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
   const auto side = [](float length) {
     return std::clamp(static_cast<int>(std::lround(length)), smallest_side, largest_side);
@@ -46,7 +49,7 @@ Size size_shown(const PanelFrame& frame) {
 }
 
 Size size_of(const PanelFrame& frame) {
-  const FigureDialog& dialog = frame.ui.figure;
+  const FigureDialog& dialog = frame.own<FigureDialog>();
   if (dialog.size == as_shown) return size_shown(frame);
   if (dialog.size == own_size) return {dialog.own[0], dialog.own[1]};
   return usual_sizes[dialog.size - 1];
@@ -54,7 +57,7 @@ Size size_of(const PanelFrame& frame) {
 
 Stretch stage_at_hand(const PanelFrame& frame) {
   const std::size_t last = std::max<std::size_t>(frame.timeline()->position(), 1) - 1;
-  for (const RunCache::Stretch& stage : frame.ui.run.stages()) {
+  for (const RunCache::Stretch& stage : frame.own<RunCache>().stages()) {
     if (stage.begin <= last && last < stage.end) return {stage.begin, stage.end};
   }
   return {0, frame.timeline()->known()};
@@ -62,7 +65,7 @@ Stretch stage_at_hand(const PanelFrame& frame) {
 
 Stretch stretch_of(const PanelFrame& frame) {
   const Stretch whole{0, frame.timeline()->known()};
-  switch (frame.ui.figure.of) {
+  switch (frame.own<FigureDialog>().of) {
     case Of::run:
       return whole;
     case Of::stage:
@@ -76,13 +79,13 @@ Stretch stretch_of(const PanelFrame& frame) {
 }
 
 SavePicture picture_wished(const PanelFrame& frame) {
-  const FigureDialog& dialog = frame.ui.figure;
+  const FigureDialog& dialog = frame.own<FigureDialog>();
   const Size size = size_of(frame);
   return {path_of(dialog), size.width, size.height, dialog.panels, dialog.transparent && !dialog.panels};
 }
 
 SaveAnimation animation_wished(const PanelFrame& frame) {
-  const FigureDialog& dialog = frame.ui.figure;
+  const FigureDialog& dialog = frame.own<FigureDialog>();
   const Size size = size_of(frame);
   return {path_of(dialog), stretch_of(frame), dialog.frames, dialog.rate,
           size.width,      size.height,       dialog.panels};
@@ -98,7 +101,7 @@ void label(const PanelFrame& frame, const char* words) {
 }
 
 void draw_path(PanelFrame& frame, bool begins) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   if (begins) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##path", dialog.path.data(), dialog.path.size());
@@ -106,7 +109,7 @@ void draw_path(PanelFrame& frame, bool begins) {
 }
 
 void draw_stretch(PanelFrame& frame) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   std::vector<std::string_view> names{"Whole run", "This stage", "This row"};
   if (frame.session.document->travel.loop) names.emplace_back("The loop");
   if (dialog.of == Of::loop && !frame.session.document->travel.loop) dialog.of = Of::run;
@@ -117,7 +120,7 @@ void draw_stretch(PanelFrame& frame) {
 }
 
 void draw_rate(PanelFrame& frame) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   label(frame, "Frames");
   ImGui::SetNextItemWidth(frame.units(64.0f));
   ImGui::InputInt("##frames", &dialog.frames, 0, 0);
@@ -139,7 +142,7 @@ void draw_rate(PanelFrame& frame) {
 }
 
 void draw_size(PanelFrame& frame) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   label(frame, "Size");
   const Size before = size_of(frame);
   const int clicked = segmented("size", size_names, static_cast<int>(dialog.size), 0.0f);
@@ -163,7 +166,7 @@ void draw_size(PanelFrame& frame) {
 
 void draw_look(PanelFrame& frame) {
   constexpr std::array<std::string_view, 2> names{"The view alone", "With panels"};
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   label(frame, "Shows");
   const int clicked = segmented("look", names, dialog.panels ? 1 : 0, 0.0f);
   if (clicked >= 0) dialog.panels = clicked == 1;
@@ -181,7 +184,7 @@ void draw_look(PanelFrame& frame) {
 // What will be written, when it can be.
 std::string words_for(const PanelFrame& frame, bool exists) {
   if (exists) return "A file of that name exists; saving replaces it.";
-  const FigureDialog& dialog = frame.ui.figure;
+  const FigureDialog& dialog = frame.own<FigureDialog>();
   if (dialog.wanted == Kind::picture) return "A name without a folder lies where the program was started.";
   switch (animation_kind_of(path_of(dialog)).value_or(AnimationKind::gif)) {
     case AnimationKind::gif:
@@ -195,14 +198,14 @@ std::string words_for(const PanelFrame& frame, bool exists) {
 }
 
 void close_figure_dialog(PanelFrame& frame) {
-  frame.ui.figure.wanted.reset();
-  frame.ui.figure.shown = false;
+  frame.own<FigureDialog>().wanted.reset();
+  frame.own<FigureDialog>().shown = false;
   ImGui::CloseCurrentPopup();
 }
 
 void draw_figure_buttons(PanelFrame& frame, bool entered) {
-  const bool picture = frame.ui.figure.wanted == Kind::picture;
-  const std::string path = path_of(frame.ui.figure);
+  const bool picture = frame.own<FigureDialog>().wanted == Kind::picture;
+  const std::string path = path_of(frame.own<FigureDialog>());
   const auto fault = picture ? fault_of(picture_wished(frame)) : fault_of(animation_wished(frame));
   std::error_code error;
   const bool exists = std::filesystem::is_regular_file(path, error);
@@ -230,7 +233,7 @@ void draw_figure_buttons(PanelFrame& frame, bool entered) {
 }
 
 void draw_figure_inside(PanelFrame& frame, bool begins) {
-  const bool animation = frame.ui.figure.wanted == Kind::animation;
+  const bool animation = frame.own<FigureDialog>().wanted == Kind::animation;
   draw_path(frame, begins);
   if (animation) {
     draw_stretch(frame);
@@ -245,7 +248,7 @@ void draw_figure_inside(PanelFrame& frame, bool begins) {
 }
 
 void begin(PanelFrame& frame) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   dialog.shown = true;
   const std::string name = frame.timeline()->input().mesh.name;
   const char* const ending = dialog.wanted == Kind::picture ? ".png" : ".gif";
@@ -256,7 +259,8 @@ void begin(PanelFrame& frame) {
 
 void draw_figure_menu(PanelFrame& frame) {
   const auto item = [&](const char* words, Kind kind, const char* control) {
-    if (ImGui::MenuItem(words, nullptr, false, frame.timeline() != nullptr)) frame.ui.figure.wanted = kind;
+    if (ImGui::MenuItem(words, nullptr, false, frame.timeline() != nullptr))
+      frame.own<FigureDialog>().wanted = kind;
     frame.mark(control);
   };
   item("Save a picture...", Kind::picture, "menu/Save a picture...");
@@ -264,7 +268,7 @@ void draw_figure_menu(PanelFrame& frame) {
 }
 
 void draw_figure_dialog(PanelFrame& frame) {
-  FigureDialog& dialog = frame.ui.figure;
+  FigureDialog& dialog = frame.own<FigureDialog>();
   if (!dialog.wanted || frame.timeline() == nullptr) return;
   const char* const title =
       dialog.wanted == Kind::picture ? "Save a picture###figure" : "Save an animation###figure";

@@ -1,4 +1,5 @@
 #include "app/panels/dialogs/file_dialogs.h"
+#include "app/panels/dialogs/dialogs.h"
 
 #include <algorithm>
 #include <array>
@@ -64,18 +65,18 @@ void begin_dialog(const Session& session, OpenDialog& dialog) {
 }
 
 void close_open_dialog(PanelFrame& frame) {
-  frame.ui.open.shown = false;
+  frame.own<OpenDialog>().shown = false;
   frame.wish(ShowOpenDialog{false});
   ImGui::CloseCurrentPopup();
 }
 
 void take(PanelFrame& frame, const fs::path& path) {
   std::error_code error;
-  frame.ui.open.refocus = true;
+  frame.own<OpenDialog>().refocus = true;
   if (fs::is_directory(path, error)) {
-    enter_folder(frame.ui.open, path);
+    enter_folder(frame.own<OpenDialog>(), path);
   } else if (!fs::exists(path, error)) {
-    frame.ui.open.trouble = path.string() + " does not exist.";
+    frame.own<OpenDialog>().trouble = path.string() + " does not exist.";
   } else {
     frame.wish(opening_of(path));
     close_open_dialog(frame);
@@ -94,7 +95,7 @@ std::optional<fs::path> chosen_path(const OpenDialog& dialog) {
 
 // Gives true when an entry was double-clicked.
 bool draw_entries(PanelFrame& frame, float height) {
-  OpenDialog& dialog = frame.ui.open;
+  OpenDialog& dialog = frame.own<OpenDialog>();
   bool opened = false;
   ImGui::BeginChild("entries", ImVec2(0.0f, height), true);
   const auto count = static_cast<int>(dialog.entries.size());
@@ -118,7 +119,7 @@ bool draw_entries(PanelFrame& frame, float height) {
 }
 
 void draw_open_inside(PanelFrame& frame) {
-  OpenDialog& dialog = frame.ui.open;
+  OpenDialog& dialog = frame.own<OpenDialog>();
   faint_text(cut_to_width(dialog.folder.string(), ImGui::GetContentRegionAvail().x));
   ImGui::PushID(dialog.field);
   // While something is held, the focus would go back to it.
@@ -154,7 +155,7 @@ void draw_open_inside(PanelFrame& frame) {
 }  // namespace
 
 void draw_open_dialog(PanelFrame& frame) {
-  OpenDialog& dialog = frame.ui.open;
+  OpenDialog& dialog = frame.own<OpenDialog>();
   const bool wanted = frame.session.view->dialogs.open_dialog_open;
   if (!wanted && !dialog.shown) return;
   const char* const title = "Open a mesh or a session";
@@ -187,37 +188,19 @@ void draw_open_dialog(PanelFrame& frame) {
 
 namespace {
 
-constexpr std::array kinds{
-    SaveKind{ExportKind::mesh, "knit mesh", "-knit.obj"},
-    SaveKind{ExportKind::gltf, "knit mesh as glTF", "-knit.glb"},
-    SaveKind{ExportKind::map, "stitch map", "-map.txt"},
-    SaveKind{ExportKind::report, "report", "-report.json"},
-    SaveKind{ExportKind::card, "report card", "-card.txt"},
-    SaveKind{ExportKind::pattern, "pattern", "-pattern.html"},
-    SaveKind{ExportKind::chart, "chart", "-chart.svg"},
-    SaveKind{ExportKind::steps, "log of steps", "-steps.jsonl"},
-    SaveKind{ExportKind::plots, "plots", "-plots.svg"},
-    SaveKind{ExportKind::session, "session", "-session.json"},
-    SaveKind{ExportKind::picture, "picture", ".png"},
-};
-
-const SaveKind& info_of(ExportKind kind) {
-  return *std::find_if(kinds.begin(), kinds.end(), [&](const SaveKind& k) { return k.kind == kind; });
-}
-
-std::string suggestion(const PanelFrame& frame, const SaveKind& kind) {
+std::string suggestion(const PanelFrame& frame, const ExportInfo& kind) {
   const std::string name = frame.timeline() != nullptr ? frame.timeline()->input().mesh.name : "";
   return (name.empty() ? "mesh" : name) + std::string(kind.ending);
 }
 
 void close_save_dialog(PanelFrame& frame) {
-  frame.ui.save.wanted.reset();
-  frame.ui.save.shown = false;
+  frame.own<SaveDialog>().wanted = nullptr;
+  frame.own<SaveDialog>().shown = false;
   ImGui::CloseCurrentPopup();
 }
 
 void draw_save_buttons(PanelFrame& frame, bool entered) {
-  const std::filesystem::path path = frame.ui.save.path.text();
+  const std::filesystem::path path = frame.own<SaveDialog>().path.text();
   std::error_code error;
   const bool exists = std::filesystem::exists(path, error);
   const bool folder = std::filesystem::is_directory(path, error);
@@ -234,7 +217,7 @@ void draw_save_buttons(PanelFrame& frame, bool entered) {
   frame.mark("save/save");
   ImGui::EndDisabled();
   if (usable && (clicked || entered)) {
-    frame.wish(Export{*frame.ui.save.wanted, path});
+    frame.wish(Export{std::string(frame.own<SaveDialog>().wanted->key), path});
     close_save_dialog(frame);
     return;
   }
@@ -245,13 +228,14 @@ void draw_save_buttons(PanelFrame& frame, bool entered) {
 
 }  // namespace
 
-// A picture has a dialog of its own: figure_dialog.h.
-std::span<const SaveKind> save_kinds() { return std::span(kinds).first(kinds.size() - 1); }
+void ask_to_save(PanelFrame& frame, std::string_view key) {
+  frame.own<SaveDialog>().wanted = find_export(key);
+}
 
 void draw_save_dialog(PanelFrame& frame) {
-  SaveDialog& dialog = frame.ui.save;
-  if (!dialog.wanted) return;
-  const SaveKind& kind = info_of(*dialog.wanted);
+  SaveDialog& dialog = frame.own<SaveDialog>();
+  if (dialog.wanted == nullptr) return;
+  const ExportInfo& kind = *dialog.wanted;
   const std::string title = "Save the " + std::string(kind.words) + "###save";
   const bool begins = !dialog.shown;
   if (begins) {
@@ -268,7 +252,7 @@ void draw_save_dialog(PanelFrame& frame) {
       ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
   pop_raised_look();
   if (!open) {
-    dialog.wanted.reset();
+    dialog.wanted = nullptr;
     dialog.shown = false;
     return;
   }

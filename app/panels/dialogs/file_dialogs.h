@@ -1,19 +1,34 @@
-// What can be saved, for the File menu and the dialog.
+// What the two dialogs about files remember.
 #pragma once
 
-#include <span>
-#include <string_view>
+#include <filesystem>
+#include <string>
+#include <vector>
 
-#include "app/session/action.h"
+#include "app/files/export.h"
+#include "app/panels/kit/widgets.h"
 
 namespace app {
 
-struct SaveKind {
-  ExportKind kind;
-  std::string_view words;   // "stitch map"
-  std::string_view ending;  // of the suggested name: "-map.txt"
+struct OpenDialog {
+  struct Entry {
+    std::string name;
+    bool folder = false;
+  };
+  bool shown = false;
+  std::filesystem::path folder;
+  std::vector<Entry> entries;
+  std::string trouble;  // why the folder cannot be read, or the path not opened
+  int chosen = -1;      // by the arrow keys or a click; else what is typed counts
+  int field = 0;        // changes when the field is emptied from outside
+  bool refocus = false;
+  TextBuffer path;
 };
 
-std::span<const SaveKind> save_kinds();
+struct SaveDialog {
+  const ExportInfo* wanted = nullptr;  // open for this; null: for none
+  bool shown = false;
+  TextBuffer path;
+};
 
 }  // namespace app

@@ -1,7 +1,9 @@
 // The glossary: words at the left, what one means at the right. It stays open beside whatever is done meanwhile.
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "app/panels/dialogs/dialogs.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/view.h"
@@ -10,10 +12,16 @@ namespace app {
 
 namespace {
 
+struct GlossaryState {
+  bool shown = false;
+  std::array<char, 128> search{};
+  std::string followed;  // the term that the list was last scrolled to
+};
+
 void go_to(PanelFrame& frame, const Term& term) { frame.wish(ShowGlossary{true, std::string(term.word)}); }
 
 void draw_search(PanelFrame& frame) {
-  GlossaryState& state = frame.ui.words.glossary;
+  GlossaryState& state = frame.own<GlossaryState>();
   // Opened at a word one reads on; opened as a whole one looks something up.
   if (!state.shown && frame.session.view->dialogs.glossary_term.empty()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
@@ -22,7 +30,7 @@ void draw_search(PanelFrame& frame) {
 }
 
 void draw_words(PanelFrame& frame, const std::vector<const Term*>& found, const Term* shown) {
-  GlossaryState& state = frame.ui.words.glossary;
+  GlossaryState& state = frame.own<GlossaryState>();
   ImGui::BeginChild("words", ImVec2(0.0f, 0.0f), true);
   for (const Term* term : found) {
     const std::string word(term->word);
@@ -93,7 +101,7 @@ void draw_glossary_inside(PanelFrame& frame) {
   const float wide = ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("left", ImVec2(std::min(frame.units(210.0f), 0.4f * wide), 0.0f));
   draw_search(frame);
-  const auto found = search_glossary(frame.ui.words.glossary.search.data());
+  const auto found = search_glossary(frame.own<GlossaryState>().search.data());
   const Term* shown = term_shown(frame, found);
   draw_words(frame, found, shown);
   ImGui::EndChild();
@@ -107,7 +115,7 @@ void draw_glossary_inside(PanelFrame& frame) {
 }  // namespace
 
 void draw_glossary(PanelFrame& frame) {
-  GlossaryState& state = frame.ui.words.glossary;
+  GlossaryState& state = frame.own<GlossaryState>();
   if (!frame.session.view->dialogs.glossary_open) {
     state = GlossaryState{};
     return;
@@ -127,7 +135,7 @@ void draw_glossary(PanelFrame& frame) {
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   pop_raised_look();
   const ImVec2 at = ImGui::GetWindowPos();
-  frame.ui.controls.insert_or_assign("glossary", Box{at.x, at.y, width, height});
+  frame.memory.controls.insert_or_assign("glossary", Box{at.x, at.y, width, height});
   draw_glossary_inside(frame);
   ImGui::End();
   state.shown = true;

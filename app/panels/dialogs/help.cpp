@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/dialogs/action_palette.h"
+#include "app/panels/dialogs/dialogs.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/view_help.h"
 #include "app/panels/kit/widgets.h"
@@ -148,7 +150,7 @@ void draw_ways_on(PanelFrame& frame) {
     frame.wish(ShowActionPalette{true});
   if (way("Glossary", "help-to/glossary", "What the words mean.")) frame.wish(ShowGlossary{true, {}});
   if (way("Lessons", "help-to/lessons", "Guided steps through the algorithm.")) {
-    frame.ui.words.palette.begin_with = "lesson ";
+    frame.own<ActionPaletteState>().begin_with = "lesson ";
     frame.wish(ShowActionPalette{true});
   }
   ImGui::NewLine();
@@ -189,7 +191,7 @@ void draw_help(PanelFrame& frame) {
   ImGui::Begin("Keys and mouse", &open,
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);
-  frame.ui.controls.insert_or_assign("help", box);
+  frame.memory.controls.insert_or_assign("help", box);
   draw_columns(frame, setting, groups, columns, gap);
   draw_ways_on(frame);
   ImGui::End();

@@ -3,6 +3,8 @@
 #include <string>
 
 #include "app/lessons/lesson.h"
+#include "app/panels/dialogs/dialogs.h"
+#include "app/panels/dialogs/menu_parts.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/lesson_marks.h"
 #include "app/panels/kit/widgets.h"
@@ -99,12 +101,17 @@ void draw_choices(PanelFrame& frame, const Question& question) {
   }
 }
 
-// A field of its own, emptied when the page turns.
+// Emptied when the page turns.
+struct LessonField {
+  TextBuffer text;
+  std::string page;
+};
+
 void draw_typed(PanelFrame& frame, const Question& question, const LessonRun& run) {
-  VertexField& field = frame.ui.vertex_fields["lesson"];
+  LessonField& field = frame.own<LessonField>();
   const std::string page = run.lesson->key + " " + std::to_string(run.page);
-  if (field.shown != page) {
-    field.shown = page;
+  if (field.page != page) {
+    field.page = page;
     field.text.set("");
   }
   ImGui::SetNextItemWidth(frame.units(84.0f));

@@ -1,13 +1,16 @@
-// What the menus say about the program itself: how it looks, and what was opened lately.
+// The menu bar: what the program does by name, how it looks, and what was opened lately.
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "app/files/export.h"
 #include "app/files/preferences_file.h"
-#include "app/panels/dialogs/file_dialogs.h"
+#include "app/panels/dialogs/dialogs.h"
+#include "app/panels/dialogs/menu_parts.h"
 #include "app/panels/kit/commands.h"
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/panel_buttons.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"
@@ -16,9 +19,6 @@
 #include "app/session/view.h"
 
 namespace app {
-
-void draw_recent_menu(PanelFrame& frame);  // inside the File menu
-void draw_look_menus(PanelFrame& frame);   // inside the View menu
 
 namespace {
 
@@ -95,8 +95,6 @@ void draw_size_menu(PanelFrame& frame) {
   ImGui::EndMenu();
 }
 
-}  // namespace
-
 void draw_recent_menu(PanelFrame& frame) {
   const std::vector<std::string>& recent = frame.session.program->preferences.recent;
   if (!begin_submenu(frame, "Open recent")) return;
@@ -130,8 +128,6 @@ void draw_look_menus(PanelFrame& frame) {
   tooltip(frame, "Short movements in the view that show what changed. Off: everything is there at once.");
 }
 
-namespace {
-
 bool begin_menu(PanelFrame& frame, const char* label, const char* control) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) {
@@ -164,10 +160,10 @@ void draw_file_menu(PanelFrame& frame) {
   draw_recent_menu(frame);
   command_item(frame, info_of(Command::close_mesh), "Close", frame.timeline() != nullptr);
   ImGui::Separator();
-  for (const SaveKind& kind : save_kinds()) {
-    const std::string label = "Save the " + std::string(kind.words) + "...";
+  for (const ExportInfo* kind : exports_of_menu()) {
+    const std::string label = "Save the " + std::string(kind->words) + "...";
     if (ImGui::MenuItem(label.c_str(), nullptr, false, frame.timeline() != nullptr)) {
-      frame.ui.save.wanted = kind.kind;
+      ask_to_save(frame, kind->key);
     }
     frame.mark("menu/" + label);
   }
@@ -227,9 +223,9 @@ void draw_go_menu(PanelFrame& frame) {
                                 Command::slow_motion, Command::loop}) {
     command_item(frame, command);
   }
-  if (frame.timeline() != nullptr && !frame.ui.run.stages().empty()) {
+  if (frame.timeline() != nullptr && !frame.own<RunCache>().stages().empty()) {
     ImGui::Separator();
-    for (const RunCache::Stretch& stretch : frame.ui.run.stages()) {
+    for (const RunCache::Stretch& stretch : frame.own<RunCache>().stages()) {
       const std::string label = "To the end of " + capitalised(knit::name_of(stretch.stage));
       if (ImGui::MenuItem(label.c_str())) frame.wish(SeekTo{stretch.end});
     }

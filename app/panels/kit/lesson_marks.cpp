@@ -53,8 +53,8 @@ void draw_lit_controls(PanelFrame& frame) {
                        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (page == nullptr || covered) return;
   for (const Light& light : page->lights) {
-    const auto box = frame.ui.controls.find(light.control);
-    if (box != frame.ui.controls.end()) draw_glow(frame, box->second);
+    const auto box = frame.memory.controls.find(light.control);
+    if (box != frame.memory.controls.end()) draw_glow(frame, box->second);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // Small buttons that close panels and open them again.
 #pragma once
 
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/base/text.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/style.h"
 
 namespace app {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/panels/kit/splitters.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/program.h"
 

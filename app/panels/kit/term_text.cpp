@@ -66,7 +66,7 @@ struct Piece {
 void draw_piece(PanelFrame& frame, const Piece& piece) {
   const std::string name = "term/" + std::string(piece.term->word);
   const Box box{piece.low.x, piece.low.y, piece.high.x - piece.low.x, piece.high.y - piece.low.y};
-  if (ImGui::IsRectVisible(piece.low, piece.high)) frame.ui.controls.insert_or_assign(name, box);
+  if (ImGui::IsRectVisible(piece.low, piece.high)) frame.memory.controls.insert_or_assign(name, box);
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(piece.low, piece.high);
   const float y = std::floor(piece.high.y) - 1.0f;
   const float thick = std::max(1.0f, std::floor(frame.units(1.0f)));
@@ -102,7 +102,7 @@ void glossary_wrapped_text(PanelFrame& frame, std::string_view words) {
 }
 
 void glossary_wrapped_text(PanelFrame& frame, std::string_view words, Colour colour) {
-  const std::vector<TermAt>& terms = terms_of(frame.ui.words.terms, words);
+  const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), words);
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<Piece> pieces;
   ImGui::BeginGroup();
@@ -128,7 +128,7 @@ void explains(PanelFrame& frame, std::string_view word) {
 }
 
 void explained_tooltip(PanelFrame& frame, const std::string& help, std::string_view words) {
-  const std::vector<TermAt>& terms = terms_of(frame.ui.words.terms, words);
+  const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), words);
   if (terms.empty()) return tooltip(frame, help);
   const std::string word(terms.front().term->word);
   tooltip(frame, help + "\n\nClick: " + word + " in the glossary.");

@@ -2,13 +2,21 @@
 // means, a click opens the glossary there.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/explain/glossary.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 
 namespace app {
+
+// Terms by the text that they stand in.
+struct TermCache {
+  std::map<std::string, std::vector<TermAt>, std::less<>> texts;
+};
 
 // As wrapped_text, one item; each word is the control "term/WORD".
 void glossary_wrapped_text(PanelFrame& frame, std::string_view words);

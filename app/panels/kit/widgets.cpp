@@ -6,6 +6,11 @@
 
 namespace app {
 
+void TextBuffer::set(const std::string& text) {
+  bytes.fill('\0');
+  std::copy_n(text.begin(), std::min(text.size(), bytes.size() - 1), bytes.begin());
+}
+
 void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more) {
   ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
   ImGui::SetNextWindowSize(ImVec2(box.width, box.height));

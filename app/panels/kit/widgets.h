@@ -3,15 +3,23 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/style.h"
 
 namespace app {
+
+// A buffer that a text field writes into.
+struct TextBuffer {
+  std::array<char, 4096> bytes{};
+  void set(const std::string& text);
+  [[nodiscard]] std::string text() const { return {bytes.data()}; }
+};
 
 inline constexpr ImGuiWindowFlags fixed_panel =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

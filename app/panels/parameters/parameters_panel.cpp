@@ -4,11 +4,13 @@
 #include <string>
 
 #include "app/panels/kit/commands.h"
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/lesson_marks.h"
 #include "app/panels/kit/panel_buttons.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/parameters/parameters.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/gauge.h"
@@ -152,7 +154,7 @@ void Control::operator()(const knit::PickedVertex& picked) const {
   const bool is_start = picked.field == &knit::Parameters::start;
   const Picking kind = is_start ? Picking::start : Picking::end;
   const bool picking = frame.session.view->gaze.picking == kind;
-  VertexField& field = frame.ui.vertex_fields[std::string(info.key)];
+  VertexField& field = frame.own<VertexFields>()[std::string(info.key)];
   const std::string value = knit::value_text(info, parameters);
   if (field.shown != value) {
     field.shown = value;
@@ -225,8 +227,8 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
     tooltip(frame, help_text(frame, info));
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
-  const auto field = frame.ui.vertex_fields.find(info.key);
-  if (field != frame.ui.vertex_fields.end() && !field->second.trouble.empty()) {
+  const auto field = frame.own<VertexFields>().find(info.key);
+  if (field != frame.own<VertexFields>().end() && !field->second.trouble.empty()) {
     wrapped_text(field->second.trouble, theme().problem);
   }
   ImGui::PopID();
@@ -291,9 +293,10 @@ void draw_mode(PanelFrame& frame) {
   }
   draw_tools(frame);
   ImGui::BeginGroup();
-  const int clicked = segmented("mode", names, frame.ui.from_here ? 1 : 0, ImGui::GetContentRegionAvail().x);
+  const int clicked =
+      segmented("mode", names, frame.own<ChangeMode>().from_here ? 1 : 0, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  if (clicked >= 0) frame.ui.from_here = clicked == 1;
+  if (clicked >= 0) frame.own<ChangeMode>().from_here = clicked == 1;
   frame.mark("mode");
   tooltip(frame,
           "From the start: the run becomes what it would have been with this value, and shows the same place "
@@ -304,7 +307,7 @@ void draw_mode(PanelFrame& frame) {
 // What a change asks for: welding makes another mesh, so it can only count from the start.
 void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
   const bool held = ImGui::IsAnyItemActive();  // a drag goes on; a click is over
-  if (frame.ui.from_here && info.first_reader != knit::Stage::import) {
+  if (frame.own<ChangeMode>().from_here && info.first_reader != knit::Stage::import) {
     frame.wish(EditFromHere{changed, held});
   } else {
     frame.wish(Tune{changed, held});
@@ -332,7 +335,7 @@ void draw_edit(PanelFrame& frame, const knit::Timeline& timeline, std::size_t i)
   const float width = ImGui::GetContentRegionAvail().x - side - frame.units(6.0f);
   const std::string place = "From " + words_of(edit.at);
   if (ImGui::Selectable(cut_to_width(place, width).c_str(), false, 0, ImVec2(width, 0.0f))) {
-    const auto& positions = frame.ui.run.edits();
+    const auto& positions = frame.own<RunCache>().edits();
     if (i < positions.size()) frame.wish(SeekTo{positions[i]});
   }
   frame.mark("edit/" + std::to_string(i));
@@ -363,14 +366,14 @@ void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
   }
 }
 
-}  // namespace
-
 void draw_edits(PanelFrame& frame) {
   const knit::Timeline& timeline = *frame.timeline();
   if (timeline.edits().empty()) return;
   heading(frame, "Changes on the way");
   for (std::size_t i = 0; i < timeline.edits().size(); ++i) draw_edit(frame, timeline, i);
 }
+
+}  // namespace
 
 void draw_parameters(PanelFrame& frame) {
   begin_panel("Parameters", frame.layout.parameters);

@@ -1,4 +1,6 @@
-#include "app/panels/pattern/chart_panel.h"
+#include "app/panels/pattern/chart_cache.h"
+#include "app/panels/pattern/pattern.h"
+#include "app/panels/pattern/pattern_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +127,7 @@ float fitting_side(const PanelFrame& frame, const knit::Chart& chart, const Box&
 }
 
 void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
-  ChartView& view = frame.ui.chart_view;
+  ChartView& view = frame.own<ChartView>();
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActive()) {
     view.move.x += io.MouseDelta.x;
@@ -222,7 +224,7 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
     if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
       const knit::ChartRow& round = sheet.chart.rows[place->row];
       const knit::ChartSquare& square = round.squares[place->column];
-      const bool worked = round.number <= frame.ui.chart.rounds();
+      const bool worked = round.number <= frame.own<ChartCache>().rounds();
       if (worked && square.stitch >= 0) under = StitchAt{round.number, square.stitch};
       std::string words = "Rnd " + std::to_string(round.number);
       if (under)
@@ -246,7 +248,9 @@ void draw_chart(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   begin_panel("Chart", box, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  const knit::Chart& chart = frame.ui.chart.chart();
+  ChartCache& cache = frame.own<ChartCache>();
+  if (frame.timeline() != nullptr) cache.refresh(*frame.timeline(), frame.session.view->pattern);
+  const knit::Chart& chart = cache.chart();
   if (frame.timeline() == nullptr || chart.rows.empty()) {
     ImGui::SetCursorPos(ImVec2(frame.units(14.0f), frame.units(12.0f)));
     faint_text("The chart appears once the stitches have their labels.");
@@ -256,7 +260,7 @@ void draw_chart(PanelFrame& frame) {
   ImGui::InvisibleButton("chart", ImVec2(box.width, box.height));
   frame.mark("chart");
   handle_zoom_and_drag(frame, box);
-  const ChartView& view = frame.ui.chart_view;
+  const ChartView& view = frame.own<ChartView>();
   Sheet sheet{chart, {}, fitting_side(frame, chart, box) * view.zoom};
   const ImVec2 size = sheet.size();
   sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
-#include "app/panels/pattern/chart_panel.h"
+#include "app/panels/pattern/chart_cache.h"
+#include "app/panels/pattern/pattern.h"
+#include "app/panels/pattern/pattern_parts.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -59,16 +62,11 @@ void wish_round(PanelFrame& frame, std::int32_t number) {
   if (frame.session.view->gaze.knit_along) frame.wish(KnitAlong{number});
 }
 
-std::optional<RoundSpan> rounds_meant(const Session& session) {
-  if (session.view->gaze.hovered_rounds) return session.view->gaze.hovered_rounds;
-  if (!session.view->gaze.hovered_stitch) return std::nullopt;
-  return RoundSpan{session.view->gaze.hovered_stitch->row, session.view->gaze.hovered_stitch->row};
-}
-
 void draw_knit_along(PanelFrame& frame) {
   const auto& along = frame.session.view->gaze.knit_along;
   if (!along || frame.timeline() == nullptr) return;
-  const ChartCache& cache = frame.ui.chart;
+  ChartCache& cache = frame.own<ChartCache>();
+  cache.refresh(*frame.timeline(), frame.session.view->pattern);
   const std::int32_t last = cache.rounds();
   const Box& view = frame.layout.view;
   const float margin = frame.units(14.0f);

@@ -6,7 +6,13 @@
 #include <string>
 
 #include "app/files/pattern_export.h"
+#include "app/panels/dialogs/dialogs.h"
+#include "app/panels/kit/sides.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/pattern/chart_cache.h"
+#include "app/panels/pattern/pattern.h"
+#include "app/panels/pattern/pattern_parts.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -28,7 +34,7 @@ void show_line(const PatternLayout::Placed& line) {
 
 // The round that has come to hand, or to be meant elsewhere, since the last frame.
 void follow(PanelFrame& frame) {
-  PatternView& view = frame.ui.pattern_view;
+  PatternView& view = frame.own<PatternView>();
   const auto follow_round = [&](std::int32_t round) {
     if (const auto line = view.layout.line_of(round)) show_line(view.layout.lines()[*line]);
   };
@@ -91,7 +97,7 @@ void draw_words(const PanelFrame& frame, const PatternLayout::Placed& placed, Im
 }
 
 void draw_line(PanelFrame& frame, std::size_t i, float width) {
-  const PatternLayout::Placed& placed = frame.ui.pattern_view.layout.lines()[i];
+  const PatternLayout::Placed& placed = frame.own<PatternView>().layout.lines()[i];
   const auto& rounds = placed.line.rounds;
   ImGui::SetCursorPos(ImVec2(0.0f, placed.top));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -110,8 +116,8 @@ void draw_document(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::BeginChild("pattern text", ImVec2(0.0f, 0.0f), true, ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGui::PopStyleVar();
-  const ChartCache& cache = frame.ui.chart;
-  PatternLayout& layout = frame.ui.pattern_view.layout;
+  const ChartCache& cache = frame.own<ChartCache>();
+  PatternLayout& layout = frame.own<PatternView>().layout;
   const float width = ImGui::GetContentRegionAvail().x;
   layout.refresh(cache.pattern(), cache.key(), width, frame.fonts, frame.layout.scale);
   follow(frame);
@@ -126,21 +132,7 @@ void draw_document(PanelFrame& frame) {
   frame.mark("pattern/text");
 }
 
-}  // namespace
-
-void draw_pattern_text(PanelFrame& frame) {
-  draw_pattern_fields(frame);
-  if (frame.timeline() == nullptr || frame.ui.chart.rounds() == 0) {
-    wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
-  } else {
-    if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);
-    draw_document(frame);
-  }
-}
-
-// What a person says about the written pattern: its title, yarn, needle and style, folded away, and saving it.
-
-namespace {
+// --- what a person says about the written pattern: its title, yarn, needle and style, folded away, and saving it
 
 // What is typed stays as it is typed; only options that came from elsewhere replace it.
 void refresh_fields(const Session& session, PatternFields& fields) {
@@ -155,7 +147,7 @@ void refresh_fields(const Session& session, PatternFields& fields) {
 }
 
 void wish_options(PanelFrame& frame, const knit::PatternOptions& options) {
-  frame.ui.pattern_fields.shown = options;
+  frame.own<PatternFields>().shown = options;
   frame.wish(SetPatternOptions{options});
 }
 
@@ -181,7 +173,7 @@ bool draw_field(PanelFrame& frame, const Field& field, TextBuffer& buffer) {
 }
 
 void draw_words(PanelFrame& frame, knit::PatternOptions options) {
-  PatternFields& fields = frame.ui.pattern_fields;
+  PatternFields& fields = frame.own<PatternFields>();
   const auto take = [&](const Field& field, TextBuffer& buffer, std::string& words) {
     if (!draw_field(frame, field, buffer)) return;
     words = buffer.text();
@@ -195,7 +187,7 @@ void draw_words(PanelFrame& frame, knit::PatternOptions options) {
 
 // Taken as soon as it can be; blamed only once the hand has left it.
 void draw_needle(PanelFrame& frame, knit::PatternOptions options) {
-  PatternFields& fields = frame.ui.pattern_fields;
+  PatternFields& fields = frame.own<PatternFields>();
   const Field field{"Needle", "mm; the usual one for the yarn", "In millimetres, from 0.5 to 50."};
   const bool changed = draw_field(frame, field, fields.needle);
   const bool left = ImGui::IsItemDeactivated();
@@ -225,18 +217,16 @@ void draw_style(PanelFrame& frame, knit::PatternOptions options) {
 }
 
 void draw_save(PanelFrame& frame) {
-  if (ImGui::Button("Save...")) frame.ui.save.wanted = ExportKind::pattern;
+  if (ImGui::Button("Save...")) ask_to_save(frame, "pattern");
   frame.mark("pattern/save");
   std::string help("The ending says the format: ");
   help.append(pattern_endings).append(". The chart alone: File, Save the chart.");
   tooltip(frame, help);
 }
 
-}  // namespace
-
 void draw_pattern_fields(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return;
-  PatternFields& fields = frame.ui.pattern_fields;
+  PatternFields& fields = frame.own<PatternFields>();
   refresh_fields(frame.session, fields);
   const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
   const float button =
@@ -255,6 +245,21 @@ void draw_pattern_fields(PanelFrame& frame) {
   draw_words(frame, *fields.shown);
   draw_needle(frame, *fields.shown);
   draw_style(frame, *fields.shown);
+}
+
+}  // namespace
+
+template <>
+void draw_side<SidePanel::pattern>(PanelFrame& frame) {
+  draw_pattern_fields(frame);
+  if (frame.timeline() != nullptr)
+    frame.own<ChartCache>().refresh(*frame.timeline(), frame.session.view->pattern);
+  if (frame.timeline() == nullptr || frame.own<ChartCache>().rounds() == 0) {
+    wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
+  } else {
+    if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);
+    draw_document(frame);
+  }
 }
 
 }  // namespace app

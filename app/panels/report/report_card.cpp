@@ -6,8 +6,11 @@
 
 #include "app/files/card.h"
 #include "app/panels/kit/plots.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/term_text.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/report/card_cache.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 
@@ -250,9 +253,10 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
 
 }  // namespace
 
-void draw_report_card(PanelFrame& frame) {
-  if (frame.timeline() != nullptr) frame.ui.card.refresh(*frame.timeline());
-  const knit::Quality* quality = frame.timeline() != nullptr ? frame.ui.card.quality() : nullptr;
+template <>
+void draw_side<SidePanel::report>(PanelFrame& frame) {
+  if (frame.timeline() != nullptr) frame.own<CardCache>().refresh(*frame.timeline());
+  const knit::Quality* quality = frame.timeline() != nullptr ? frame.own<CardCache>().quality() : nullptr;
   draw_figures(frame, quality);
   const knit::Quality none;
   draw_plots(frame, quality != nullptr ? *quality : none);

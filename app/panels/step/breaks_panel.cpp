@@ -5,6 +5,7 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 
@@ -41,7 +42,7 @@ void way_button(PanelFrame& frame, Command command, Icon icon, const char* contr
 }
 
 void take_typed(PanelFrame& frame) {
-  BreakField& field = frame.ui.break_field;
+  BreakField& field = frame.own<BreakField>();
   const std::string typed = field.text.text();
   if (typed.empty()) return;
   const auto parsed = knit::parse_break(typed);
@@ -60,7 +61,7 @@ void draw_head(PanelFrame& frame) {
   way_button(frame, Command::last_break, Icon::back, "break/last");
   way_button(frame, Command::next_break, Icon::forward, "break/next");
   ImGui::EndDisabled();
-  BreakField& field = frame.ui.break_field;
+  BreakField& field = frame.own<BreakField>();
   const float button = frame.units(46.0f);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - frame.units(3.0f));
   const bool entered =

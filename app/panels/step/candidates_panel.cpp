@@ -7,9 +7,12 @@
 
 #include "app/lessons/lesson.h"
 #include "app/lessons/predict.h"
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/plots.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/step/candidate_list.h"
+#include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "knit/model/words.h"
 
@@ -242,7 +245,7 @@ std::optional<std::int32_t> order_at_hand(const PanelFrame& frame) {
 std::optional<std::int32_t> selected_order(const PanelFrame& frame) {
   const auto& selected = frame.session.document->travel.selected;
   if (!selected) return std::nullopt;
-  return frame.ui.candidates.order_of(*frame.timeline(), *selected);
+  return frame.own<CandidateList>().order_of(*frame.timeline(), *selected);
 }
 
 void cell(const std::string& words, Colour colour, bool right) {
@@ -327,7 +330,7 @@ void draw_table(PanelFrame& frame, const std::optional<std::int32_t>& current,
                                     ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Sortable;
   const float height = std::max(frame.units(least_table), ImGui::GetContentRegionAvail().y);
   if (!ImGui::BeginTable("candidate table", 4, flags, ImVec2(0.0f, height))) return;
-  CandidateList& list = frame.ui.candidates;
+  CandidateList& list = frame.own<CandidateList>();
   draw_header(frame);
   read_sorting(list);
   ImGuiListClipper clipper;
@@ -346,7 +349,7 @@ void draw_table(PanelFrame& frame, const std::optional<std::int32_t>& current,
 }  // namespace
 
 void draw_candidates(PanelFrame& frame) {
-  CandidateList& list = frame.ui.candidates;
+  CandidateList& list = frame.own<CandidateList>();
   if (frame.timeline() == nullptr || frame.timeline()->known() == 0)
     return wrapped_text(words_of(knit::NoCandidates::no_row), theme().faint_text);
   list.refresh(*frame.timeline(), row_at_hand(frame));

@@ -1,4 +1,4 @@
-// The right column: what the last step did, and what there is to see.
+// The step's panel: what the last step did, and what there is to see.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "app/panels/kit/commands.h"
-#include "app/panels/kit/panel_buttons.h"
+#include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/sides.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
-#include "app/panels/step/pseudo_code_panel.h"
+#include "app/panels/step/step.h"
+#include "app/panels/step/step_parts.h"
 #include "app/session/view.h"
 #include "knit/model/words.h"
 
@@ -79,78 +81,6 @@ void draw_label(PanelFrame& frame, knit::Label label, std::size_t count, ImVec2 
   pop_font();
 }
 
-struct Tab {
-  SidePanel side;
-  const char* words;
-  const char* mark;
-};
-
-// A word over a line that is thick below the chosen one.
-void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont* font) {
-  const bool chosen = tab.side == frame.session.view->side;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = size.x;
-  const float height = size.y;
-  push_font(font);
-  if (ImGui::InvisibleButton(tab.mark, ImVec2(width, height)) && !chosen) frame.wish(ShowSide{tab.side});
-  frame.mark(tab.mark);
-  const bool lit = chosen || ImGui::IsItemHovered();
-  text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
-          lit ? theme().text : theme().faint_text, tab.words);
-  pop_font();
-  tooltip(frame, tooltip_of(info_of(Command::side)));
-  if (!chosen) return;
-  const float foot = std::floor(at.y + height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - 2.0f * thin), ImVec2(at.x + width, foot),
-                                            style::packed(theme().accent));
-}
-
-constexpr std::array side_tabs{
-    Tab{SidePanel::step, "Step", "side/step"}, Tab{SidePanel::report, "Report", "side/report"},
-    Tab{SidePanel::pattern, "Pattern", "side/pattern"}, Tab{SidePanel::compare, "Compare", "side/compare"},
-    Tab{SidePanel::sweep, "Sweep", "side/sweep"}};
-
-float width_of_words(ImFont* font) {
-  float words = 0.0f;
-  push_font(font);
-  for (const Tab& tab : side_tabs) words += ImGui::CalcTextSize(tab.words).x;
-  pop_font();
-  return words;
-}
-
-void draw_tab_line(PanelFrame& frame, std::span<const Tab> tabs, ImFont* font, float air) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight() + frame.units(9.0f);
-  const float thin = std::max(1.0f, std::floor(frame.units(1.0f)));
-  const float foot = std::floor(at.y + height);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - thin),
-                                            ImVec2(at.x + ImGui::GetContentRegionAvail().x, foot),
-                                            style::packed(theme().outline));
-  for (const Tab& tab : tabs) {
-    push_font(font);
-    const float width = ImGui::CalcTextSize(tab.words).x + air;
-    pop_font();
-    draw_tab(frame, tab, ImVec2(width, height), thin, font);
-    ImGui::SameLine(0.0f, 0.0f);
-  }
-  ImGui::NewLine();
-}
-
-// They share what room there is between their words; where there is too little these get smaller, and then take
-// two lines.
-void draw_tabs(PanelFrame& frame) {
-  draw_cross(frame, Panel::side);
-  const float room = ImGui::GetContentRegionAvail().x - room_for_cross(frame);
-  const std::span<const Tab> tabs(side_tabs);
-  for (ImFont* const font : {frame.fonts.strong, frame.fonts.small}) {
-    const float air =
-        std::min((room - width_of_words(font)) / static_cast<float>(tabs.size()), frame.units(20.0f));
-    if (air >= frame.units(5.0f)) return draw_tab_line(frame, tabs, font, air);
-  }
-  draw_tab_line(frame, tabs.first(3), frame.fonts.strong, frame.units(12.0f));
-  draw_tab_line(frame, tabs.subspan(3), frame.fonts.strong, frame.units(12.0f));
-}
-
 std::string counted(const char* name, std::size_t count) {
   return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
 }
@@ -192,10 +122,6 @@ void draw_lists(PanelFrame& frame) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // Takes the same room for most sentences, so that what stands below keeps still while the run plays.
 void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
   const float top = ImGui::GetCursorPosY();
@@ -210,8 +136,6 @@ void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
   }
 }
 
-}  // namespace
-
 void draw_last_step(PanelFrame& frame) {
   const knit::Step* stop = stop_shown(frame.session);
   const knit::Step* step = stop != nullptr ? stop : last_step(frame.session);
@@ -220,25 +144,25 @@ void draw_last_step(PanelFrame& frame) {
   draw_pseudo_code(frame);
 }
 
-namespace {
+struct Legend {
+  std::optional<bool> open;  // as a person has folded it; none: as there is room
+};
 
 // The code and the lists need room: in a low window what there is to see folds away for them, unless a person
 // has said how it should be.
 bool shows_legend(const PanelFrame& frame) {
   const bool low = frame.layout.explanation.height < frame.units(820.0f);
-  return frame.ui.legend_open.value_or(!low);
+  return frame.own<Legend>().open.value_or(!low);
 }
 
 bool draw_fold(PanelFrame& frame) {
   const bool open = shows_legend(frame);
-  if (folding_heading(frame, open ? "Show" : "Show, labels", open)) frame.ui.legend_open = !open;
+  if (folding_heading(frame, open ? "Show" : "Show, labels", open)) frame.own<Legend>().open = !open;
   frame.mark("legend");
   tooltip(frame, open ? "Fold layers and labels away."
                       : "Layers to show or hide, and how often each label was placed.");
   return open;
 }
-
-}  // namespace
 
 void draw_layers(PanelFrame& frame) {
   if (!draw_fold(frame)) return;
@@ -267,8 +191,9 @@ void draw_legend(PanelFrame& frame) {
   constexpr std::array labels{Label::knit, Label::main,  Label::cast, Label::m1r,
                               Label::m1l,  Label::k2tog, Label::ssk};
   heading(frame, "Labels");
-  const LabelTally::Counts counts =
-      frame.timeline() != nullptr ? frame.ui.labels.count(frame.timeline()->state()) : LabelTally::Counts{};
+  const LabelTally::Counts counts = frame.timeline() != nullptr
+                                        ? frame.own<LabelTally>().count(frame.timeline()->state())
+                                        : LabelTally::Counts{};
   const float gap = frame.units(22.0f);
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const Cells cells{labels.size(), ImGui::GetCursorScreenPos(), width + gap,
@@ -279,8 +204,6 @@ void draw_legend(PanelFrame& frame) {
   ImGui::SetCursorScreenPos(cells.end());
 }
 
-namespace {
-
 // As high as what it holds, as far as the lists keep their room.
 float step_height(const PanelFrame& frame, float wanted) {
   const float below = frame.units((shows_legend(frame) ? 270.0f : 30.0f) + 122.0f);
@@ -288,7 +211,10 @@ float step_height(const PanelFrame& frame, float wanted) {
   return std::max(frame.units(150.0f), std::min(wanted > 0.0f ? wanted : room, room));
 }
 
-void draw_step_side(PanelFrame& frame) {
+}  // namespace
+
+template <>
+void draw_side<SidePanel::step>(PanelFrame& frame) {
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   const ImGuiID wanted = ImGui::GetID("step height");
   ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, kept.GetFloat(wanted))), false);
@@ -300,32 +226,6 @@ void draw_step_side(PanelFrame& frame) {
   if (shows_legend(frame)) draw_legend(frame);
   draw_selected(frame);
   draw_lists(frame);
-}
-
-}  // namespace
-
-void draw_explanation(PanelFrame& frame) {
-  begin_panel("Explanation", frame.layout.explanation);
-  draw_tabs(frame);
-  if (frame.session.view->side != SidePanel::step) leave_variables(frame);
-  switch (frame.session.view->side) {
-    case SidePanel::step:
-      draw_step_side(frame);
-      break;
-    case SidePanel::report:
-      draw_report_card(frame);
-      break;
-    case SidePanel::pattern:
-      draw_pattern_text(frame);
-      break;
-    case SidePanel::compare:
-      draw_compare(frame);
-      break;
-    case SidePanel::sweep:
-      draw_sweep(frame);
-      break;
-  }
-  ImGui::End();
 }
 
 }  // namespace app

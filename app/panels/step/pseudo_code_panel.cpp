@@ -1,6 +1,7 @@
 // The stage's pseudo-code: the line that just ran is lit, values stand at the ends of lines, what has no line
 // stands below. Pointing at a variable shows it in the view.
-#include "app/panels/step/pseudo_code_panel.h"
+#include "app/panels/step/step.h"
+#include "app/panels/step/step_parts.h"
 
 #include <algorithm>
 #include <cmath>

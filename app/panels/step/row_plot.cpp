@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/panels/kit/frame.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
 

@@ -4,7 +4,10 @@
 
 #include "app/explain/why_words.h"
 #include "app/panels/kit/commands.h"
+#include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why.h"
@@ -90,11 +93,15 @@ void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
   if (!row->on.empty()) draw_change(knit::size_of(*row) - row->on.size());
 }
 
+struct RowList {
+  int scrolled_to = 0;
+};
+
 // Keeps the row at hand in sight, when it has changed.
 void follow_row(PanelFrame& frame, std::size_t lines) {
   const std::int32_t row = row_at_hand(frame);
-  if (row == frame.ui.row_scrolled_to) return;
-  frame.ui.row_scrolled_to = row;
+  if (row == frame.own<RowList>().scrolled_to) return;
+  frame.own<RowList>().scrolled_to = row;
   const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   const float all = line * static_cast<float>(lines + 1);
   const float top = line * static_cast<float>(row) - 0.5f * ImGui::GetWindowHeight();
@@ -127,7 +134,7 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   i -= mended.size();
   const auto& findings = frame.session.document->findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
-  const std::size_t step = frame.ui.run.ranked()[i - findings.size()].step;
+  const std::size_t step = frame.own<RunCache>().ranked()[i - findings.size()].step;
   return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
           short_line(timeline.step(step))};
 }
@@ -185,22 +192,10 @@ void draw_mends(PanelFrame& frame) {
 
 }  // namespace
 
-std::int32_t row_at_hand(const PanelFrame& frame) {
-  const knit::Step* step = last_step(frame.session);
-  return step != nullptr ? step->place.row : 0;
-}
-
-void wish_row(PanelFrame& frame, std::int32_t number) {
-  const knit::Stage at = frame.timeline()->state().stage();
-  const knit::Stage stage = at == knit::Stage::done ? knit::Stage::pattern : at;
-  const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
-  frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
-}
-
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
   return frame.session.document->mended.size() + frame.session.document->findings.size() +
-         frame.ui.run.problems().size() + (frame.timeline()->stop() != nullptr ? 1 : 0);
+         frame.own<RunCache>().problems().size() + (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
 void draw_rows(PanelFrame& frame) {

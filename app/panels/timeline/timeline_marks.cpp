@@ -4,14 +4,22 @@
 #include <cstdint>
 #include <limits>
 
-#include "app/panels/kit/track.h"
+#include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/timeline/track.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 
 namespace app {
 
 namespace {
+
+// A drag with the right button on the track, which lays the loop.
+struct LoopDrag {
+  std::size_t from = 0;  // the position where it began
+  float x = 0.0f;        // and on the screen
+  bool moved = false;    // far enough to be no click
+};
 
 bool over_track(const PanelFrame& frame, const Track& track) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -22,7 +30,7 @@ bool over_track(const PanelFrame& frame, const Track& track) {
 
 // A drag with the right button lays the loop; a click with it takes the loop away.
 void lay_loop(PanelFrame& frame, const Track& track) {
-  std::optional<LoopDrag>& drag = frame.ui.loop_drag;
+  std::optional<LoopDrag>& drag = frame.own<std::optional<LoopDrag>>();
   const float x = ImGui::GetIO().MousePos.x;
   if (!drag && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && over_track(frame, track))
     drag = LoopDrag{track.position_at(x), x, false};

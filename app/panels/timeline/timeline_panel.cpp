@@ -7,8 +7,10 @@
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/panel_buttons.h"
-#include "app/panels/kit/track.h"
+#include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/timeline/timeline.h"
+#include "app/panels/timeline/track.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
@@ -17,6 +19,10 @@
 namespace app {
 
 namespace {
+
+struct StepButtons {
+  Unit unit = Unit::item;
+};
 
 // Plain units.
 constexpr float button_height = 26.0f;
@@ -46,7 +52,7 @@ void transport_button(PanelFrame& frame, Command command, Icon icon, std::string
 }
 
 void draw_buttons(PanelFrame& frame) {
-  const auto unit = static_cast<std::size_t>(frame.ui.unit);
+  const auto unit = static_cast<std::size_t>(frame.own<StepButtons>().unit);
   const Playback& playback = frame.session.view->playback;
   const bool forward = playback.playing && playback.direction > 0;
   transport_button(frame, Command::first, Icon::first, "first");
@@ -69,9 +75,10 @@ void draw_unit(PanelFrame& frame, bool words) {
     ImGui::SameLine();
   }
   ImGui::BeginGroup();
-  const int clicked = segmented("unit", unit_names, static_cast<int>(frame.ui.unit), frame.units(unit_width));
+  const int clicked =
+      segmented("unit", unit_names, static_cast<int>(frame.own<StepButtons>().unit), frame.units(unit_width));
   ImGui::EndGroup();
-  if (clicked >= 0) frame.ui.unit = static_cast<Unit>(clicked);
+  if (clicked >= 0) frame.own<StepButtons>().unit = static_cast<Unit>(clicked);
   frame.mark("unit");
   tooltip(frame,
           "What the back and forward buttons step by. The arrow keys step by item, with Shift by row, with "
@@ -196,8 +203,6 @@ void draw_position(PanelFrame& frame, bool whole) {
   frame.mark("position");
 }
 
-}  // namespace
-
 void draw_transport(PanelFrame& frame) {
   const float padding = 0.5f * (frame.units(button_height) - ImGui::GetFontSize());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, padding));
@@ -214,21 +219,11 @@ void draw_transport(PanelFrame& frame) {
   if (frame.timeline() == nullptr) ImGui::NewLine();
 }
 
-void draw_timeline(PanelFrame& frame) {
-  begin_panel("Timeline", frame.layout.timeline,
-              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_transport(frame);
-  draw_track(frame);
-  ImGui::End();
-}
-
-// The track: stages as coloured stretches, rows as ticks, marks for edits and problems, the scrubber.
-
-namespace {
+// --- the track: stages as coloured stretches, rows as ticks, marks for edits and problems, the scrubber
 
 void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   const float now = track.x_of(frame.timeline()->position());
-  for (const RunCache::Stretch& stretch : frame.ui.run.stages()) {
+  for (const RunCache::Stretch& stretch : frame.own<RunCache>().stages()) {
     const float x0 = track.x_of(stretch.begin);
     const float x1 = std::max(track.x_of(stretch.end), x0 + 1.0f);
     const Colour colour = theme().of(stretch.stage);
@@ -254,7 +249,7 @@ void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) 
 void draw_row_ticks(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   float last = -1e9f;
   const float length = frame.units(4.0f);
-  for (const std::size_t start : frame.ui.run.row_starts()) {
+  for (const std::size_t start : frame.own<RunCache>().row_starts()) {
     const float x = track.x_of(start);
     if (x - last < frame.units(3.0f)) continue;
     last = x;
@@ -265,7 +260,7 @@ void draw_row_ticks(const PanelFrame& frame, const Track& track, ImDrawList& lis
 
 // As many as pixels at most, however many problems there are.
 void draw_problem_marks(const PanelFrame& frame, const Track& track, ImDrawList& list) {
-  const auto& problems = frame.ui.run.problems();
+  const auto& problems = frame.own<RunCache>().problems();
   const float half = frame.units(3.0f);
   const float y = track.bottom + frame.units(5.0f);
   const auto mark = [&](float x) {
@@ -284,7 +279,7 @@ void draw_problem_marks(const PanelFrame& frame, const Track& track, ImDrawList&
 void draw_edit_marks(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   const float half = frame.units(4.5f);
   const float y = track.top - half;
-  for (const std::size_t at : frame.ui.run.edits()) {
+  for (const std::size_t at : frame.own<RunCache>().edits()) {
     const float x = track.x_of(at);
     list.AddQuadFilled(ImVec2(x, y - half), ImVec2(x + half, y), ImVec2(x, y + half), ImVec2(x - half, y),
                        style::packed(theme().warning));
@@ -298,8 +293,8 @@ void draw_scrubber(const PanelFrame& frame, const Track& track, ImDrawList& list
   list.AddRectFilled(ImVec2(x - wide, track.top - over), ImVec2(x + wide, track.bottom + over),
                      style::packed(theme().text));
   list.AddCircleFilled(ImVec2(x, track.top - over), frame.units(5.0f), style::packed(theme().text));
-  frame.ui.controls.insert_or_assign("scrubber", Box{x - over, track.top - 2.0f * over, 2.0f * over,
-                                                     track.bottom - track.top + 3.0f * over});
+  frame.memory.controls.insert_or_assign("scrubber", Box{x - over, track.top - 2.0f * over, 2.0f * over,
+                                                         track.bottom - track.top + 3.0f * over});
 }
 
 // The nearest of rising positions within a few units of the pointer.
@@ -318,11 +313,11 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
   const std::size_t position = track.position_at(ImGui::GetIO().MousePos.x);
   std::string words = "Step " + with_commas(position);
   if (position > 0) words += ": " + words_of(timeline.step(position - 1).place);
-  if (const auto edit = near_pointer(frame, track, frame.ui.run.edits(), 0)) {
+  if (const auto edit = near_pointer(frame, track, frame.own<RunCache>().edits(), 0)) {
     words += "\n\nParameters were changed before " + words_of(timeline.edits()[*edit].at) + ".";
   }
-  if (const auto problem = near_pointer(frame, track, frame.ui.run.problems(), 1)) {
-    const std::size_t step = frame.ui.run.problems()[*problem];
+  if (const auto problem = near_pointer(frame, track, frame.own<RunCache>().problems(), 1)) {
+    const std::size_t step = frame.own<RunCache>().problems()[*problem];
     words += "\n\n" + knit::narrate(timeline.step(step), timeline.parameters_of_step(step));
   }
   // A mark covers a few units: the hit nearest below its right edge.
@@ -333,8 +328,6 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
   words += "\n\nDrag: go there. Right drag: a loop that playing goes round in; right click: no loop.";
   tooltip(frame, words);
 }
-
-}  // namespace
 
 void draw_track(PanelFrame& frame) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -367,6 +360,16 @@ void draw_track(PanelFrame& frame) {
   draw_travel_marks(frame, track);
   draw_pattern_marks(frame, track);
   draw_scrubber(frame, track, list);
+}
+
+}  // namespace
+
+void draw_timeline(PanelFrame& frame) {
+  begin_panel("Timeline", frame.layout.timeline,
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_transport(frame);
+  draw_track(frame);
+  ImGui::End();
 }
 
 }  // namespace app

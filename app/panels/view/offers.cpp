@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/panels/kit/widgets.h"
+#include "app/panels/view/overlays.h"
 #include "app/session/jobs.h"
 #include "app/session/program.h"
 

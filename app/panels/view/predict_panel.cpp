@@ -5,6 +5,7 @@
 #include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/view/view.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "app/session/view.h"

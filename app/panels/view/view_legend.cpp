@@ -1,9 +1,10 @@
-#include "app/panels/view/view_legend.h"
+#include "app/panels/view/overlays.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/learning.h"
 #include "app/session/view.h"
@@ -52,7 +53,7 @@ std::vector<LabelShown> labels_shown(PanelFrame& frame) {
   using knit::Label;
   constexpr std::array order{Label::knit, Label::main,  Label::cast, Label::m1r,
                              Label::m1l,  Label::k2tog, Label::ssk};
-  const LabelTally::Counts counts = frame.ui.labels.count(frame.timeline()->state());
+  const LabelTally::Counts counts = frame.own<LabelTally>().count(frame.timeline()->state());
   std::vector<LabelShown> shown;
   for (const Label label : order) {
     const std::size_t count = counts[static_cast<std::size_t>(label)];

@@ -9,13 +9,20 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/view_help.h"
 #include "app/panels/kit/widgets.h"
-#include "app/panels/view/view_legend.h"
+#include "app/panels/view/view.h"
+#include "app/panels/view/overlays.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 
 namespace app {
 
 namespace {
+
+// A drag that began in the view.
+struct ViewDrag {
+  enum class Kind : std::uint8_t { orbit, pan } kind = Kind::orbit;
+  bool moved = false;  // far enough to be no click
+};
 
 constexpr double radians_per_unit = 0.008;
 constexpr float hover_reach = 12.0f;  // plain units from the pointer to a stitch that it means
@@ -32,7 +39,7 @@ glm::dvec2 pointer_in(const Box& view) {
 
 void move_camera(PanelFrame& frame, const ImVec2& by) {
   const Box& view = frame.layout.view;
-  if (frame.ui.drag.kind == ViewDrag::Kind::pan) {
+  if (frame.own<ViewDrag>().kind == ViewDrag::Kind::pan) {
     const glm::dvec2 move(2.0 * static_cast<double>(by.x / view.width),
                           -2.0 * static_cast<double>(by.y / view.height));
     frame.wish(Pan{move});
@@ -43,7 +50,7 @@ void move_camera(PanelFrame& frame, const ImVec2& by) {
 }
 
 void handle_drag(PanelFrame& frame) {
-  ViewDrag& drag = frame.ui.drag;
+  ViewDrag& drag = frame.own<ViewDrag>();
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActivated()) {
     const bool turns = io.MouseDown[ImGuiMouseButton_Left] && !key_mods().shift;
@@ -87,31 +94,33 @@ std::optional<knit::Thing> thing_clicked(const PanelFrame& frame) {
 
 // A click leads to why a thing is there; it waits until it can be no double click any more, which frames.
 void handle_plain_click(PanelFrame& frame) {
-  std::optional<PendingClick>& click = frame.ui.click;
+  PendingClick& click = frame.own<PendingClick>();
   const ImGuiIO& io = ImGui::GetIO();
-  if (click && ImGui::GetTime() >= click->due) {
+  if (click.waits && ImGui::GetTime() >= click.due) {
     if (wanted_click(frame.session)) {
-      frame.wish(AnswerLesson{click->thing ? text_of(*click->thing) : ""});
-    } else if (click->thing) {
-      frame.wish(ShowWhy{*click->thing});
+      frame.wish(AnswerLesson{click.thing ? text_of(*click.thing) : ""});
+    } else if (click.thing) {
+      frame.wish(ShowWhy{*click.thing});
     } else if (frame.session.document && frame.session.document->travel.selected) {
       frame.wish(Select{});
     }
-    click.reset();
+    click = {};
   }
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    click.reset();
-    frame.ui.drag.moved = true;  // its release is no click
+    click = {};
+    frame.own<ViewDrag>().moved = true;  // its release is no click
   }
   const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
-  if (!released || frame.ui.drag.moved || frame.session.view->gaze.picking != Picking::nothing) return;
-  click = PendingClick{thing_clicked(frame), ImGui::GetTime() + static_cast<double>(io.MouseDoubleClickTime)};
+  if (!released || frame.own<ViewDrag>().moved || frame.session.view->gaze.picking != Picking::nothing)
+    return;
+  click = PendingClick{true, thing_clicked(frame),
+                       ImGui::GetTime() + static_cast<double>(io.MouseDoubleClickTime)};
 }
 
 void handle_clicks(PanelFrame& frame) {
   handle_plain_click(frame);
   const bool picking = frame.session.view->gaze.picking != Picking::nothing;
-  if (picking && ImGui::IsItemDeactivated() && !frame.ui.drag.moved &&
+  if (picking && ImGui::IsItemDeactivated() && !frame.own<ViewDrag>().moved &&
       ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
     if (const auto vertex = pick_vertex(frame.session, pointer_in(frame.layout.view))) {
       frame.wish(PickVertex{*vertex});

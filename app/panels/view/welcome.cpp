@@ -1,4 +1,4 @@
-#include "app/panels/view/welcome.h"
+#include "app/panels/view/overlays.h"
 
 #include <algorithm>
 #include <string>

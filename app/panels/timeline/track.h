@@ -1,9 +1,11 @@
-// Where the timeline's track stands: from positions to the screen and back.
+// The timeline's track: from positions to the screen and back, and what is marked on it.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "app/panels/kit/frame.h"
 
 namespace app {
 
@@ -22,5 +24,12 @@ struct Track {
     return static_cast<std::size_t>(std::llround(share * static_cast<double>(steps)));
   }
 };
+
+// Hits of break conditions, and the loop.
+void draw_travel_marks(PanelFrame& frame, const Track& track);
+// The round under the pointer, wherever it is.
+void draw_pattern_marks(PanelFrame& frame, const Track& track);
+// Of the step under the pointer, which is on the track.
+void mean_round_under(PanelFrame& frame, const Track& track);
 
 }  // namespace app

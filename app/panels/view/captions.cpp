@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/panels/kit/widgets.h"
+#include "app/panels/view/view.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/panels/step/run_cache.h"
+#include "app/panels/kit/run_cache.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
-// What the pseudo-code's panel has for its neighbours.
+// What the side of the step has for its neighbours.
 #pragma once
 
-#include "app/panels/kit/panels.h"
+#include "app/panels/kit/frame.h"
 
 namespace app {
 

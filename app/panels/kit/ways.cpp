@@ -1,0 +1,25 @@
+#include "app/panels/kit/ways.h"
+
+#include "app/session/view.h"
+
+namespace app {
+
+std::int32_t row_at_hand(const PanelFrame& frame) {
+  const knit::Step* step = last_step(frame.session);
+  return step != nullptr ? step->place.row : 0;
+}
+
+void wish_row(PanelFrame& frame, std::int32_t number) {
+  const knit::Stage at = frame.timeline()->state().stage();
+  const knit::Stage stage = at == knit::Stage::done ? knit::Stage::pattern : at;
+  const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern;
+  frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
+}
+
+std::optional<RoundSpan> rounds_meant(const Session& session) {
+  if (session.view->gaze.hovered_rounds) return session.view->gaze.hovered_rounds;
+  if (!session.view->gaze.hovered_stitch) return std::nullopt;
+  return RoundSpan{session.view->gaze.hovered_stitch->row, session.view->gaze.hovered_stitch->row};
+}
+
+}  // namespace app

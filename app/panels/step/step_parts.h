@@ -1,0 +1,27 @@
+// The parts of the step's panel.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "app/panels/kit/widgets.h"
+
+namespace app {
+
+void draw_pseudo_code(PanelFrame& frame);  // of the current stage, with its variables
+void draw_selected(PanelFrame& frame);     // one line over the lists, with ways on from there
+void draw_rows(PanelFrame& frame);
+void draw_candidates(PanelFrame& frame);
+void draw_problems(PanelFrame& frame);
+void draw_breaks(PanelFrame& frame);
+
+// How many lines the list of problems has.
+std::size_t count_problems(const PanelFrame& frame);
+
+// A break condition that is typed.
+struct BreakField {
+  TextBuffer text;
+  std::string trouble;  // why what was typed is none
+};
+
+}  // namespace app
