@@ -227,6 +227,43 @@ Strings reckoned_rows(const Source& source) {
   return found;
 }
 
+// What gives other bits with another C library, or another order with another standard library, and where it may stand
+// all the same: there the order does not matter, or values that are all different settle it.
+struct Uneven {
+  Strings names;       // after std:: or glm::
+  std::string source;  // without ending; empty: nowhere in knit
+};
+
+const std::vector<Uneven> uneven{
+    {{"sin",  "cos",   "tan",   "asin",   "acos", "atan",         "atan2",     "sinh",         "cosh",
+      "tanh", "exp",   "exp2",  "expm1",  "log",  "log2",         "log10",     "log1p",        "pow",
+      "cbrt", "hypot", "angle", "rotate", "fma",  "partial_sort", "partition", "unordered_set"},
+     ""},
+    {{"nth_element"}, "knit/mesh/ranking"},
+    {{"push_heap", "pop_heap", "make_heap"}, "knit/mesh/surface_windows"},  // events are numbered
+    {{"priority_queue"}, "knit/timing/intrinsic"},                          // vertices are numbered
+    {{"unordered_map"}, "knit/import/repair_holes"}};                       // looked up, never walked
+
+Strings uneven_in(const Source& source) {
+  Strings found;
+  const std::string code = code_of(source.text);
+  for (const char* space : {"std::", "glm::"}) {
+    for (std::size_t at = code.find(space); at != std::string::npos; at = code.find(space, at + 1)) {
+      std::string word;
+      for (std::size_t i = at + 5; i < code.size(); ++i) {
+        if (std::isalnum(static_cast<unsigned char>(code[i])) == 0 && code[i] != '_') break;
+        word += code[i];
+      }
+      for (const Uneven& rule : uneven) {
+        const bool named = std::count(rule.names.begin(), rule.names.end(), word) > 0;
+        if (named && rule.source != source.folder + "/" + source.stem)
+          found.push_back(source.name() + " uses " + word);
+      }
+    }
+  }
+  return found;
+}
+
 template <class Check>
 Strings collect(const std::string& folder, Check check) {
   Strings all;
@@ -298,6 +335,12 @@ TEST_CASE("only the fabric and the run reckon with the numbers of rows") {
   }
 }
 
+TEST_CASE("knit gives the same bits with every library") {
+  for (const Arrow& arrow : arrows) {
+    if (arrow.folder.rfind("knit/", 0) == 0) CHECK(collect(arrow.folder, uneven_in) == none);
+  }
+}
+
 TEST_CASE("no source file is longer than 600 lines") {
   Strings long_files;
   for (const Arrow& arrow : arrows) {
@@ -351,4 +394,10 @@ TEST_CASE("these rules can be broken") {
             .size() == 2);
   CHECK(prints_in(source("knit/rows", "x", false, "// printf(1)\n/* puts */ const char* a = \"cout\";"))
             .empty());
+  CHECK(uneven_in(
+            source("knit/rows", "x", false, "std::hypot(a, b); glm::pow(a, b); my::sin(c); std::sinus(d);"))
+            .size() == 2);
+  CHECK(uneven_in(source("knit/mesh", "ranking", true, "std::nth_element(a, b, c);")) == none);
+  CHECK(uneven_in(source("knit/mesh", "mesh", false, "// std::sin(a)\nstd::nth_element(a, b, c);")).size() ==
+        1);
 }

@@ -42,6 +42,26 @@ std::vector<Hand> hands_of(const std::vector<Operation>& operations) {
   return hands;
 }
 
+void put(std::vector<Hand>& hands, const Run& run) {
+  hands.insert(hands.end(), static_cast<std::size_t>(run.count), run.hand);
+}
+
+// The operations that phrases say.
+std::vector<Hand> unfold(std::span<const Phrase> phrases) {
+  std::vector<Hand> hands;
+  for (const Phrase& phrase : phrases) {
+    if (const auto* run = std::get_if<Run>(&phrase)) {
+      put(hands, *run);
+    } else {
+      const auto& repeat = std::get<Repeat>(phrase);
+      for (std::int32_t time = 0; time < repeat.times; ++time) {
+        for (const Run& part : repeat.runs) put(hands, part);
+      }
+    }
+  }
+  return hands;
+}
+
 int words_in(std::span<const Phrase> phrases) {
   int words = 0;
   for (const Phrase& phrase : phrases) {

@@ -13,6 +13,28 @@ using namespace knit;
 
 namespace {
 
+// The whole of Algorithm 2 with its closing, for one ring, as the machine's steps do it; nothing when it stalls and
+// on_stall is stop.
+std::optional<std::vector<Stitch>> build_row(const Ring& ring, const Input& input,
+                                             const Parameters& parameters, std::int32_t below) {
+  const bool robust = parameters.on_stall == OnStall::continue_;
+  Walk walk;
+  while (walk.next < static_cast<std::int32_t>(ring.vertices.size())) {
+    const CandidateMeasured measured = measure_next(walk, ring, input, parameters);
+    if (robust && measured.verdict == Verdict::too_far) take_nearest(walk, ring, input, parameters);
+  }
+  if (!robust && stalled(walk)) return std::nullopt;
+  if (robust) take_before_end(walk, ring, input, parameters);
+  ClosedRow row = close_row(walk, ring, input, parameters);
+  const auto picked = static_cast<std::int32_t>(row.stitches.size());
+  if (const auto needed = needed_count(picked, below, ring.length, parameters.stitch_width)) {
+    row.stitches = spread_evenly(ring, needed->count);
+    row.resampled = true;
+    row.gap = glm::distance(row.stitches.back().position, row.stitches.front().position);
+  }
+  return share_gap(row, ring, parameters).stitches;
+}
+
 struct RingMesh {
   Input input;  // positions only: enough for every metric but geodesic
   Ring ring;

@@ -11,7 +11,7 @@
 #include "app/session/run_figures.h"
 #include "knit/model/gauge.h"
 #include "knit/model/words.h"
-#include "knit/rows/rows.h"
+#include "knit/rows/verdict.h"
 
 namespace app::truths {
 
@@ -201,8 +201,9 @@ Truth closing_gap(const Session& session, const JudgeCall& call) {
     return timeline.complete() ? untold("Row " + str(call.row) + " closes with no gap.") : not_yet();
   const auto& what = *knit::get_if<knit::RowClosed>(timeline.step(*closed));
   const knit::Band band = knit::band_of(timeline.parameters_of_step(*closed));
-  const char* key = what.gap < band.low ? "shorter" : what.gap > band.high ? "longer" : "inside";
-  return {{key}, said_by(timeline, *closed), 0.0};
+  constexpr std::array<const char*, 3> keys{"shorter", "inside", "longer"};
+  return {
+      {keys.at(static_cast<std::size_t>(knit::verdict_on(what.gap, band)))}, said_by(timeline, *closed), 0.0};
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "knit/import/quoting.h"
 #include "knit/import/repair_parts.h"
 #include "knit/mesh/edge_table.h"
+#include "knit/mesh/elementary.h"
 #include "knit/mesh/polygon.h"
 
 namespace knit {
@@ -20,7 +21,7 @@ namespace {
 constexpr std::size_t most_rim = 4096;  // edges; keeps filling a hostile rim quick
 
 double length_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  return hypotenuse(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
 std::string short_text(double value) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "knit/mesh/edge_table.h"
+#include "knit/mesh/elementary.h"
 
 namespace knit {
 
@@ -87,7 +88,7 @@ void fill_boxes(Input& input) {
 
 glm::dvec3 Bounds::centre() const { return low * 0.5 + high * 0.5; }
 
-double Bounds::diagonal() const { return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z); }
+double Bounds::diagonal() const { return hypotenuse(high.x - low.x, high.y - low.y, high.z - low.z); }
 
 std::span<const VertexId> Input::neighbours_of(VertexId vertex) const {
   const VertexId v = twin[vertex];
@@ -151,7 +152,7 @@ Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
   }
   const glm::dvec3 centre = bounds.centre();
   for (const glm::dvec3& p : positions) {
-    bounds.radius = std::max(bounds.radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
+    bounds.radius = std::max(bounds.radius, hypotenuse(p.x - centre.x, p.y - centre.y, p.z - centre.z));
   }
   return bounds;
 }

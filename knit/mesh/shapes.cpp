@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "knit/mesh/edge_table.h"
+#include "knit/mesh/elementary.h"
 
 namespace knit {
 
@@ -39,7 +40,7 @@ std::vector<ProfilePoint> evenly_along(const Curve& curve, double spacing) {
     const ProfilePoint a = curve((i - 1.0) / fine);
     const ProfilePoint b = curve(static_cast<double>(i) / fine);
     length[static_cast<std::size_t>(i)] =
-        length[static_cast<std::size_t>(i) - 1] + std::hypot(b.radius - a.radius, b.y - a.y);
+        length[static_cast<std::size_t>(i) - 1] + hypotenuse(b.radius - a.radius, b.y - a.y);
   }
   const int parts = std::max(2, static_cast<int>(std::lround(length.back() / spacing)));
   std::vector<ProfilePoint> profile{curve(0.0)};
@@ -79,7 +80,7 @@ TurnPoint turn_point(unsigned long num, unsigned long den) {
     return {mirrored.cosine, mirrored.sine};
   }
   const double angle = 2.0 * pi * (static_cast<double>(num) / static_cast<double>(den));
-  return {std::sin(angle), std::cos(angle)};
+  return {sine(angle), cosine(angle)};
 }
 
 Mesh revolve(std::string name, std::span<const ProfilePoint> profile, unsigned segments, bool closing_copy) {
@@ -119,14 +120,14 @@ Mesh sphere(unsigned segments, unsigned stacks, bool closing_copy) {
 }
 
 Mesh stretched_sphere(unsigned segments, double spacing) {
-  const auto curve = [](double t) { return ProfilePoint{0.8 * std::sin(pi * t), -1.6 * std::cos(pi * t)}; };
+  const auto curve = [](double t) { return ProfilePoint{0.8 * sine(pi * t), -1.6 * cosine(pi * t)}; };
   return revolve("stretched-sphere", evenly_along(curve, spacing), segments, false);
 }
 
 Mesh egg(unsigned segments, double spacing) {
   const auto curve = [](double t) {
-    const double c = std::cos(pi * t);
-    return ProfilePoint{0.93 * std::sin(pi * t) * (1.0 + 0.16 * c), -1.25 * c};
+    const double c = cosine(pi * t);
+    return ProfilePoint{0.93 * sine(pi * t) * (1.0 + 0.16 * c), -1.25 * c};
   };
   return revolve("egg", evenly_along(curve, spacing), segments, false);
 }
@@ -137,8 +138,8 @@ Mesh capsule(unsigned segments, double spacing) {
   const auto curve = [=](double t) {
     const double along = t * (pi * radius + 2.0 * half) - pi * radius / 2.0 - half;  // 0 at the middle
     const double angle = std::clamp(std::abs(along) - half, 0.0, pi * radius / 2.0) / radius;
-    const double y = std::min(std::abs(along), half) + radius * std::sin(angle);
-    return ProfilePoint{radius * std::cos(angle), std::copysign(y, along)};
+    const double y = std::min(std::abs(along), half) + radius * sine(angle);
+    return ProfilePoint{radius * cosine(angle), std::copysign(y, along)};
   };
   return revolve("capsule", evenly_along(curve, spacing), segments, false);
 }
@@ -150,28 +151,28 @@ Mesh cone(unsigned segments, double spacing) {
   constexpr double apex =
       1.2;  // of the sharp cone; a sharp tip would leave its last rings narrower than a stitch
   constexpr double tip = 0.12;  // radius of the ball that rounds it
-  const double slope = std::atan2(rim, apex - rim_y);
-  const double ball_y = apex - tip / std::sin(slope);
+  const double slope = angle_to(apex - rim_y, rim);
+  const double ball_y = apex - tip / sine(slope);
   const auto curve = [=](double t) {
     const double part = 3.0 * t;
     if (part < 1.0) {
       const double angle = 0.5 * pi * part;
-      return ProfilePoint{rim * std::sin(angle), rim_y - dome * std::cos(angle)};
+      return ProfilePoint{rim * sine(angle), rim_y - dome * cosine(angle)};
     }
-    const ProfilePoint touch{tip * std::cos(slope), ball_y + tip * std::sin(slope)};
+    const ProfilePoint touch{tip * cosine(slope), ball_y + tip * sine(slope)};
     if (part < 2.0)
       return ProfilePoint{std::lerp(rim, touch.radius, part - 1.0), std::lerp(rim_y, touch.y, part - 1.0)};
     const double angle = std::lerp(slope, 0.5 * pi, part - 2.0);
-    return ProfilePoint{tip * std::cos(angle), ball_y + tip * std::sin(angle)};
+    return ProfilePoint{tip * cosine(angle), ball_y + tip * sine(angle)};
   };
   return revolve("cone", evenly_along(curve, spacing), segments, false);
 }
 
 Mesh vase(unsigned segments, double spacing) {
   const auto curve = [](double t) {
-    const double u = 2.0 * t - 1.0;
-    const double neck = 1.0 - 0.62 * std::exp(-std::pow((u - 0.38) / 0.2, 2.0));
-    return ProfilePoint{0.9 * std::sin(pi * t) * neck, -1.3 * std::cos(pi * t)};
+    const double above = (2.0 * t - 1.0 - 0.38) / 0.2;
+    const double neck = 1.0 - 0.62 * exponential(-above * above);
+    return ProfilePoint{0.9 * sine(pi * t) * neck, -1.3 * cosine(pi * t)};
   };
   return revolve("vase", evenly_along(curve, spacing), segments, false);
 }

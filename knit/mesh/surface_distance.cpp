@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "knit/mesh/elementary.h"
 #include "knit/mesh/surface_windows.h"
 
 namespace knit {
@@ -260,7 +261,7 @@ Search::Ways Search::split(const Window& window, double apex_crossing) {
   const std::size_t k = window.side % 3;
   Ways ways{window.low<apex_crossing, window.high> apex_crossing};
   const glm::dvec2 line{face.apex[k].x - window.source.x, face.apex[k].y + window.source.y};
-  const double length = window.before + std::hypot(line.x, line.y);
+  const double length = window.before + hypotenuse(line.x, line.y);
   const double tolerance =
       in_sight * face.length[k] + no_shorter * length;  // short sides: by the way's digits
   if (apex_crossing < window.low - tolerance || apex_crossing > window.high + tolerance) return ways;
@@ -284,7 +285,7 @@ bool Search::beaten(const Window& window, const Corners& corners, double length,
   const double to_high = window.length_at(window.high) * (1.0 - no_shorter);
   return reach(corners.origin).bound + window.high < to_high ||
          reach(corners.end).bound + (length - window.low) < to_low ||
-         reach(corners.third).bound + std::hypot(third.x - window.low, third.y) < to_low;
+         reach(corners.third).bound + hypotenuse(third.x - window.low, third.y) < to_low;
 }
 
 // Through the side into the face beyond, if that can be of use.

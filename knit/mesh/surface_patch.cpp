@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "knit/mesh/elementary.h"
+
 namespace knit {
 
 namespace {
@@ -117,7 +119,7 @@ bool SurfacePatch::parts_ways(Index vertex) const {
   const bool closed = visit_corners(input_, ids_[vertex], [&](HalfEdge corner) {
     const glm::dvec3 a = input_.mesh.positions[place_of(input_, next_in_triangle(corner))] - centre;
     const glm::dvec3 b = input_.mesh.positions[place_of(input_, last_in_triangle(corner))] - centre;
-    turn += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    turn += angle_to(glm::dot(a, b), glm::length(glm::cross(a, b)));
   });
   return !closed || turn > 2.0 * std::numbers::pi + angle_tolerance;
 }

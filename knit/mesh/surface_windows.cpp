@@ -4,11 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "knit/mesh/elementary.h"
+
 namespace knit {
 
 namespace {
 
-bool later(const Event& a, const Event& b) { return a.length > b.length; }
+bool later(const Event& a, const Event& b) {
+  return a.length != b.length ? a.length > b.length : a.number > b.number;
+}
 
 // Where the line from (from.x, -from.y) to a point above the x axis crosses the axis.
 double axis_crossing(const glm::dvec2& from, const glm::dvec2& to, double without_height) {
@@ -18,7 +22,7 @@ double axis_crossing(const glm::dvec2& from, const glm::dvec2& to, double withou
 
 }  // namespace
 
-double Window::length_at(double x) const { return before + std::hypot(x - source.x, source.y); }
+double Window::length_at(double x) const { return before + hypotenuse(x - source.x, source.y); }
 
 double Window::least_length() const { return length_at(std::clamp(source.x, low, high)); }
 
@@ -32,7 +36,7 @@ double Window::least_length_to(double from_origin, double from_end, double side_
   const double rounding = 1e-15 * (from_origin * from_origin + side_length * side_length);
   const glm::dvec2 point{x, std::sqrt(std::max(0.0, squares - rounding))};
   const double through = std::clamp(axis_crossing(source, point, x), low, high);
-  return (length_at(through) + std::hypot(point.x - through, point.y)) * (1.0 - no_shorter);
+  return (length_at(through) + hypotenuse(point.x - through, point.y)) * (1.0 - no_shorter);
 }
 
 Window Window::mirrored(double side_length) const {
@@ -68,14 +72,15 @@ void EventQueue::push_window(double length, const Window& window) {
     free_.pop_back();
     windows_[at] = window;
   }
-  push({length, at, SurfacePatch::none});
+  push({length, at, SurfacePatch::none, 0});
 }
 
 void EventQueue::push_vertex(double length, SurfacePatch::Index vertex) {
-  push({length, SurfacePatch::none, vertex});
+  push({length, SurfacePatch::none, vertex, 0});
 }
 
-void EventQueue::push(const Event& event) {
+void EventQueue::push(Event event) {
+  event.number = pushed_++;
   events_.push_back(event);
   std::push_heap(events_.begin(), events_.end(), later);
 }

@@ -41,6 +41,7 @@ struct Event {
   double length = 0.0;  // nothing that comes of it is shorter
   SurfacePatch::Index window = SurfacePatch::none;
   SurfacePatch::Index vertex = SurfacePatch::none;  // instead of a window
+  std::size_t number = 0;                           // of equally short ones the earlier comes first
 };
 
 // Events, the shortest first.
@@ -61,9 +62,10 @@ class EventQueue {
   void clear() { *this = {}; }
 
  private:
-  void push(const Event& event);
+  void push(Event event);
   void make_heap();
   std::vector<Event> events_;
+  std::size_t pushed_ = 0;
   std::vector<Window> windows_;
   std::vector<SurfacePatch::Index> free_;  // of windows_
 };

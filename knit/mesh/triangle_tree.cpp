@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "knit/mesh/ranking.h"
+
 namespace knit {
 
 namespace {
@@ -92,10 +94,9 @@ TriangleTree::Box TriangleTree::build(std::span<Centre> centres, std::span<const
   const glm::dvec3 size = spread.high - spread.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::size_t half = centres.size() / 2;
-  std::nth_element(centres.begin(), centres.begin() + static_cast<std::ptrdiff_t>(half), centres.end(),
-                   [axis](const Centre& a, const Centre& b) {
-                     return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
-                   });
+  put_least_first(centres, half, [axis](const Centre& a, const Centre& b) {
+    return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
+  });
   const Box left = build(centres.first(half), positions, triangles);
   const auto second = static_cast<std::uint32_t>(nodes_.size());
   const Box right = build(centres.subspan(half), positions, triangles);

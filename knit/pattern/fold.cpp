@@ -211,29 +211,10 @@ class Folder {
   Cost cost_here_;
 };
 
-void put(std::vector<Hand>& hands, const Run& run) {
-  hands.insert(hands.end(), static_cast<std::size_t>(run.count), run.hand);
-}
-
 }  // namespace
 
 std::vector<Phrase> fold(std::span<const Operation> operations, const FoldOptions& options) {
   return Folder(runs_of(operations, options)).phrases();
-}
-
-std::vector<Hand> unfold(std::span<const Phrase> phrases) {
-  std::vector<Hand> hands;
-  for (const Phrase& phrase : phrases) {
-    if (const auto* run = std::get_if<Run>(&phrase)) {
-      put(hands, *run);
-    } else {
-      const auto& repeat = std::get<Repeat>(phrase);
-      for (std::int32_t time = 0; time < repeat.times; ++time) {
-        for (const Run& part : repeat.runs) put(hands, part);
-      }
-    }
-  }
-  return hands;
 }
 
 }  // namespace knit

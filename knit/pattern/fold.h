@@ -32,8 +32,7 @@ struct FoldOptions {
 // repeat is its runs and one more. Of equally short ones the one with the fewest repeats, then the one whose
 // repeats begin earliest. A knit run may be cut where a repeat begins, ends or meets itself
 // (K2, [K4, m1l] 5 times, K2); in a round with markers none is. Only knit runs have a count above 1; a repeat
-// takes in at most 16 runs. Unfolding gives the operations back (but for at_main).
+// takes in at most 16 runs. Written out they give the operations back (but for at_main).
 std::vector<Phrase> fold(std::span<const Operation> operations, const FoldOptions& options = {});
-std::vector<Hand> unfold(std::span<const Phrase> phrases);
 
 }  // namespace knit

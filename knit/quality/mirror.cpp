@@ -76,7 +76,8 @@ std::optional<MirrorError> mirror_error(const Input& input, const State& state, 
     for (const auto& [lower, upper] : strip->column_edges) {
       wales.push_back({plane->height(path[lower]), path[lower], path[upper]});
     }
-    std::sort(wales.begin(), wales.end(), [](const Wale& a, const Wale& b) { return a.height < b.height; });
+    std::stable_sort(wales.begin(), wales.end(),
+                     [](const Wale& a, const Wale& b) { return a.height < b.height; });
     for (const Wale& wale : wales) {
       const Wale image{-wale.height, plane->reflect(wale.lower), plane->reflect(wale.upper)};
       const double distance = nearest(wales, image) / stitch_width;

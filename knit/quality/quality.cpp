@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "knit/mesh/elementary.h"
+#include "knit/mesh/ranking.h"
 #include "knit/quality/mirror.h"
 
 namespace knit {
@@ -86,7 +89,7 @@ void measure_wales(Quality& quality, const State& state, const std::vector<Stop>
 }
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
+  return angle_to(glm::dot(a, b), glm::length(glm::cross(a, b))) * 180.0 / std::numbers::pi;
 }
 
 Spread corners_of(const State& state, const std::vector<Stop>& stops) {
@@ -146,9 +149,8 @@ Spread spread_of(std::span<const double> values, double histogram_low, double hi
   if (values.empty()) return spread;
   std::vector<double> ranked(values.begin(), values.end());
   const std::size_t rank = (95 * ranked.size() + 99) / 100;  // from 1
-  const auto at = ranked.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-  std::nth_element(ranked.begin(), at, ranked.end());
-  spread.p95 = *at;
+  put_least_first(std::span(ranked), rank - 1, std::less<>());
+  spread.p95 = ranked[rank - 1];
   return spread;
 }
 

@@ -6,8 +6,6 @@ namespace knit {
 
 namespace {
 
-bool too_short(const Ring& ring, double stitch_width) { return ring.length < 1.5 * stitch_width; }
-
 // The last level before the end that is long enough; a level that is no ring is left for its row to report.
 std::int32_t find_last_level(const Input& input, const Timing& timing, std::int32_t first,
                              const Parameters& parameters) {

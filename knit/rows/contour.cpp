@@ -5,6 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/model/ties.h"
+#include "knit/rows/ring.h"
+
 namespace knit {
 
 namespace {
@@ -121,17 +124,6 @@ glm::dvec3 centre_of(const std::vector<glm::dvec3>& points) {
   return length > 0.0 ? sum / length : points.front();
 }
 
-void put_in_working_order(std::vector<glm::dvec3>& points, const RowFrame& frame, const glm::dvec3& centre) {
-  double area = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3 a = points[i] - centre;
-    const glm::dvec3 b = points[(i + 1) % points.size()] - centre;
-    area += glm::dot(a, frame.right) * glm::dot(b, frame.ahead) -
-            glm::dot(b, frame.right) * glm::dot(a, frame.ahead);
-  }
-  if (area < 0.0) std::reverse(points.begin(), points.end());
-}
-
 // A place on the loop: after point `segment`, a share of the way to the next.
 struct Start {
   std::size_t segment = 0;
@@ -152,22 +144,25 @@ Start find_start(const std::vector<glm::dvec3>& points, const RowFrame& frame, c
     const double out = glm::dot(point - centre, frame.right);
     if (out <= 0.0) continue;
     const double rank = below ? glm::distance(point, *below) : -out;
-    if (best && rank >= best_rank) continue;
+    if (best && !clearly_less(rank, best_rank, out)) continue;
     best = Start{i, point};
     best_rank = rank;
   }
   if (best) return *best;
   // The loop does not go round its centre there: the point farthest on that side.
-  const auto farthest = std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-    return glm::dot(a, frame.right) < glm::dot(b, frame.right);
-  });
-  return {static_cast<std::size_t>(farthest - points.begin()), *farthest};
+  std::size_t farthest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (clearly_less(glm::dot(points[farthest] - centre, frame.right),
+                     glm::dot(points[i] - centre, frame.right), glm::distance(points[i], centre)))
+      farthest = i;
+  }
+  return {farthest, points[farthest]};
 }
 
 Ring ring_from(std::vector<glm::dvec3> points, const RowFrame& frame,
                const std::optional<glm::dvec3>& below) {
   const glm::dvec3 centre = centre_of(points);
-  put_in_working_order(points, frame, centre);
+  if (runs_backwards(points, frame, centre)) std::reverse(points.begin(), points.end());
   const Start start = find_start(points, frame, centre, below);
   const auto after = static_cast<std::ptrdiff_t>((start.segment + 1) % points.size());
   std::rotate(points.begin(), points.begin() + after, points.end());
@@ -179,10 +174,7 @@ Ring ring_from(std::vector<glm::dvec3> points, const RowFrame& frame,
     points.pop_back();
   }
   ring.points.insert(ring.points.end(), points.begin(), points.end());
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    ring.arc.push_back(ring.length);
-    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
-  }
+  measure_arcs(ring);
   return ring;
 }
 
@@ -206,8 +198,8 @@ std::vector<Cut> cut_surface(const Input& input, const std::vector<double>& fiel
       Ring ring = ring_from(std::move(points), frame, below);
       if (ring.length > least_length) rings.push_back(std::move(ring));
     }
-    std::stable_sort(rings.begin(), rings.end(),
-                     [](const Ring& a, const Ring& b) { return a.length > b.length; });
+    sort_by_rule(
+        rings, [](const Ring& ring) { return -ring.length; }, input.bounds.diagonal());
     for (Ring& ring : rings) cut.loops.emplace_back(std::move(ring));
     if (!cut.loops.empty()) below = cut.loops.front()->points.front();
     cuts.push_back(std::move(cut));

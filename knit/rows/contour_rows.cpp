@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "knit/model/ties.h"
 #include "knit/rows/contour.h"
+#include "knit/rows/ring.h"
 #include "knit/timing/critical.h"
 #include "knit/timing/heights.h"
 
@@ -14,12 +16,12 @@ namespace knit {
 namespace {
 
 std::int32_t rounded_stitches(const Ring& ring, double stitch_width) {
-  return static_cast<std::int32_t>(std::clamp(std::round(ring.length / stitch_width), 3.0, 1e6));
+  return static_cast<std::int32_t>(std::clamp(rounded(ring.length / stitch_width), 3.0, 1e6));
 }
 
 bool is_tube(const Cut& cut) { return cut.loops.size() == 1; }
 bool too_short(const Cut& cut, double stitch_width) {
-  return cut.loops.empty() || (is_tube(cut) && cut.loops.front()->length < 1.5 * stitch_width);
+  return cut.loops.empty() || (is_tube(cut) && too_short(*cut.loops.front(), stitch_width));
 }
 
 // Of the times where they are the field; rings do not ask for it.
@@ -66,7 +68,7 @@ void explain_end(const Input& input, const Timing& timing, CutPlan& plan) {
 double stitches_in(const CutPlan& plan, double stitch_width) {
   double stitches = 0.0;
   for (const Cut& cut : plan.cuts) {
-    if (is_tube(cut)) stitches += std::round(cut.loops.front()->length / stitch_width);
+    if (is_tube(cut)) stitches += rounded(cut.loops.front()->length / stitch_width);
   }
   return stitches;
 }
@@ -103,7 +105,7 @@ class CountSearch {
     for (const std::int32_t wanted : candidates(cut)) {
       const std::int32_t count = within_limits(wanted, below);
       const double cost = misfit(ring, count, stitch_width_) + best_for(cut + 1, count, depth - 1).cost;
-      if (cost < best.cost) best = {count, cost};
+      if (clearly_less(cost, best.cost, 1.0)) best = {count, cost};
     }
     return best;
   }
@@ -135,7 +137,7 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   plan.stitch_height = stitch_height_of(parameters);
   const HeightScale scale = scale_of(input, timing);
   plan.height = scale.total() - height_of_time(timing, scale, from_time);
-  const double wanted = std::clamp(std::round(plan.height / plan.stitch_height), 1.0, 1e9);
+  const double wanted = std::clamp(rounded(plan.height / plan.stitch_height), 1.0, 1e9);
   if (wanted > most_contour_rows) return too_many_rows(timing, wanted);
   const auto steps = static_cast<std::int32_t>(from_time > 0.0 ? wanted : std::max(wanted, 2.0));
   plan.row_height = plan.height / steps;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 
 namespace knit {
 
@@ -22,6 +23,19 @@ inline RowFrame row_frame(const glm::dvec3& direction, const std::optional<glm::
   if (glm::length(right) < 1e-6) right = across({-1, 0, 0});
   right = glm::normalize(right);
   return {d, right, glm::cross(right, d)};
+}
+
+// Whether a loop runs against working order: its signed area about the frame is negative.
+inline bool runs_backwards(std::span<const glm::dvec3> loop, const RowFrame& frame,
+                           const glm::dvec3& centre) {
+  double area = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const glm::dvec3 a = loop[i] - centre;
+    const glm::dvec3 b = loop[(i + 1) % loop.size()] - centre;
+    area += glm::dot(a, frame.right) * glm::dot(b, frame.ahead) -
+            glm::dot(b, frame.right) * glm::dot(a, frame.ahead);
+  }
+  return area < 0.0;
 }
 
 }  // namespace knit

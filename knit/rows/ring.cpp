@@ -4,14 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/model/ties.h"
 #include "knit/rows/frame.h"
 
 namespace knit {
 
 namespace {
 
-struct Frame {
-  glm::dvec3 centre, right, ahead;  // angle 0 lies along `right`, rising towards `ahead`
+struct Frame : RowFrame {
+  glm::dvec3 centre;
 };
 
 Frame frame_of(const Input& input, const Ends& ends, std::span<const VertexId> places,
@@ -19,7 +20,7 @@ Frame frame_of(const Input& input, const Ends& ends, std::span<const VertexId> p
   const RowFrame frame = row_frame(ends.direction, start_direction);
   glm::dvec3 centre(0.0);
   for (const VertexId v : places) centre += input.mesh.positions[v];
-  return {centre / static_cast<double>(places.size()), frame.right, frame.ahead};
+  return {frame, centre / static_cast<double>(places.size())};
 }
 
 // Rises with the angle about the centre without needing it: in [-2, 2], 0 at the start direction, 1 a quarter
@@ -135,16 +136,12 @@ EdgeWalk walk_edges(const Input& input, const std::vector<VertexId>& places) {
   return result;
 }
 
-// Turns a walked loop so that it runs in working order: its signed area about the frame is positive.
+// Turns a walked loop so that it runs in working order.
 void orient(const Input& input, const Frame& frame, std::vector<VertexId>& order) {
-  double area = 0.0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const glm::dvec3 a = input.mesh.positions[order[i]] - frame.centre;
-    const glm::dvec3 b = input.mesh.positions[order[(i + 1) % order.size()]] - frame.centre;
-    area += glm::dot(a, frame.right) * glm::dot(b, frame.ahead) -
-            glm::dot(b, frame.right) * glm::dot(a, frame.ahead);
-  }
-  if (area < 0.0) std::reverse(order.begin(), order.end());
+  std::vector<glm::dvec3> points;
+  points.reserve(order.size());
+  for (const VertexId v : order) points.push_back(input.mesh.positions[v]);
+  if (runs_backwards(points, frame, frame.centre)) std::reverse(order.begin(), order.end());
 }
 
 // From places to the ring: begin at `first`, put other vertices at the same places back, copies of the first
@@ -174,11 +171,7 @@ Ring assemble(const Input& input, std::span<const VertexId> level, std::vector<V
   }
   ring.points.reserve(ring.vertices.size());
   for (const VertexId v : ring.vertices) ring.points.push_back(input.mesh.positions[v]);
-  ring.arc.reserve(ring.points.size());
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    ring.arc.push_back(ring.length);
-    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
-  }
+  measure_arcs(ring);
   return ring;
 }
 
@@ -207,6 +200,18 @@ std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends, st
   // No edges within the level: nothing contradicts the order by angle, if the places go round the centre.
   if (widest_gap(sorted) >= half_turn) return NotARing{count, 0};
   return assemble(input, level, std::move(order), first, OrderedBy::angle);
+}
+
+void measure_arcs(Ring& ring) {
+  ring.arc.reserve(ring.points.size());
+  for (std::size_t i = 0; i < ring.points.size(); ++i) {
+    ring.arc.push_back(ring.length);
+    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
+  }
+}
+
+bool too_short(const Ring& ring, double stitch_width) {
+  return clearly_less(ring.length, 1.5 * stitch_width, stitch_width);
 }
 
 glm::dvec3 point_at(const Ring& ring, double arc) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "knit/rows/ring.h"
+#include "knit/rows/verdict.h"
 
 namespace knit {
 
@@ -71,9 +72,8 @@ Advanced<RingEvent> close(const Input& input, const Parameters& parameters, cons
     return Stopped{StopReason::changes_too_much,        {}, work.level, picked, at.on.size(), no_vertex, 0.0,
                    time_of_level(at.timing, work.level)};
   }
-  const Band band = band_of(parameters);
-  const RowClosed step{picked, closed.gap >= band.low && closed.gap <= band.high, closed.dropped_last,
-                       closed.gap};
+  const bool gap_fits = verdict_on(closed.gap, band_of(parameters)) == Verdict::accepted;
+  const RowClosed step{picked, gap_fits, closed.dropped_last, closed.gap};
   work.closed = std::move(closed);
   work.phase = needed ? RowPhase::resample : RowPhase::share;
   return step;

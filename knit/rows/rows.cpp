@@ -6,6 +6,7 @@
 
 #include "knit/mesh/surface_distance.h"
 #include "knit/rows/ring.h"
+#include "knit/rows/verdict.h"
 
 namespace knit {
 
@@ -92,9 +93,7 @@ CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
   const Band band = band_of(parameters);
   const std::int32_t candidate = walk.next++;
   const double d = candidate == walk.anchor ? 0.0 : measured(walk, ring, input, parameters, candidate);
-  const Verdict verdict = d < band.low    ? Verdict::too_near
-                          : d > band.high ? Verdict::too_far
-                                          : Verdict::accepted;
+  const Verdict verdict = verdict_on(d, band);
   const CandidateMeasured step{vertex(ring, walk.anchor),
                                vertex(ring, candidate),
                                walk.anchor,
@@ -107,7 +106,8 @@ CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
     return step;
   }
   const double w = parameters.stitch_width;
-  const bool nearer = walk.nearest_order < 0 || std::abs(d - w) < std::abs(walk.nearest_distance - w);
+  const bool nearer =
+      walk.nearest_order < 0 || clearly_less(std::abs(d - w), std::abs(walk.nearest_distance - w), w);
   if (d > 0.0 && nearer) {
     walk.nearest_order = candidate;
     walk.nearest_distance = d;
@@ -126,7 +126,8 @@ BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const 
   const double near_distance = near > walk.anchor ? measured(walk, ring, input, parameters, near) : -1.0;
 
   const bool far_too_long = arc(ring, far) - arc(ring, walk.anchor) > 0.5 * ring.length;
-  const bool take_near = near > walk.anchor && (far_too_long || w - near_distance <= far_distance - w);
+  const bool take_near =
+      near > walk.anchor && (far_too_long || !clearly_less(far_distance - w, w - near_distance, w));
   const std::int32_t taken = take_near ? near : far;
   const BandMissed missed{vertex(ring, walk.anchor),
                           vertex(ring, taken),
@@ -146,8 +147,9 @@ std::optional<BandMissed> take_before_end(Walk& walk, const Ring& ring, const In
   Walk looking = walk;  // what is measured on the way must not stay behind when nothing is taken
   const double gap = walk.anchor == 0 ? 0.0 : measured(looking, ring, input, parameters, 0);
   const double near = last == walk.anchor ? 0.0 : measured(looking, ring, input, parameters, last);
-  if (near == 0.0 || gap <= band_of(parameters).high) return std::nullopt;
-  if (std::abs(near - parameters.stitch_width) > gap - parameters.stitch_width) return std::nullopt;
+  const double w = parameters.stitch_width;
+  if (near == 0.0 || verdict_on(gap, band_of(parameters)) != Verdict::too_far) return std::nullopt;
+  if (clearly_less(gap - w, std::abs(near - w), w)) return std::nullopt;
   const BandMissed missed{vertex(ring, walk.anchor),
                           vertex(ring, last),
                           static_cast<std::int32_t>(walk.kept.size()) + 1,
@@ -181,7 +183,7 @@ std::optional<NeededCount> needed_count(std::int32_t picked, std::int32_t below,
   const std::int32_t most = 2 * below;
   const std::int32_t least = std::max(3, (below + 1) / 2);
   if (picked < 3) {
-    const double ideal = std::round(ring_length / stitch_width);
+    const double ideal = rounded(ring_length / stitch_width);
     const auto count = static_cast<std::int32_t>(std::clamp(ideal, double(least), double(most)));
     return NeededCount{count, ResampleReason::too_few};
   }
@@ -199,8 +201,7 @@ SharedGap share_gap(const ClosedRow& row, const Ring& ring, const Parameters& pa
     result.per_stitch = ring.length / n;
     result.shared = true;
   } else if (parameters.close == Closing::thesis) {
-    const Band band = band_of(parameters);
-    if (row.gap >= band.low && row.gap <= band.high) return result;
+    if (verdict_on(row.gap, band_of(parameters)) == Verdict::accepted) return result;
     result.per_stitch = (row.gap - parameters.stitch_width) / n;
     for (std::int32_t i = 1; i < n; ++i) {
       const double from = arc(ring, row.orders[static_cast<std::size_t>(i)]);
@@ -211,26 +212,6 @@ SharedGap share_gap(const ClosedRow& row, const Ring& ring, const Parameters& pa
   }
   result.gap = gap_of(result.stitches);
   return result;
-}
-
-std::optional<std::vector<Stitch>> build_row(const Ring& ring, const Input& input,
-                                             const Parameters& parameters, std::int32_t below) {
-  const bool robust = parameters.on_stall == OnStall::continue_;
-  Walk walk;
-  while (walk.next < static_cast<std::int32_t>(ring.vertices.size())) {
-    const CandidateMeasured measured = measure_next(walk, ring, input, parameters);
-    if (robust && measured.verdict == Verdict::too_far) take_nearest(walk, ring, input, parameters);
-  }
-  if (!robust && stalled(walk)) return std::nullopt;
-  if (robust) take_before_end(walk, ring, input, parameters);
-  ClosedRow row = close_row(walk, ring, input, parameters);
-  const auto picked = static_cast<std::int32_t>(row.stitches.size());
-  if (const auto needed = needed_count(picked, below, ring.length, parameters.stitch_width)) {
-    row.stitches = spread_evenly(ring, needed->count);
-    row.resampled = true;
-    row.gap = gap_of(row.stitches);
-  }
-  return share_gap(row, ring, parameters).stitches;
 }
 
 }  // namespace knit

@@ -94,10 +94,6 @@ struct SharedGap {
 };
 SharedGap share_gap(const ClosedRow& row, const Ring& ring, const Parameters& parameters);
 
-// The whole of Algorithm 2 with its closing, for one ring; nothing when it stalls and on_stall is stop.
-std::optional<std::vector<Stitch>> build_row(const Ring& ring, const Input& input,
-                                             const Parameters& parameters, std::int32_t below);
-
 // Whether the walk ended with its anchor stuck: the rest of the ring skipped the band.
 bool stalled(const Walk& walk);
 

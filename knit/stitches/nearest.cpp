@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "knit/model/ties.h"
+
 namespace knit {
 
 namespace {
@@ -14,6 +16,13 @@ constexpr std::int32_t most_mains = 6;
 double squared(const Stitch& a, const Stitch& b) {
   const glm::dvec3 d = a.position - b.position;
   return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+// Of the row's stitch to stitch lengths: what sums of squares are compared by.
+double round_squares(std::span<const Stitch> row) {
+  double sum = squared(row.back(), row.front());
+  for (std::size_t i = 1; i < row.size(); ++i) sum += squared(row[i - 1], row[i]);
+  return sum;
 }
 
 std::vector<std::int32_t> mains_of(const NearestRows& rows) {
@@ -59,6 +68,7 @@ class Matcher {
         grows_(rows.above.size() >= rows.below.size()),
         small_(grows_ ? rows.below : rows.above),
         big_(grows_ ? rows.above : rows.below),
+        scale_(round_squares(big_)),
         to_mains_(distances_to_mains(mains, static_cast<std::int32_t>(rows.below.size()))) {}
 
   // The stitches of the smaller row that get two links, rising.
@@ -76,16 +86,14 @@ class Matcher {
       for (std::size_t k = 0; k < width; ++k) {
         if (cost[k] == never) continue;
         const double one = cost[k] + squared(small_[j], big_[j + k]);
-        if (one < next[k]) {
+        if (clearly_less(one, next[k], scale_)) {
           next[k] = one;
           took[j * width + k] = 0;
         }
         if (k == doublings) continue;
         const double two = one + squared(small_[j], big_[j + k + 1]) + penalty(j, j + k);
-        if (two < next[k + 1]) {
-          next[k + 1] = two;
-          took[j * width + k + 1] = 1;
-        }
+        next[k + 1] = two;  // the first way there
+        took[j * width + k + 1] = 1;
       }
       cost = std::move(next);
     }
@@ -130,6 +138,7 @@ class Matcher {
   const NearestPenalties& penalties_;
   bool grows_;
   std::span<const Stitch> small_, big_;
+  double scale_;
   std::vector<MainDistance> to_mains_;
 };
 
@@ -167,7 +176,8 @@ class Labeller {
   // Of two cells on one stitch: whether the first is the nearer to it.
   [[nodiscard]] bool first_is_nearer(std::size_t cell) const {
     const Stitch& shared = small_[static_cast<std::size_t>(t_.link[cell])];
-    return squared(shared, big_[cell]) <= squared(shared, big_[cell + 1]);
+    return !clearly_less(squared(shared, big_[cell + 1]), squared(shared, big_[cell]),
+                         squared(big_[cell], big_[cell + 1]));
   }
 
   // A doubled main goes on in the nearer of its cells; where every stitch is doubled in the first, which hangs on it in

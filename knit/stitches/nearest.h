@@ -9,7 +9,8 @@
 // six, spread over the cast on and carried from row to row along the links.
 //
 // Mirrored rounds are worked mirrored, right for left, unless every stitch is doubled: nothing here prefers a side.
-// Only where two places are equally near does the first of them count.
+// Only where two matchings are equally short (see ties.h) does one count by rule: the one that doubles later; and where
+// two places are equally near, the first.
 #pragma once
 
 #include <cstdint>

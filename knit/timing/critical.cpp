@@ -4,13 +4,11 @@
 
 #include "knit/mesh/edge_table.h"
 #include "knit/mesh/union_find.h"
+#include "knit/model/ties.h"
 
 namespace knit {
 
 namespace {
-
-// Nearer times than this are one: a flat part of the surface, whatever rounding says.
-constexpr double flat = 1e-12;
 
 // Times with ties broken by index, so that no two corners of a triangle are equal.
 struct Corner {
@@ -56,8 +54,8 @@ struct Flat {
 Flat flat_at(const Input& input, const std::vector<double>& times, VertexId v, std::int32_t middles) {
   Flat part{2 - middles, false, false};
   for (const VertexId n : input.neighbours_of(v)) {
-    part.any_below = part.any_below || times[n] < times[v] - flat;
-    part.any_above = part.any_above || times[n] > times[v] + flat;
+    part.any_below = part.any_below || clearly_less(times[n], times[v], 1.0);
+    part.any_above = part.any_above || clearly_less(times[v], times[n], 1.0);
   }
   return part;
 }
@@ -75,7 +73,7 @@ UnionFind join_flat_parts(const Input& input, const std::vector<double>& times) 
   for (VertexId v = 0; v < times.size(); ++v) {
     if (!is_place(input, v)) continue;
     for (const VertexId n : input.neighbours_of(v)) {
-      if (n > v && std::abs(times[n] - times[v]) <= flat) parts.join(v, n);
+      if (n > v && std::abs(times[n] - times[v]) <= tie) parts.join(v, n);
     }
   }
   return parts;
@@ -118,8 +116,8 @@ Criticals find_criticals(const Input& input, const std::vector<double>& times) {
     if (!is_place(input, v) || parts.find(v) != v) continue;
     for (const CriticalPoint& point : points_of(flats[v], v, times[v])) criticals.points.push_back(point);
   }
-  std::stable_sort(criticals.points.begin(), criticals.points.end(),
-                   [](const CriticalPoint& a, const CriticalPoint& b) { return a.time < b.time; });
+  sort_by_rule(
+      criticals.points, [](const CriticalPoint& point) { return point.time; }, 1.0);
   for (const CriticalPoint& point : criticals.points) {
     if (point.kind == CriticalKind::minimum) ++criticals.minima;
     if (point.kind == CriticalKind::saddle) criticals.saddles += point.multiplicity;
@@ -145,8 +143,9 @@ std::int32_t count_loops(const Input& input, const std::vector<double>& times, d
     }
     if (any) ++crossed;
   }
-  std::sort(crossings.begin(), crossings.end(),
-            [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
+  });
   UnionFind loops(crossed);
   auto count = static_cast<std::int32_t>(crossed);
   for (std::size_t i = 1; i < crossings.size(); ++i) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <utility>
+
+#include "knit/mesh/ranking.h"
 
 namespace knit {
 
@@ -58,18 +61,18 @@ class Dissection {
     Keyed keyed;
     keyed.reserve(vertices.size());
     for (const VertexId v : vertices) keyed.emplace_back(glm::dot(direction, positions_[v]), v);
-    const auto middle = keyed.begin() + static_cast<std::ptrdiff_t>(keyed.size() / 2);
-    std::nth_element(keyed.begin(), middle, keyed.end());
+    Keyed ranked = keyed;
+    put_least_first(std::span(ranked), ranked.size() / 2, std::less<>());
+    const auto middle = ranked[ranked.size() / 2];
     // A number used once for each half, so that vertices of other parts are in neither.
     const std::uint32_t low_side = ++sides_;
     const std::uint32_t high_side = ++sides_;
-    for (auto it = keyed.begin(); it != keyed.end(); ++it)
-      side_[it->second] = it < middle ? low_side : high_side;
+    for (const auto& key : keyed) side_[key.second] = key < middle ? low_side : high_side;
     Cut from_low;
     Cut from_high;
-    for (auto it = keyed.begin(); it != keyed.end(); ++it) {
-      const VertexId v = it->second;
-      const bool low = it < middle;
+    for (const auto& key : keyed) {
+      const VertexId v = key.second;
+      const bool low = key < middle;
       const bool beside = touches(v, low ? high_side : low_side);
       (low ? from_high.low : from_low.high).push_back(v);
       if (low) (beside ? from_low.between : from_low.low).push_back(v);

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "knit/mesh/elementary.h"
 #include "knit/model/bug.h"
 #include "knit/timing/dissection.h"
 #include "knit/timing/intrinsic.h"
@@ -131,7 +132,7 @@ std::array<double, 3> unit_slopes_in(const SideLengths& lengths, const std::arra
   const auto fall_to = [&](std::size_t k) { return heat[base] - heat[k % 3]; };
   const double x = fall_to(base + 1) / lengths[base];
   const double y = (fall_to(base + 2) - x * apex.x) / apex.y;
-  const double steepness = std::hypot(x, y);
+  const double steepness = hypotenuse(x, y);
   std::array<double, 3> slopes{};
   if (!(steepness > 0.0)) return slopes;
   slopes[base] = x / steepness * lengths[base];

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <utility>
+
+#include "knit/model/ties.h"
 
 namespace knit {
 
@@ -36,11 +39,28 @@ struct Slope {
   }
 };
 
+// A level that runs along edges at either end of the field is there whatever rounding says: what is nearer to the end
+// than a billionth of the triangle's farthest corner is at it.
+void pin_to_ends(std::array<double, 3>& rising) {
+  const double far_from_start = rising[2];
+  const double far_from_end = 1.0 - rising[0];
+  for (double& value : rising) {
+    if (!clearly_less(0.0, value, far_from_start)) value = 0.0;
+    if (!clearly_less(value, 1.0, far_from_end)) value = 1.0;
+  }
+}
+
 Slope slope_of(const Input& input, const std::vector<double>& field, Triangle t) {
-  std::sort(t.begin(), t.end(), [&](VertexId a, VertexId b) { return field[a] < field[b]; });
-  const auto& p = input.mesh.positions;
   Slope slope;
   for (std::size_t i = 0; i < 3; ++i) slope.value[i] = field[t[i]];
+  // By rising value; of equals the first stays first.
+  for (const std::size_t i : {0U, 1U, 0U}) {
+    if (slope.value[i + 1] >= slope.value[i]) continue;
+    std::swap(slope.value[i], slope.value[i + 1]);
+    std::swap(t[i], t[i + 1]);
+  }
+  pin_to_ends(slope.value);
+  const auto& p = input.mesh.positions;
   slope.area = 0.5 * glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
   const double whole = slope.value[2] - slope.value[0];
   if (whole > 0.0) {

@@ -12,6 +12,7 @@
 
 #include "knit/import/check_topology.h"
 #include "knit/mesh/edge_table.h"
+#include "knit/mesh/elementary.h"
 #include "knit/model/bug.h"
 
 namespace knit {
@@ -137,7 +138,7 @@ std::optional<Flip> plan_flip(const Net& net, HalfEdge h) {
   if (!breaks_delaunay(net.cotangent_opposite(h), net.cotangent_opposite(g))) return std::nullopt;
   const Apex c = lay_out(net.lengths[h / 3], h % 3);
   const Apex d = lay_out(net.lengths[g / 3], g % 3);  // from b, and below
-  const double length = std::hypot(c.x - (net.length(h) - d.x), c.y + d.y);
+  const double length = hypotenuse(c.x - (net.length(h) - d.x), c.y + d.y);
   const Flip flip{{net.length(previous_in_triangle(h)), net.length(next_in_triangle(g)), length},
                   {net.length(previous_in_triangle(g)), net.length(next_in_triangle(h)), length}};
   // Only rounding can spoil a flip; then the edge stays.

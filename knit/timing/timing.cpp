@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+
+#include "knit/model/ties.h"
 
 namespace knit {
 
@@ -14,7 +17,7 @@ double distance_from_centroid_line(const Input& input, VertexId vertex, const gl
 
 // The referenced vertex of greatest projection on `axis`.
 VertexId extreme_vertex(const Input& input, const glm::dvec3& axis) {
-  const double tie = 1e-9 * input.bounds.diagonal();
+  const double hair = tie * input.bounds.diagonal();
   double best_height = -std::numeric_limits<double>::infinity();
   for (VertexId v = 0; v < input.mesh.positions.size(); ++v) {
     if (input.referenced[v] != 0)
@@ -23,9 +26,9 @@ VertexId extreme_vertex(const Input& input, const glm::dvec3& axis) {
   VertexId best = no_vertex;
   double best_offset = 0.0;
   for (VertexId v = 0; v < input.mesh.positions.size(); ++v) {
-    if (input.referenced[v] == 0 || glm::dot(input.mesh.positions[v], axis) < best_height - tie) continue;
+    if (input.referenced[v] == 0 || glm::dot(input.mesh.positions[v], axis) < best_height - hair) continue;
     const double offset = distance_from_centroid_line(input, v, axis);
-    if (best == no_vertex || offset < best_offset - tie) {
+    if (best == no_vertex || offset < best_offset - hair) {
       best = v;
       best_offset = offset;
     }
@@ -48,7 +51,7 @@ std::variant<Ends, Stopped> find_ends(const Input& input, const Parameters& para
   ends.origin = positions[ends.start];
   const glm::dvec3 line = positions[ends.end] - ends.origin;
   ends.direction = picked ? line : axis * glm::dot(line, axis);
-  if (glm::length(ends.direction) <= 1e-9 * input.bounds.diagonal()) return flat;
+  if (glm::length(ends.direction) <= tie * input.bounds.diagonal()) return flat;
   return ends;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "knit/model/ties.h"
 #include "knit/timing/critical.h"
 #include "knit/timing/heights.h"
 #include "knit/timing/levels.h"
@@ -31,8 +32,12 @@ Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const Parameters
 // Distances from the start become a field; without a picked end the farthest vertex is the end.
 Advanced<TimingEvent> take_distances(const Input& input, const Parameters& parameters, TimingWork& work) {
   std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start);
-  const auto farthest = std::max_element(field.begin(), field.end());
-  if (parameters.end == no_vertex) work.ends->end = static_cast<VertexId>(farthest - field.begin());
+  if (parameters.end == no_vertex) {
+    const double reach = *std::max_element(field.begin(), field.end());
+    const auto farthest = std::find_if(field.begin(), field.end(),
+                                       [&](double value) { return !clearly_less(value, reach, reach); });
+    work.ends->end = static_cast<VertexId>(farthest - field.begin());
+  }
   const double whole = field[work.ends->end];
   const FieldSolved step{FieldStep::distance, work.ends->end, static_cast<std::int64_t>(field.size()), whole};
   if (!(whole > 0.0)) return Stopped{StopReason::no_extent, {}, -1, 0, 0, work.ends->start, 0.0, 0.0};
