@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/actions/hosting.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"
-#include "app/session/program.h"
 #include "app/window/run.h"
 #include "knit/model/bug.h"
 
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   app::Session session;
   try {
-    session.program->assets = folder_of_program(argv[0]) / "assets";
+    session = app::new_session(folder_of_program(argv[0]) / "assets");
     return run(arguments, session);
   } catch (const knit::Bug& bug) {
     report_bug(bug, arguments, session);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/actions/hosting.h"
+#include "app/actions/picture_session.h"
 #include "app/render/gif_palette.h"
 #include "app/render/headless_gl.h"
 #include "app/session/document.h"
@@ -238,7 +240,7 @@ TEST_CASE("a picture is taken beside the window's own frame") {
   const Image before = drawer.target().read();
   apply(session, SavePicture{folder.path() / "big.png", 1000, 300, false, true});
   REQUIRE(session.outbox->pictures.size() == 1);
-  save_figures_wanted(session);
+  save_figures(session, take_outgoing(session).pictures);
   CHECK(session.outbox->pictures.empty());
   REQUIRE(session.outbox->notices.size() == 1);
   CHECK(session.outbox->notices[0].kind == Notice::Kind::info);

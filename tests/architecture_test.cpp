@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -126,7 +127,7 @@ const std::vector<Arrow> arrows{
     {"app/window",
      {"knit/", "app/", "app/panels", "app/panels/kit", "app/render"},
      {"glm/", "glad/", "GLFW/"}},
-    {"app", {"knit/", "app/script", "app/window"}, {}}};
+    {"app", {"knit/", "app/session", "app/actions", "app/script", "app/window"}, {}}};
 
 // Folders of the app that "app/" stands for: all that knows no window.
 const std::set<std::string> app_core{"app/base",    "app/scene",   "app/session",  "app/explain",
@@ -264,6 +265,34 @@ Strings uneven_in(const Source& source) {
   return found;
 }
 
+// --- who changes a session ---------------------------------------------------------------------------------
+
+// Only actions change a session's parts: everywhere else nothing is assigned to one, nothing is called on one that
+// changes it, and no name is given to one by which it could be changed.
+Strings changes_of_session(const Source& source) {
+  static const std::string part =
+      R"(\w+(\.|->)((program|document|learning|outbox|jobs)\b|view->\w+)((\.|->)\w+|\[[^\]]*\])*)";
+  static const std::vector<std::regex> forms{
+      std::regex(part + R"(\s*([-+*/|&]?=(?!=)|\+\+|--))"),
+      std::regex(
+          part +
+          R"((\.|->)(push_back|pop_back|emplace|emplace_back|insert|insert_or_assign|assign|erase|clear|)"
+          R"(reset|resize|fill|swap|frame|orbit|pan|zoom|seek|await|accept|extend|extend_briefly|)"
+          R"(extend_to_end|tune|edit_from_here|remove_edit|set_knobs|change_input|refresh)\()"),
+      std::regex(R"(std::(exchange|swap|move)\()" + part), std::regex(R"((\+\+|--))" + part)};
+  static const std::regex name(
+      R"((const )?(knit::)?\b(Timeline|Program|Document|View|Learning|Outbox|Jobs)& \w+ = )");
+  Strings found;
+  for (const std::string& line : test_support::lines_of(code_of(source.text))) {
+    std::smatch named;
+    const bool may_change = std::regex_search(line, named, name) && !named[1].matched;
+    if (may_change || std::any_of(forms.begin(), forms.end(),
+                                  [&](const std::regex& form) { return std::regex_search(line, form); }))
+      found.push_back(source.name() + " changes a session: " + line);
+  }
+  return found;
+}
+
 template <class Check>
 Strings collect(const std::string& folder, Check check) {
   Strings all;
@@ -341,6 +370,24 @@ TEST_CASE("knit gives the same bits with every library") {
   }
 }
 
+TEST_CASE("only actions change a session's parts") {
+  for (const Arrow& arrow : arrows) {
+    if (arrow.folder != "app/actions") CHECK(collect(arrow.folder, changes_of_session) == none);
+  }
+}
+
+// Everything includes it: what its parts are made of stays behind their names.
+TEST_CASE("the session's header is light") {
+  const std::set<std::string> light{"app/session/part.h", "memory", "string", "utility"};
+  for (const Source& source : read_sources("app/session")) {
+    if (source.name() != "app/session/session.h" && source.name() != "app/session/part.h") continue;
+    for (const Include& include : includes_of(source)) {
+      CAPTURE(source.name(), include.path);
+      CHECK(light.count(include.path) == 1);
+    }
+  }
+}
+
 TEST_CASE("no source file is longer than 600 lines") {
   Strings long_files;
   for (const Arrow& arrow : arrows) {
@@ -375,6 +422,20 @@ TEST_CASE("these rules can be broken") {
   CHECK(crossed("app/render", "#include <GLFW/glfw3.h>\n#include \"app/panels/ui.h\"\n") == 2);
   CHECK(crossed("app/window", "#include <CLI/CLI.hpp>\n#include \"app/script/queries.h\"\n") == 1);
   CHECK(crossed("app", "#include \"app/render/target.h\"\n") == 1);
+
+  const auto changed = [&](const std::string& text) {
+    return changes_of_session(source("app/window", "x", false, text)).size();
+  };
+  CHECK(changed("session.document = Document(run);\n") == 1);
+  CHECK(changed("  session.view->gaze.picking = Picking::nothing;\nsession.view->layers[3] = true;\n") == 2);
+  CHECK(changed("desk.session.outbox->notices.push_back({});\nsession.document.reset();\n") == 2);
+  CHECK(changed("session.document->timeline.seek(3); // back\n") == 1);
+  CHECK(changed("run(std::exchange(session.outbox->pages, {}));\n++session.document->closeness_run;\n") == 2);
+  CHECK(changed("knit::Timeline& timeline = session.document->timeline;\n  View& view = *session.view;\n") ==
+        2);
+  CHECK(changed("const View& view = *session.view;\nif (session.view->side == SidePanel::step) return;\n") ==
+        0);
+  CHECK(changed("scene.view = session.view->gaze.camera.view(1.0);\nx = session.document->run_ms;\n") == 0);
 
   const auto in_knit = [&](bool header, const std::string& text) {
     return wrong_in_knit(source("knit/rows", "x", header, text)).size();

@@ -1,5 +1,6 @@
 // The command line as others script against it: words in, actions or an answer out.
 #include "app/script/command_line.h"
+#include "app/actions/navigate.h"
 #include "app/session/document.h"
 #include "app/session/program.h"
 

@@ -1,4 +1,5 @@
 // The strip of a lesson and the card that asks for a guess: what is clicked becomes answers.
+#include "app/actions/navigate.h"
 #include "app/lessons/predict.h"
 #include "app/scene/scene.h"
 #include "app/session/document.h"

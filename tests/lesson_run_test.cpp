@@ -1,4 +1,5 @@
 // Beginning, turning, skipping and leaving lessons; what is kept.
+#include "app/actions/navigate.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"

@@ -1,6 +1,7 @@
 // The copied command line opens exactly the state it was copied from.
 #include "app/files/link.h"
 
+#include "app/actions/navigate.h"
 #include "app/files/session_file.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"

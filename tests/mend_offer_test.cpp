@@ -9,6 +9,7 @@
 #include "app/script/command_line.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "app/session/learning.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
@@ -109,6 +110,39 @@ TEST_CASE("mends are carried out with one click and undone with one") {
   REQUIRE(session.jobs->mend_offer);  // as it was before the click
   apply(session, MendAndOpen{});
   CHECK(session.document->source.file == path);
+}
+
+TEST_CASE("mends undone leave alone what was begun and asked for meanwhile") {
+  const Folder folder;
+  Session session = test_support::example_session("sphere");
+  const SaveAnimation wish{folder.path() / "a.gif", {0, 0}, 1, 10.0, 64, 64, false};
+  const auto open_mended = [&] {
+    apply(session, OpenFile{bad_file(folder, "fin.obj")});
+    apply(session, MendAndOpen{});
+  };
+  SECTION("an animation that is done is not begun again") {
+    apply(session, wish);
+    REQUIRE(session.jobs->animation);
+    open_mended();
+    CHECK(session.jobs->animation);  // it goes on
+    apply(session, CancelAnimation{});
+    apply(session, UndoMend{});
+    CHECK_FALSE(session.jobs->animation);
+  }
+  SECTION("one in the making goes on") {
+    open_mended();
+    apply(session, wish);
+    REQUIRE(session.jobs->animation);
+    apply(session, UndoMend{});
+    CHECK(session.jobs->animation);
+  }
+  SECTION("what was learned stays") {
+    open_mended();
+    apply(session, SetPredicting{true});
+    apply(session, UndoMend{});
+    CHECK(session.learning->prediction);
+  }
+  CHECK(session.document->source.example == "sphere");
 }
 
 TEST_CASE("mends undone with nothing open before leave nothing open") {

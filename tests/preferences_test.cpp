@@ -1,4 +1,5 @@
 // Preferences: what is remembered, where, and what becomes of a file that is wrong.
+#include "app/actions/preferences_keeper.h"
 #include "app/files/preferences_file.h"
 
 #include <algorithm>

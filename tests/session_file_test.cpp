@@ -1,5 +1,6 @@
 // Sessions as files: what is saved is shown again, and what cannot be read is said in one sentence.
 #include "app/files/session_file.h"
+#include "app/actions/background_work.h"
 #include "app/actions/show_session.h"
 
 #include "app/describe/describe.h"

@@ -7,6 +7,7 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/actions/background_work.h"
+#include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
 #include "app/actions/playing.h"
@@ -31,10 +32,6 @@ namespace {
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-void notify(Session& session, Notice::Kind kind, std::string text) {
-  session.outbox->notices.push_back({kind, std::move(text)});
 }
 
 Document document_of(Loaded loaded, Source source, std::chrono::steady_clock::time_point start) {
@@ -278,7 +275,7 @@ struct Apply {
       notify(session, Notice::Kind::error, *error);
     } else if (a.path != "-") {
       if (info->opens_again) {
-        note_saved(session, a.path);
+        session.document->saved = saved_as(session, a.path);
         note_recent(session.program->preferences, recent_name(a.path));
       }
       notify(session, Notice::Kind::info, "Saved " + a.path.string() + ".");

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/actions/opening.h"
 #include "app/actions/parameters_text.h"
 #include "app/compare/sweep_work.h"
@@ -20,7 +21,7 @@ bool restore(Session& session, const Action& action, const Knobs& knobs) {
     const auto loaded = welded_for(session, action, knobs.base);
     if (!loaded) return false;
     if (const auto* error = std::get_if<std::string>(&*loaded)) {
-      session.outbox->notices.push_back({Notice::Kind::error, *error});
+      notify(session, Notice::Kind::error, *error);
       return false;
     }
     input = std::get<Loaded>(*loaded).input;
@@ -67,7 +68,7 @@ void take(Session& session, const PasteParameters& action) {
   if (!session.document) return;
   auto read = read_parameters_text(action.text, session.document->timeline.parameters());
   if (auto* error = std::get_if<std::string>(&read)) {
-    session.outbox->notices.push_back({Notice::Kind::error, "What was pasted: " + *error});
+    notify(session, Notice::Kind::error, "What was pasted: " + *error);
     return;
   }
   apply(session, Tune{std::get<knit::Parameters>(read)});
@@ -80,16 +81,8 @@ void remember_knobs(Session& session) {
 
 void tell(Session& session, const std::string& words) {
   const bool said = !session.outbox->notices.empty() && session.outbox->notices.back().text == words;
-  if (!said) session.outbox->notices.push_back({Notice::Kind::info, words});
+  if (!said) notify(session, Notice::Kind::info, words);
 }
-
-namespace {
-
-void complain(Session& session, std::string sentence) {
-  session.outbox->notices.push_back({Notice::Kind::error, std::move(sentence)});
-}
-
-}  // namespace
 
 void take(Session& session, const PinRun& /*action*/) {
   if (!session.document) return;
@@ -101,8 +94,9 @@ void take(Session& session, const PinRun& /*action*/) {
 void take(Session& session, const SwapPinned& /*action*/) {
   if (!session.document || !session.document->pinned) return;
   if (!is_of_this_mesh(session, *session.document->pinned)) {
-    complain(session, "The pinned run is of another mesh, " + session.document->pinned->input->mesh.name +
-                          "; open that one to swap with it.");
+    notify(session, Notice::Kind::error,
+           "The pinned run is of another mesh, " + session.document->pinned->input->mesh.name +
+               "; open that one to swap with it.");
     return;
   }
   remember_knobs(session);
@@ -123,7 +117,7 @@ void take(Session& session, const Unpin& /*action*/) {
 
 void take(Session& session, const StartSweep& action) {
   if (!session.document) return;
-  if (auto fault = fault_of(action.plan)) return complain(session, std::move(*fault));
+  if (auto fault = fault_of(action.plan)) return notify(session, Notice::Kind::error, std::move(*fault));
   session.document->sweep =
       Sweep{action.plan, std::make_shared<SweepWork>(sweep_base_of(session.document->timeline), action.plan)};
   if (!session.jobs->beside) session.document->sweep->work->wait();

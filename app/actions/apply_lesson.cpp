@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/lessons/lesson_judge.h"
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
@@ -129,7 +130,7 @@ std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t numb
 void take(Session& session, const StartLesson& action) {
   auto found = find_lesson(session.program->assets, action.key);
   if (auto* error = std::get_if<std::string>(&found)) {
-    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
+    notify(session, Notice::Kind::error, std::move(*error));
     return;
   }
   LessonRun run;

@@ -6,6 +6,7 @@
 
 #include "app/files/load.h"
 #include "app/files/session_file.h"
+#include "app/lessons/lesson.h"
 #include "app/session/action.h"
 #include "app/session/document.h"
 
@@ -100,12 +101,16 @@ void take(Session& session, const StartLesson& action);
 void take(Session& session, const LeaveLesson& action);
 void take(Session& session, const TurnLesson& action);
 void take(Session& session, const AnswerLesson& action);
+// lesson_deeds.cpp: a deed of a page; done through `apply`, except for what no hand can do at once.
+void do_deed(Session& session, const Deed& deed);
 // After every action: what the lesson waits for may have been done.
 void tend_lesson(Session& session, const Action& action);
 
 // apply_predict.cpp
 void take(Session& session, const SetPredicting& action);
 void take(Session& session, const Guess& action);
+// Playing has stopped here, and goes on after the guess.
+void wait_for_guess(Session& session);
 // After every action: a verdict that comes next is known, and what was told about the last one fits the place.
 void tend_prediction(Session& session);
 

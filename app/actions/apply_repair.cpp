@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/actions/opening.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -30,8 +31,8 @@ void tell_what_was_whole(Session& session, const knit::MendWish& wish) {
   for (const knit::MendKind kind : wish.kinds) {
     const auto& done = session.document->source.mends;
     if (std::find(done.begin(), done.end(), kind) != done.end()) continue;
-    session.outbox->notices.push_back({Notice::Kind::info, "The mend \"" + std::string(knit::key_of(kind)) +
-                                                               "\" found nothing to do on this mesh."});
+    notify(session, Notice::Kind::info,
+           "The mend \"" + std::string(knit::key_of(kind)) + "\" found nothing to do on this mesh.");
   }
 }
 
@@ -54,7 +55,7 @@ void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const
     session.view->dialogs.open_dialog_open = false;
     session.jobs->mend_offer = MendOffer{source, std::move(unfit.sentence), std::move(unfit.plan)};
   } else {
-    session.outbox->notices.push_back({Notice::Kind::error, std::move(unfit.sentence)});
+    notify(session, Notice::Kind::error, std::move(unfit.sentence));
   }
   note_not_opened(session, source);
 }
@@ -77,7 +78,7 @@ void take(Session& session, const MendAndOpen& /*action*/) {
                 [plan = offer.plan](knit::Progress* progress) { return load_mended(*plan, progress); }});
   if (!opened) return;
   if (const auto* error = std::get_if<std::string>(&*opened)) {
-    session.outbox->notices.push_back({Notice::Kind::error, *error});
+    notify(session, Notice::Kind::error, *error);
     return;
   }
   show_mended(session, std::get<Loaded>(*opened), offer.source, start);

@@ -1,4 +1,5 @@
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/actions/opening.h"
 #include "app/actions/show_session.h"
 #include "app/files/link.h"
@@ -20,7 +21,7 @@ void take(Session& session, const OpenSession& action) {
   const auto start = std::chrono::steady_clock::now();
   auto read = read_session(session.program->assets, action.path);
   if (auto* error = std::get_if<std::string>(&read)) {
-    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
+    notify(session, Notice::Kind::error, std::move(*error));
     note_not_opened(session, {{}, action.path});
     return;
   }
@@ -33,10 +34,9 @@ void take(Session& session, const CopyLink& /*action*/) {
   const bool by_options = !link;
   if (by_options) link = link_by_options(session);
   if (!link) {
-    session.outbox->notices.push_back(
-        {Notice::Kind::warning,
-         "Options alone cannot say all of this; save the session first, then the link names "
-         "its file."});
+    notify(session, Notice::Kind::warning,
+           "Options alone cannot say all of this; save the session first, then the link names "
+           "its file.");
     return;
   }
   session.outbox->clipboard = *link;
@@ -54,7 +54,7 @@ void take(Session& session, const TakeRescued& /*action*/) {
   const auto start = std::chrono::steady_clock::now();
   auto read = read_session(session.program->assets, session.program->rescued->path);
   if (auto* error = std::get_if<std::string>(&read)) {
-    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
+    notify(session, Notice::Kind::error, std::move(*error));
     return;
   }
   take_opened(session, std::get<OpenedSession>(std::move(read)), start, true);

@@ -56,7 +56,31 @@ void tend_measuring(Session& session) {
   }
 }
 
+// Takes the end from the run at hand or from a worker, as soon as either has it.
+void tend_pin(Session& session) {
+  if (!pin_is_pending(session)) return;
+  Pin& pin = *session.document->pinned;
+  if (is_at_hand(session, pin)) {
+    // It is being worked out anyway.
+    if (session.document->timeline.complete())
+      take_end(pin, end_of(tally_of(session.document->timeline), pin.knobs));
+    return;
+  }
+  if (!pin.work) {
+    pin.work.emplace(
+        [input = pin.input, knobs = pin.knobs] { return end_of(whole_run(*input, knobs), knobs); });
+  } else if (pin.work->ready()) {
+    take_end(pin, pin.work->take());
+  }
+}
+
 }  // namespace
+
+void finish_pin(Session& session) {
+  if (!pin_is_pending(session)) return;
+  Pin& pin = *session.document->pinned;
+  take_end(pin, end_of(whole_run(*pin.input, pin.knobs), pin.knobs));
+}
 
 void work_beside(Session& session, double seconds) {
   if (!session.jobs->beside || !session.document) return;

@@ -1,4 +1,4 @@
-// Moving through a run by item, row or stage.
+// Moving through a run by item, row or stage, to a place by its name, and through a lesson by its pages.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,15 @@
 #include <string>
 
 #include "app/session/action.h"
+#include "app/session/at.h"
+#include "app/session/run_key.h"
 
 namespace app {
+
+// Moves there. A sentence if the run has no such place; it then shows the nearest before it.
+std::optional<std::string> go_to(Session& session, const At& at);
+// The page's number from 1, as the command line has it; the error is one sentence.
+std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t number);
 
 // The position that a step of one unit leads to, working the run out as far as needed.
 // Forward: past the rest of the current row (stage). Back: to its beginning, or that of the one before.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/files/load.h"
 #include "app/files/session_file.h"
@@ -135,7 +136,7 @@ void tend_opening(Session& session, double seconds) {
   } else if (auto* opened = std::get_if<OpenedSession>(&result)) {
     take_opened(session, std::move(*opened), done->start, done->rescued);
   } else {
-    session.outbox->notices.push_back({Notice::Kind::error, std::get<std::string>(std::move(result))});
+    notify(session, Notice::Kind::error, std::get<std::string>(std::move(result)));
     if (!done->rescued) note_not_opened(session, {{}, done->path, {}});
   }
 }

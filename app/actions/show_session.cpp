@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/hosting.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"
 #include "app/session/outbox.h"
@@ -36,9 +37,8 @@ void go_to_place(Session& session, const SavedSession& saved) {
   session.document->travel.history = {};
   const knit::Timeline& timeline = session.document->timeline;
   if (timeline.sought() || timeline.place() == *saved.at) return;
-  session.outbox->notices.push_back(
-      {Notice::Kind::warning,
-       "The run no longer has the place where the session was; showing the nearest before it."});
+  notify(session, Notice::Kind::warning,
+         "The run no longer has the place where the session was; showing the nearest before it.");
 }
 
 }  // namespace
@@ -51,12 +51,12 @@ void show_session(Session& session, OpenedSession opened, std::chrono::steady_cl
   show_the_view(session, saved);
   go_to_place(session, saved);
   if (opened.changed) {
-    session.outbox->notices.push_back(
-        {Notice::Kind::warning, session.document->timeline.input().mesh.name +
-                                    " is another mesh than when the session was saved; "
-                                    "rows and stitches may differ."});
+    notify(session, Notice::Kind::warning,
+           session.document->timeline.input().mesh.name +
+               " is another mesh than when the session was saved; "
+               "rows and stitches may differ.");
   }
-  note_saved(session, opened.path);
+  session.document->saved = saved_as(session, opened.path);
 }
 
 std::optional<std::string> open_session(Session& session, const std::filesystem::path& path) {

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "app/base/text.h"
-#include "app/session/document.h"
-#include "app/session/program.h"
-#include "app/session/view.h"
 
 namespace app {
 
@@ -77,30 +73,6 @@ std::size_t position_of_frame(const Stretch& stretch, std::size_t frames, std::s
   if (frames <= 1) return stretch.end;
   const std::size_t gaps = frames - 1;
   return stretch.begin + (frame * (stretch.end - stretch.begin) + gaps / 2) / gaps;
-}
-
-Session figure_session(const Session& session) {
-  Session figure;
-  figure.program = session.program;
-  figure.program->rescued.reset();
-  figure.document = session.document;
-  figure.view = session.view;
-  figure.view->dialogs = {};
-  figure.view->gaze.picking = Picking::nothing;
-  figure.view->gaze.hovered_stitch.reset();
-  figure.view->gaze.hovered_rounds.reset();
-  figure.view->playback.playing = false;
-  return figure;
-}
-
-void fit_view(Session& session, double aspect) {
-  if (!(aspect > 0.0)) return;
-  if (aspect < session.view->aspect) {
-    const double wider =
-        std::tan(0.5 * session.view->gaze.camera.field_of_view) * session.view->aspect / aspect;
-    session.view->gaze.camera.field_of_view = 2.0 * std::atan(wider);
-  }
-  session.view->aspect = aspect;
 }
 
 }  // namespace app

@@ -37,9 +37,4 @@ struct AnimationRun {
   std::shared_ptr<const Session> from;  // as it was when it was asked for: a figure_session
 };
 
-// A copy with nothing open over it, nothing under the pointer and nothing under way.
-Session figure_session(const Session& session);
-// So that all that is seen in a view of the session's aspect is seen in one of this, which it gets.
-void fit_view(Session& session, double aspect);
-
 }  // namespace app

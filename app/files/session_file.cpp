@@ -177,12 +177,10 @@ std::variant<SavedRun, std::string> read_saved_run(const fs::path& path) {
   return SavedRun{std::move(saved.source), saved.knobs.base, std::move(saved.knobs.edits)};
 }
 
-void note_saved(Session& session, const fs::path& path) {
-  if (!session.document) return;
+std::optional<SavedAs> saved_as(const Session& session, const fs::path& path) {
   SessionText said = session_text(session, path);
-  session.document->saved.reset();
-  if (said.error.empty() && path != "-")
-    session.document->saved = SavedAs{absolute_of(path), std::move(said.text)};
+  if (!said.error.empty() || path == "-") return std::nullopt;
+  return SavedAs{absolute_of(path), std::move(said.text)};
 }
 
 std::optional<fs::path> saved_unchanged(const Session& session) {

@@ -54,8 +54,8 @@ SessionText session_text(const Session& session, const std::filesystem::path& pa
 // Written aside and renamed; the error is one sentence.
 std::optional<std::string> save_session(const Session& session, const std::filesystem::path& path);
 
-// Remembers that the session is what the file at `path` says.
-void note_saved(Session& session, const std::filesystem::path& path);
+// The session and the file at `path` that says it; none where no file can.
+std::optional<SavedAs> saved_as(const Session& session, const std::filesystem::path& path);
 // The session file that says exactly what the session is now.
 std::optional<std::filesystem::path> saved_unchanged(const Session& session);
 

@@ -176,13 +176,9 @@ struct LessonRun {
 
 // The question that waits for an answer; null: none.
 const Question* open_question(const Session& session);
-// The page's number from 1, as the command line has it; the error is one sentence.
-std::optional<std::string> go_to_lesson_page(Session& session, std::int32_t number);
 // Whether an action has this name in a page's "did".
 bool is_deed(const std::string& name, const Action& action);
 // Whether what is waited for holds now. `action`: what was just done. Notes in `progress` what it counts.
 bool holds(const Wait& wait, const Session& session, const Action& action, PageProgress& progress);
-// A deed of a page; done through `apply`, except for what no hand can do at once.
-void do_deed(Session& session, const Deed& deed);
 
 }  // namespace app

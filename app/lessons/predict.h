@@ -34,7 +34,5 @@ std::optional<AskedVertex> asked_vertex(const Session& session);
 
 // While guessing is on: the first position from the one shown up to `end` before which a verdict waits.
 std::optional<std::size_t> verdict_ahead(const Session& session, std::size_t end);
-// Playing has stopped here, and goes on after the guess.
-void wait_for_guess(Session& session);
 
 }  // namespace app

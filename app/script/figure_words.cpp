@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/actions/hosting.h"
+#include "app/actions/navigate.h"
 #include "app/base/text.h"
 #include "app/files/figures.h"
 #include "app/session/document.h"
@@ -106,7 +108,7 @@ AskedStretch asked_stretch(Session& session, const CommandLine& line) {
   };
   asked.stretch.begin = position_of(line.from);
   asked.stretch.end = position_of(line.to);
-  session.document->timeline.seek(place);
+  show_position(session, place);
   return asked;
 }
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "app/actions/hosting.h"
+#include "app/actions/navigate.h"
 #include "app/actions/opening.h"
 #include "app/lessons/lesson.h"
 #include "app/script/command_line.h"
@@ -104,9 +106,9 @@ void look_as_asked(Session& session, const CommandLine& line) {
 }  // namespace
 
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
-  session.jobs->beside = opens_beside(line);
+  set_beside(session, opens_beside(line));
   if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
-  session.jobs->beside = false;
+  set_beside(session, false);
   look_as_asked(session, line);
   if (session.jobs->opening || line.empty) return std::nullopt;
   if (!session.document && session.jobs->mend_offer)
@@ -125,7 +127,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
-  session.document->changes = {};  // what was asked for at the start is where undoing ends
+  forget_changes(session);  // what was asked for at the start is where undoing ends
   return error ? error : begin_lesson(session, line);
 }
 
@@ -161,8 +163,7 @@ bool AskedAtStart::tend(Session& session, const CommandLine& line) {
     if (opening && offered_in(session) == opening->path) offered_ = opening->path;
     return false;
   }
-  if (auto error = set_as_asked(session, line))
-    session.outbox->notices.push_back({Notice::Kind::error, std::move(*error)});
+  if (auto error = set_as_asked(session, line)) notify(session, Notice::Kind::error, std::move(*error));
   return true;
 }
 

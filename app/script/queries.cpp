@@ -1,5 +1,6 @@
 #include "app/script/queries.h"
 
+#include "app/actions/hosting.h"
 #include "app/compare/compare_runs.h"
 #include "app/compare/sweep_work.h"
 #include "app/explain/code_variables.h"
@@ -71,7 +72,7 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const RunTally run = whole_run(input, knobs);
   const RunFigures figures = figures_of(run, knobs);
 
-  session.document->timeline.extend_to_end();
+  work_out(session);
   const RunTally here = tally_of(session.document->timeline);
   const Knobs here_knobs = knobs_of(session.document->timeline);
   const RunFigures here_figures = figures_of(here, here_knobs);
@@ -84,7 +85,7 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   pin.end = run.state;
   pin.figures = figures;
   pin.known = true;
-  session.document->pinned = std::move(pin);
+  app::pin(session, std::move(pin));
   return {exit_done, text_of(difference, other.filename().string(), "this run"), ""};
 }
 
@@ -244,7 +245,7 @@ std::optional<std::string> fault_of_why(const std::string& thing) {
 Answer why_answer(Session& session, const std::string& thing) {
   const auto asked = thing_named(thing);
   if (!asked || !session.document) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
-  session.document->timeline.extend_to_end();
+  work_out(session);
   const knit::Timeline& timeline = session.document->timeline;
   const auto* vertex = std::get_if<knit::VertexThing>(&*asked);
   const std::size_t vertices = timeline.input().mesh.positions.size();

@@ -10,8 +10,6 @@
 
 namespace app {
 
-struct Session;
-
 // The end, a number of steps, or a place.
 struct AtEnd {};
 struct AtStage {
@@ -20,8 +18,5 @@ struct AtStage {
 using At = std::variant<AtEnd, std::size_t, AtStage, knit::Place>;
 
 std::optional<At> parse_at(const std::string& text);
-
-// Moves there. A sentence if the run has no such place; it then shows the nearest before it.
-std::optional<std::string> go_to(Session& session, const At& at);
 
 }  // namespace app

@@ -5,8 +5,6 @@
 
 namespace app {
 
-namespace {
-
 PinnedEnd end_of(const RunTally& run, const Knobs& knobs) { return {run.state, figures_of(run, knobs)}; }
 
 void take_end(Pin& pin, PinnedEnd end) {
@@ -21,8 +19,6 @@ bool is_at_hand(const Session& session, const Pin& pin) {
          knobs_of(session.document->timeline) == pin.knobs;
 }
 
-}  // namespace
-
 Pin pin_of(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   Pin pin;
@@ -30,29 +26,6 @@ Pin pin_of(const Session& session) {
   pin.knobs = knobs_of(timeline);
   if (timeline.complete()) take_end(pin, end_of(tally_of(timeline), pin.knobs));
   return pin;
-}
-
-void tend_pin(Session& session) {
-  if (!pin_is_pending(session)) return;
-  Pin& pin = *session.document->pinned;
-  if (is_at_hand(session, pin)) {
-    // It is being worked out anyway.
-    if (session.document->timeline.complete())
-      take_end(pin, end_of(tally_of(session.document->timeline), pin.knobs));
-    return;
-  }
-  if (!pin.work) {
-    pin.work.emplace(
-        [input = pin.input, knobs = pin.knobs] { return end_of(whole_run(*input, knobs), knobs); });
-  } else if (pin.work->ready()) {
-    take_end(pin, pin.work->take());
-  }
-}
-
-void finish_pin(Session& session) {
-  if (!pin_is_pending(session)) return;
-  Pin& pin = *session.document->pinned;
-  take_end(pin, end_of(whole_run(*pin.input, pin.knobs), pin.knobs));
 }
 
 bool pin_is_pending(const Session& session) {

@@ -28,10 +28,10 @@ struct Pin {
 
 // The run at hand as a pin; without its end while that is being worked out. Requires something open.
 Pin pin_of(const Session& session);
-// Beside the window: takes the end from the run at hand or from a worker, as soon as either has it.
-void tend_pin(Session& session);
-// Without a window: at once.
-void finish_pin(Session& session);
+PinnedEnd end_of(const RunTally& run, const Knobs& knobs);
+void take_end(Pin& pin, PinnedEnd end);
+// Whether it is the run at hand that is pinned.
+bool is_at_hand(const Session& session, const Pin& pin);
 // It lacks its end still, and a frame is due when it comes.
 bool pin_is_pending(const Session& session);
 // Whether the pinned run is of the mesh at hand: the same vertices, welded or not.

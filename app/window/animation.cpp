@@ -4,9 +4,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/actions/hosting.h"
+#include "app/actions/picture_session.h"
 #include "app/render/animation_file.h"
 #include "app/render/headless_gl.h"
-#include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
@@ -65,7 +66,7 @@ std::optional<std::string> AnimationMaker::make_next() {
     fit_view(inside_->session, view_aspect_of(inside_->session, shape));
   }
   Session& session = inside_->session;
-  session.document->timeline.seek(position_of_frame(wish.stretch, run_->frames, done_));
+  show_position(session, position_of_frame(wish.stretch, run_->frames, done_));
   if (auto error = inside_->file->add(inside_->drawer.figure(session, shape))) return error;
   ++done_;
   return finished() ? inside_->file->finish() : std::nullopt;
@@ -76,17 +77,10 @@ void tend_animation(Session& session, std::unique_ptr<AnimationMaker>& maker) {
   if (!session.jobs->animation) return;
   if (!maker) maker = std::make_unique<AnimationMaker>(session.jobs->animation);
   const auto error = maker->step();
-  if (!error && !maker->finished()) {
-    AnimationRun run = *session.jobs->animation;
-    run.done = maker->done();
-    session.jobs->animation = std::make_shared<const AnimationRun>(std::move(run));
-    return;
-  }
-  const std::string name = session.jobs->animation->wish.path.string();
-  session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                          : Notice{Notice::Kind::info, "Saved " + name + "."});
+  if (!error && !maker->finished()) return note_frames_made(session, maker->done());
+  notify_saved(session, session.jobs->animation->wish.path, error);
   maker.reset();
-  session.jobs->animation.reset();
+  apply(session, CancelAnimation{});
 }
 
 std::optional<std::string> save_figure(const Session& session, const FigureWish& wish) {
@@ -99,13 +93,8 @@ std::optional<std::string> save_figure(const Session& session, const FigureWish&
   }
 }
 
-void save_figures_wanted(Session& session) {
-  for (const FigureWish& wish : std::exchange(session.outbox->pictures, {})) {
-    const auto error = save_figure(session, wish);
-    session.outbox->notices.push_back(error
-                                          ? Notice{Notice::Kind::error, *error}
-                                          : Notice{Notice::Kind::info, "Saved " + wish.path.string() + "."});
-  }
+void save_figures(Session& session, const std::vector<FigureWish>& wishes) {
+  for (const FigureWish& wish : wishes) notify_saved(session, wish.path, save_figure(session, wish));
 }
 
 std::optional<std::string> save_figure_headless(const Session& session, const FigureWish& wish) {

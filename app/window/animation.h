@@ -38,8 +38,8 @@ class AnimationMaker {
 // For a loop, once a turn: takes session.jobs->animation one frame on; `maker` is its to keep.
 void tend_animation(Session& session, std::unique_ptr<AnimationMaker>& maker);
 
-// The picture of session.outbox->pictures, one after the other; says so in the session's notices.
-void save_figures_wanted(Session& session);
+// One after the other; says so in the session's notices.
+void save_figures(Session& session, const std::vector<FigureWish>& wishes);
 
 // The picture into its file; the error is one sentence.
 std::optional<std::string> save_figure(const Session& session, const FigureWish& wish);

@@ -1,5 +1,7 @@
 #include "app/window/frame.h"
 
+#include "app/actions/picture_session.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +9,6 @@
 #include "app/render/headless_gl.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
-#include "app/session/learning.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
 
@@ -156,20 +157,7 @@ double FrameDrawer::appeared(const Session& session, float seconds) {
 }
 
 Image FrameDrawer::finished(const Session& session, int side) {
-  Session shown = session;
-  shown.document->timeline.seek(shown.document->timeline.known());
-  shown.view->layers.fill(false);
-  for (const Layer layer : {Layer::faces, Layer::column_edges, Layer::row_edges})
-    shown.view->layers[static_cast<std::size_t>(layer)] = true;
-  shown.view->gaze.knit_along.reset();
-  shown.view->gaze.hovered_stitch.reset();
-  shown.document->pinned.reset();
-  shown.document->travel.selected.reset();
-  shown.view->gaze.hovered_rounds.reset();
-  shown.learning->pointed_variable.clear();
-  shown.view->aspect = 1.0;
-  shown.view->gaze.camera.frame(shown.document->timeline.input().bounds, shown.view->aspect);
-  Scene scene = Describer().describe(shown);
+  Scene scene = Describer().describe(finished_piece(session));
   scene.background = {255, 255, 255};
   target_.begin(side, side, 4);
   renderer_.draw(scene, {0, 0, side, side}, static_cast<float>(side) / 900.0f);

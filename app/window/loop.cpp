@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/actions/hosting.h"
+#include "app/actions/navigate.h"
 #include "app/actions/opening.h"
+#include "app/actions/preferences_keeper.h"
 #include "app/base/files.h"
 #include "app/files/export.h"
 #include "app/files/preferences_file.h"
@@ -31,15 +34,15 @@ namespace {
 void answer_in_window(Session& session, const CommandLine& line) {
   const auto give = [&](const Answer& answer) {
     std::fputs(answer.out.c_str(), stdout);
-    if (!answer.error.empty()) session.outbox->notices.push_back({Notice::Kind::warning, answer.error});
+    if (!answer.error.empty()) notify(session, Notice::Kind::warning, answer.error);
   };
   if (!line.why.empty()) give(why_answer(session, line.why));
   if (!line.diff.empty()) give(diff_answer(session, line.diff));
 }
 
 std::optional<std::string> save_animation_asked(Session& session, const CommandLine& line) {
-  session.jobs->beside = false;
-  session.document->timeline.extend_to_end();
+  set_beside(session, false);
+  work_out(session);
   SaveAnimation wish = *line.animation;
   const AskedStretch asked = asked_stretch(session, line);
   for (const std::string& note : asked.notes) std::fprintf(stderr, "knit-mesh: %s\n", note.c_str());
@@ -70,13 +73,12 @@ int save_at_closing(Session& session, const CommandLine& line, const FrameDrawer
 // The command line's questions about the run that is open now.
 void ask(Session& session, const CommandLine& line) {
   if (!session.document) return;
-  const bool beside = std::exchange(session.jobs->beside, false);  // the answers are wanted now
+  const bool beside = set_beside(session, false);  // the answers are wanted now
   if (line.at) {
-    if (const auto nearest = go_to(session, *line.at))
-      session.outbox->notices.push_back({Notice::Kind::warning, *nearest});
+    if (const auto nearest = go_to(session, *line.at)) notify(session, Notice::Kind::warning, *nearest);
   }
   answer_in_window(session, line);
-  session.jobs->beside = beside;
+  set_beside(session, beside);
   if (!line.sweep.empty()) sweep_answer(session, line.sweep);
 }
 
@@ -88,10 +90,10 @@ struct Kept {
 };
 
 Kept begin(Session& session, const CommandLine& line, const Window& window, FrameDrawer& drawer) {
-  session.jobs->beside = true;
+  set_beside(session, true);
   ask(session, line);
   const auto folder = rescue_folder();
-  if (folder) session.program->rescued = find_rescued(*folder);
+  if (folder) offer_rescued(session, find_rescued(*folder));
   PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
   drawer.draw(session, shape_of(window, 0.0, 1), {});
   if (!session.view->gaze.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
@@ -150,11 +152,10 @@ Window::Size plain_size(const Window& window) {
 
 void tell_loss(Session& session) {
   if (session.jobs->animation)
-    session.outbox->notices.push_back({Notice::Kind::warning, "The animation was given up. Save it again."});
-  session.jobs->animation.reset();
-  session.outbox->notices.push_back(
-      {Notice::Kind::warning,
-       "The graphics driver lost the window, so it was opened anew. Nothing else is lost."});
+    notify(session, Notice::Kind::warning, "The animation was given up. Save it again.");
+  apply(session, CancelAnimation{});
+  notify(session, Notice::Kind::warning,
+         "The graphics driver lost the window, so it was opened anew. Nothing else is lost.");
 }
 
 }  // namespace

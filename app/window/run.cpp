@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "app/actions/background_work.h"
+#include "app/actions/hosting.h"
+#include "app/actions/navigate.h"
 #include "app/base/files.h"
 #include "app/files/export.h"
 #include "app/render/memory.h"
@@ -21,14 +22,6 @@ namespace app {
 namespace {
 
 void say(const std::string& line) { std::fprintf(stderr, "knit-mesh: %s\n", line.c_str()); }
-
-void make_whole(Session& session) {
-  if (!session.document) return;
-  session.document->timeline.extend_to_end();  // so that the timeline in the picture is whole
-  apply(session, PassTime{0.0});               // and its marks
-  finish_pin(session);
-  if (session.view->side == SidePanel::report) session.document->closeness = closeness_now(*session.document);
-}
 
 std::optional<std::string> save_picture(Session& session, const CommandLine& line,
                                         const std::filesystem::path& path) {
@@ -123,8 +116,7 @@ int answer_queries(Session& session, const CommandLine& line) {
 
 int run_headless(Session& session, const CommandLine& line) {
   keep_freed_memory();
-  for (const Notice& notice : session.outbox->notices) say(notice.text);
-  session.outbox->notices.clear();
+  for (const Notice& notice : take_notices(session)) say(notice.text);
   // A session or a lesson brings its own place.
   const bool stays = (!line.session.empty() || session.learning->lesson) && !line.at;
   const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
+#include "app/actions/hosting.h"
 #include "app/compare/sweep_work.h"
 #include "app/files/export.h"
 #include "app/files/pattern_export.h"
@@ -43,38 +43,26 @@ bool only_waiting(const Session& session) {
            (session.jobs->opening || session.jobs->run.measuring || working_beside(session))));
 }
 
-void save_pictures_wanted(Session& session, const Target& target) {
-  for (const std::filesystem::path& path : session.outbox->screenshots) {
-    const auto error = save_png(path.string(), target.read());
-    session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                            : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
-  }
-  session.outbox->screenshots.clear();
-}
-
-void save_pages_wanted(Session& session, FrameDrawer& drawer) {
-  for (const std::filesystem::path& path : std::exchange(session.outbox->pages, {})) {
-    const auto missing = pattern_missing(session);
-    const auto error = missing ? missing
-                               : export_to_file(session, {"pattern", path},
-                                                png_bytes(drawer.finished(session, page_picture_px)));
-    session.outbox->notices.push_back(error ? Notice{Notice::Kind::error, *error}
-                                            : Notice{Notice::Kind::info, "Saved " + path.string() + "."});
-  }
+std::optional<std::string> save_page(const Session& session, const std::filesystem::path& path,
+                                     FrameDrawer& drawer) {
+  if (auto missing = pattern_missing(session)) return missing;
+  return export_to_file(session, {"pattern", path}, png_bytes(drawer.finished(session, page_picture_px)));
 }
 
 void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
-  save_pictures_wanted(session, drawer.target());
-  save_pages_wanted(session, drawer);
-  save_figures_wanted(session);
+  const Outbox wanted = take_outgoing(session);
+  for (const std::filesystem::path& path : wanted.screenshots)
+    notify_saved(session, path, save_png(path.string(), drawer.target().read()));
+  for (const std::filesystem::path& path : wanted.pages)
+    notify_saved(session, path, save_page(session, path, drawer));
+  save_figures(session, wanted.pictures);
 }
 
 // Once each time that it changes.
 void tell_shader_problem(Session& session, const FrameDrawer& drawer, Pace& pace) {
   if (drawer.shader_problem() == pace.shader_problem) return;
   pace.shader_problem = drawer.shader_problem();
-  if (!pace.shader_problem.empty())
-    session.outbox->notices.push_back({Notice::Kind::warning, pace.shader_problem});
+  if (!pace.shader_problem.empty()) notify(session, Notice::Kind::warning, pace.shader_problem);
 }
 
 std::string title_of(const Session& session) {
@@ -147,7 +135,7 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   window.swap();
   save_what_is_wanted(session, drawer);
   for (const Action& wish : wishes) apply(session, wish);
-  if (const auto text = std::exchange(session.outbox->clipboard, std::nullopt)) window.set_clipboard(*text);
+  if (const auto text = take_clipboard(session)) window.set_clipboard(*text);
   pace.frames_due = wishes.empty() ? std::max(0, pace.frames_due - 1) : frames_after_event;
   return seconds;
 }

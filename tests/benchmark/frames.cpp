@@ -1,4 +1,5 @@
 #include "tests/benchmark/frames.h"
+#include "app/actions/navigate.h"
 
 #include <glad/gl.h>
 

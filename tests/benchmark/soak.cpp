@@ -12,6 +12,7 @@
 #include <random>
 #include <thread>
 
+#include "app/actions/hosting.h"
 #include "app/actions/opening.h"
 #include "app/base/files.h"
 #include "app/compare/sweep_work.h"
@@ -105,7 +106,7 @@ class Person {
     }
     keeper_.pass(desk_.session, frame_s);
     if (drawer_) {
-      app::save_figures_wanted(desk_.session);
+      app::save_figures(desk_.session, app::take_outgoing(desk_.session).pictures);
       app::tend_animation(desk_.session, animation_);
     }
     desk_.session.outbox->screenshots.clear();
