@@ -78,7 +78,7 @@ const std::vector<Arrow> arrows{
     {"knit/model", {"knit/mesh"}, {"glm/"}},
     {"knit/timing", {"knit/mesh", "knit/import", "knit/model"}, {"glm/", "Eigen/"}},
     {"knit/rows", {"knit/mesh", "knit/model", "knit/timing"}, {"glm/"}},
-    {"knit/stitches", {"knit/model"}, {"glm/"}},
+    {"knit/stitches", {"knit/model", "knit/timing", "knit/rows"}, {"glm/"}},
     {"knit/run", {"knit/mesh", "knit/model", "knit/timing", "knit/rows", "knit/stitches"}, {"glm/"}},
     {"knit/quality", {"knit/mesh", "knit/model", "knit/run"}, {"glm/"}},
     {"knit/insight", {"knit/model", "knit/rows", "knit/run", "knit/quality"}, {"glm/"}},
