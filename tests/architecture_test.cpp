@@ -80,7 +80,7 @@ const std::vector<Arrow> arrows{
     {"knit/fabric", {"knit/mesh", "knit/model"}, {"glm/"}},
     {"knit/timing", {"knit/mesh", "knit/import", "knit/model"}, {"glm/", "Eigen/"}},
     {"knit/rows", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
-    {"knit/stitches", {"knit/model", "knit/fabric"}, {"glm/"}},
+    {"knit/stitches", {"knit/model", "knit/fabric", "knit/timing", "knit/rows"}, {"glm/"}},
     {"knit/run",
      {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/rows", "knit/stitches"},
      {"glm/"}},

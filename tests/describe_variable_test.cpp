@@ -138,9 +138,9 @@ TEST_CASE("every variable may be pointed at anywhere, and one that has a place s
       apply(session, PointAt{""});
       const bool band = describer.describe(session).band.has_value();
       for (const Variable& variable : variables_of(session)) {
-        apply(session, PointAt{std::string(variable.name)});
+        apply(session, PointAt{std::string(variable.of->key)});
         const Scene scene = describer.describe(session);
-        if (lit(scene) > 0 || (scene.band && !band)) shown.insert(std::string(variable.name));
+        if (lit(scene) > 0 || (scene.band && !band)) shown.insert(std::string(variable.of->key));
       }
     }
   }

@@ -60,13 +60,13 @@ TEST_CASE("every line and every value has its place in a low window, at every st
         desk.session.document->timeline.seek(position);
         desk.settle();
         const auto at = explained(desk.session);
-        const std::size_t lines = code_of(at->listing).lines.size();
-        INFO(code_of(at->listing).title << " at " << position);
+        const std::size_t lines = at->code->lines.size();
+        INFO(at->code->title << " at " << position);
         for (std::size_t line = 1; line <= lines; ++line)
           CHECK(desk.ui.controls.count("code/" + std::to_string(line)) == 1);
         for (const Variable& variable : variables_of(desk.session)) {
-          INFO(variable.name);
-          const std::string name(variable.name);
+          INFO(variable.of->key);
+          const std::string name(variable.of->key);
           CHECK((variable.value.empty() || desk.ui.controls.count("variable/" + name) == 1 ||
                  desk.ui.controls.count("value/" + name) == 1));
         }

@@ -3,9 +3,9 @@
 #include "app/explain/pseudo_code.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
-#include "app/explain/code_variable_table.h"
 #include "app/explain/code_variables.h"
 #include "app/explain/step_table.h"
 #include "app/script/queries.h"
@@ -15,6 +15,7 @@
 #include "knit/insight/narrate.h"
 #include "knit/model/words.h"
 #include "knit/run/machine.h"
+#include "knit/timing/timing_code.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -81,16 +82,17 @@ std::vector<Session> all_ways() {
 
 struct Reached {
   std::set<std::string_view> kinds;
-  std::set<std::pair<Listing, std::size_t>> lines;
-  std::size_t wrong = 0;  // steps beyond their listing
+  std::set<const CodeLine*> lines;
+  std::size_t wrong = 0;  // steps that are no line of their listing
 
   void take(const knit::Step& step, const knit::Parameters& parameters) {
-    const Listing listing = listing_of(step, parameters);
+    const PseudoCode& code = listing_of(step, parameters);
     const LinesRun run = lines_of(step, parameters);
-    wrong += run.first <= run.last && run.last < code_of(listing).lines.size() ? 0U : 1U;
+    wrong += run.first <= run.last && run.last < code.lines.size() ? 0U : 1U;
     wrong += line_of(step, parameters) == run.last ? 0U : 1U;
+    wrong += code.lines[run.last].lit(knit::any_event(step)) ? 0U : 1U;
     kinds.insert(knit::kind_name(step));
-    for (std::size_t line = run.first; line <= run.last; ++line) lines.emplace(listing, line);
+    for (std::size_t line = run.first; line <= run.last; ++line) lines.insert(&code.lines[line]);
   }
   void take(const knit::Timeline& timeline) {
     for (std::size_t i = 0; i < timeline.known(); ++i) take(timeline.step(i), timeline.parameters_of_step(i));
@@ -113,10 +115,10 @@ std::size_t columns(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-std::vector<Listing> all_listings() {
-  std::vector<Listing> all;
-  for (std::size_t i = 0; i < listing_count; ++i) all.push_back(static_cast<Listing>(i));
-  return all;
+std::size_t blanks_in(std::string_view text) {
+  std::size_t blanks = 0;
+  for (std::size_t at = text.find("{}"); at != text.npos; at = text.find("{}", at + 1)) ++blanks;
+  return blanks;
 }
 
 // "docs/algorithm.md, Rows: Stalls" names headings or bold words of that file.
@@ -142,11 +144,10 @@ TEST_CASE("every kind of step has its line, and every line that is no mere head 
   take_crowded_rows(reached);
   CHECK(reached.wrong == 0);
   CHECK(reached.kinds.size() == knit::event_count);
-  for (const Listing listing : all_listings()) {
-    const PseudoCode& code = code_of(listing);
-    for (std::size_t line = 0; line < code.lines.size(); ++line) {
-      INFO(code.title << ", line " << line + 1 << ": " << code.lines[line].text);
-      CHECK((code.lines[line].structural || reached.lines.count({listing, line}) == 1));
+  for (const PseudoCode* code : listings()) {
+    for (const CodeLine& line : code->lines) {
+      INFO(code->title << ": " << line.text);
+      CHECK((line.structural || reached.lines.count(&line) == 1));
     }
   }
 }
@@ -155,7 +156,7 @@ TEST_CASE("each verdict, reason to stop and rule ends at a line of its own") {
   const knit::Parameters parameters;
   const knit::Place place{knit::Stage::rows, 5, 3};
   const auto text = [&](const knit::Step& step) {
-    return shown_text(code_of(listing_of(step, parameters)).lines[line_of(step, parameters)]);
+    return shown_text(listing_of(step, parameters).lines[line_of(step, parameters)]);
   };
   const auto measured = [&](knit::Verdict verdict) {
     return text({place, knit::CandidateMeasured{1, 2, 0, 1, 1, verdict, 0.1}});
@@ -179,14 +180,16 @@ TEST_CASE("each verdict, reason to stop and rule ends at a line of its own") {
 
 TEST_CASE("lines fit their panel and say what they mean and where they come from") {
   const std::string docs = test_support::read_text(std::string(KNIT_SOURCE_DIR) + "/docs/algorithm.md");
-  for (const Listing listing : all_listings()) {
-    const PseudoCode& code = code_of(listing);
-    CHECK_FALSE(code.title.empty());
-    CHECK(code.lines.size() >= 5);
-    CHECK(code.lines.size() <= 12);
-    for (const CodeLine& line : code.lines) {
-      INFO(code.title << ": " << line.text);
-      CHECK(columns(shown_text(line)) <= most_code_columns);
+  for (const PseudoCode* code : listings()) {
+    CHECK_FALSE(code->title.empty());
+    CHECK(code->lines.size() >= 5);
+    CHECK(code->lines.size() <= 12);
+    for (const CodeLine& line : code->lines) {
+      INFO(code->title << ": " << line.text);
+      CHECK(blanks_in(line.text) == static_cast<std::size_t>(std::count_if(
+                                        line.variables.begin(), line.variables.end(),
+                                        [](const auto* variable) { return variable != nullptr; })));
+      CHECK(columns(shown_text(line)) <= knit::most_code_columns);
       CHECK(shown_text(line).find('{') == std::string::npos);
       CHECK(test_support::is_one_sentence(std::string(line.meaning)) == (line.meaning.size() > 20));
       CHECK(line.meaning.back() == '.');
@@ -203,26 +206,20 @@ TEST_CASE("lines fit their panel and say what they mean and where they come from
   }
 }
 
-TEST_CASE("every variable has a symbol and a meaning, and stands in the table once") {
-  std::set<std::string_view> used;
-  for (const Listing listing : all_listings()) {
-    for (const std::string_view name : variable_names_of(listing)) {
-      INFO(name);
-      used.insert(name);
-      const VariableInfo info = variable_named(name);
-      CHECK(info.name == name);
-      CHECK_FALSE(info.symbol.empty());
-      CHECK(info.meaning.size() > 10);
-      CHECK(info.meaning.back() == '.');
+TEST_CASE("every variable has a symbol and a meaning, and a name that no other has") {
+  std::map<std::string_view, const knit::CodeVariable*> named;
+  for (const PseudoCode* code : listings()) {
+    for (const knit::CodeVariable* variable : variables_in(*code)) {
+      INFO(variable->key);
+      CHECK(named.emplace(variable->key, variable).first->second == variable);
+      CHECK(variable_named(variable->key) == variable);
+      CHECK_FALSE(variable->symbol.empty());
+      CHECK(variable->meaning.size() > 10);
+      CHECK(variable->meaning.back() == '.');
     }
   }
-  std::set<std::string_view> names;
-  for (const VariableInfo& info : variable_table) {
-    INFO(info.name);
-    CHECK(names.insert(info.name).second);
-    CHECK(used.count(info.name) == 1);
-  }
-  CHECK(variable_named("nonsense").name.empty());
+  CHECK(named.size() > 70);
+  CHECK(variable_named("nonsense") == nullptr);
 }
 
 TEST_CASE("every number of a step is the value of a variable") {
@@ -254,7 +251,7 @@ TEST_CASE("the variables of a measured candidate are those of its step, by the t
   const std::vector<Variable> variables = variables_of(session);
   const auto value = [&](std::string_view symbol) {
     const auto at = std::find_if(variables.begin(), variables.end(),
-                                 [&](const Variable& v) { return v.symbol == symbol; });
+                                 [&](const Variable& v) { return v.of->symbol == symbol; });
     REQUIRE(at != variables.end());
     return at->value;
   };
@@ -272,7 +269,7 @@ TEST_CASE("before the first step the listing is that of what comes, and no line 
   const auto at = explained(session);
   REQUIRE(at);
   CHECK(at->step == nullptr);
-  CHECK(at->listing == Listing::timing_harmonic);
+  CHECK(at->code == &knit::harmonic_code);
   CHECK_FALSE(at->lines);
   CHECK_FALSE(explained(Session{}));
   CHECK(variables_of(Session{}).empty());

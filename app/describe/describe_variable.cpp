@@ -12,8 +12,14 @@
 #include "app/session/view.h"
 #include "knit/model/words.h"
 #include "knit/rows/ring.h"
+#include "knit/rows/row_code.h"
+#include "knit/rows/row_variables.h"
+#include "knit/stitches/stitch_variables.h"
+#include "knit/timing/timing_variables.h"
 
 namespace app {
+
+namespace var = knit::var;
 
 namespace {
 
@@ -26,20 +32,21 @@ struct Measured {
 // One variable's light at one place of the run.
 class VariableLight {
  public:
-  VariableLight(const Session& session, const Explained& at, Scene& scene)
+  VariableLight(const Session& session, const knit::CodeVariable& variable, const Explained& at, Scene& scene)
       : session_(session),
+        variable_(variable),
         state_(session.document->timeline.state()),
         at_(at),
         scene_(scene),
         colour_(scene.theme->selected),
         row_(row_shown(state_, at.step != nullptr ? at.step->place.row : 0)) {}
 
-  void timing(std::string_view name);
-  void row(std::string_view name);
-  void walk(std::string_view name);
-  void contour(std::string_view name);
-  void index(std::string_view name);
-  void strip(std::string_view name);
+  void timing();
+  void row();
+  void walk();
+  void contour();
+  void index();
+  void strip();
 
  private:
   template <class Kind>
@@ -91,7 +98,14 @@ class VariableLight {
   void links(bool doubled_only, bool longest_only);
   void cell(std::int32_t cell, const std::string& words);
 
+  // Whether it is one of these that is pointed at.
+  template <class... Variables>
+  [[nodiscard]] bool is(const Variables&... each) const {
+    return ((&variable_ == &each) || ...);
+  }
+
   const Session& session_;
+  const knit::CodeVariable& variable_;
   const knit::State& state_;
   const Explained& at_;
   Scene& scene_;
@@ -145,26 +159,26 @@ void VariableLight::criticals(knit::CriticalKind kind) {
   }
 }
 
-void VariableLight::timing(std::string_view name) {
+void VariableLight::timing() {
   const knit::Ends* ends = ends_shown(state_);
   const auto* timed = step_as<knit::VertexTimed>();
-  if (name == "minima") return criticals(knit::CriticalKind::minimum);
-  if (name == "saddles") return criticals(knit::CriticalKind::saddle);
-  if (name == "maxima") return criticals(knit::CriticalKind::maximum);
+  if (is(var::minima)) return criticals(knit::CriticalKind::minimum);
+  if (is(var::saddles)) return criticals(knit::CriticalKind::saddle);
+  if (is(var::maxima)) return criticals(knit::CriticalKind::maximum);
   if (ends == nullptr) return;
-  if (name == "start") return vertex(ends->start, "v_start");
-  if (name == "end" || name == "far") return vertex(ends->end, "v_end");
-  if (name == "direction") return ends_line("d");
-  if (name == "mag") return ends_line(knit::short_number(glm::length(ends->direction)));
-  if (name == "height") return ends_line("H");
-  if (name == "split_level") {
+  if (is(var::start)) return vertex(ends->start, "v_start");
+  if (is(var::end, var::far)) return vertex(ends->end, "v_end");
+  if (is(var::direction)) return ends_line("d");
+  if (is(var::mag)) return ends_line(knit::short_number(glm::length(ends->direction)));
+  if (is(var::height)) return ends_line("H");
+  if (is(var::split_level)) {
     const auto* grouped = step_as<knit::LevelsGrouped>();
     if (grouped != nullptr) level(grouped->split_level, "splits");
   }
   if (timed == nullptr) return;
-  if (name == "vertex" || name == "clamped") return vertex(timed->vertex, "vi");
-  if (name == "diff") return line(place(ends->start), place(timed->vertex), "diff");
-  if (name != "time") return;
+  if (is(var::vertex, var::clamped)) return vertex(timed->vertex, "vi");
+  if (is(var::diff)) return line(place(ends->start), place(timed->vertex), "diff");
+  if (!is(var::time)) return;
   vertex(timed->vertex, "t = " + knit::short_number(timed->time));
   const glm::dvec3 foot = ends->origin + timed->time * ends->direction;
   line(glm::vec3(ends->origin), glm::vec3(foot), "");
@@ -212,55 +226,54 @@ void VariableLight::kept() {
   point(glm::vec3(work->ring->points[static_cast<std::size_t>(work->walk.anchor)]), "");
 }
 
-void VariableLight::row(std::string_view name) {
+void VariableLight::row() {
   const std::string t = row_.time ? "t = " + knit::short_number(*row_.time) : "";
-  if (name == "cycle" || name == "count")
+  if (is(var::cycle, var::count))
     return row_.ring != nullptr ? ring("v") : level(row_.level.value_or(-1), "v");
-  if (name == "time" || name == "level" || name == "by" || name == "loops")
+  if (is(var::time, var::level, var::by, var::loops))
     return row_.ring != nullptr ? ring(t) : level(row_.level.value_or(-1), t);
-  if (name == "last_level") return level(state_.last_level, "last level");
-  if (name == "length" && row_.ring != nullptr) return ring("L = " + knit::short_number(row_.ring->length));
-  if (name == "first" && row_.ring != nullptr) return point(glm::vec3(row_.ring->points.front()), "v[0]");
-  if (name == "below") return stitches(row_.below, "row below: ");
-  if (name == "n" || name == "k" || name == "picked") return kept();
-  walk(name);
+  if (is(var::last_level)) return level(state_.last_level, "last level");
+  if (is(var::length) && row_.ring != nullptr) return ring("L = " + knit::short_number(row_.ring->length));
+  if (is(var::first) && row_.ring != nullptr) return point(glm::vec3(row_.ring->points.front()), "v[0]");
+  if (is(var::below)) return stitches(row_.below, "row below: ");
+  if (is(var::n, var::k, var::picked)) return kept();
+  walk();
 }
 
 // Of Algorithm 2 and the cast on: what is measured along the ring.
-void VariableLight::walk(std::string_view name) {
-  if (name == "anchor" || name == "stitch") return vertex(measured().anchor, "v0");
-  if (name == "candidate" || name == "order") {
+void VariableLight::walk() {
+  if (is(var::anchor, var::stitch)) return vertex(measured().anchor, "v0");
+  if (is(var::candidate, var::order)) {
     const Measured m = measured();
     if (m.candidate == knit::no_vertex) return;
     scene_.lines.push_back({place(m.anchor), place(m.candidate), colour_, 2.0F});
     return vertex(m.candidate, "vi");
   }
-  if (name == "d" || name == "metric") return distance();
-  if (name == "width" || name == "epsilon" || name == "verdict" || name == "skipped") return band();
+  if (is(var::d, var::metric)) return distance();
+  if (is(var::width, var::epsilon, var::verdict, var::skipped)) return band();
   const auto* closed = step_as<knit::RowClosed>();
   const auto* shared = step_as<knit::GapShared>();
-  if ((name == "gap" || name == "in_band" || name == "dropped_last") && closed != nullptr)
-    return gap("g = ", closed->gap);
-  if (shared != nullptr && (name == "gap" || name == "gap_after" || name == "share" || name == "how"))
+  if (is(var::gap, var::in_band, var::dropped_last) && closed != nullptr) return gap("g = ", closed->gap);
+  if (shared != nullptr && is(var::gap, var::gap_after, var::share, var::how))
     return gap("g after = ", shared->gap_after);
   const auto* cast_on = step_as<knit::StitchCastOn>();
-  if (cast_on == nullptr || row_.ring == nullptr || (name != "arc" && name != "item")) return;
+  if (cast_on == nullptr || row_.ring == nullptr || !is(var::arc, var::item)) return;
   add_arc(*row_.ring, RingArc{0.0, cast_on->arc}, colour_, 5.0F, scene_);
   point(glm::vec3(knit::point_at(*row_.ring, cast_on->arc)), "s = " + knit::short_number(cast_on->arc));
 }
 
-void VariableLight::contour(std::string_view name) {
+void VariableLight::contour() {
   const auto* work = std::get_if<knit::ContourWork>(&state_.work);
   const auto* placed = step_as<knit::StitchPlaced>();
-  if (name == "rows" || name == "stitch_height" || name == "row_height") {
+  if (is(var::rows, var::stitch_height, var::row_height)) {
     if (work == nullptr || !work->plan) return;
     for (const knit::Cut& cut : work->plan->cuts) {
       for (const auto& loop : cut.loops) add_loop(*loop, colour_, 2.0F, scene_.lines);
     }
     return;
   }
-  if (name == "surface_height") return ends_line("H");
-  if (name == "edges" || name == "points" || name == "loops" || name == "time" || name == "level") {
+  if (is(var::surface_height)) return ends_line("H");
+  if (is(var::edges, var::points, var::loops, var::time, var::level)) {
     if (row_.ring != nullptr) return ring(row_.time ? "t = " + knit::short_number(*row_.time) : "");
     if (work == nullptr || !work->plan || static_cast<std::size_t>(work->cut) >= work->plan->cuts.size())
       return;
@@ -271,23 +284,23 @@ void VariableLight::contour(std::string_view name) {
   if (row_.ring == nullptr) return;
   const knit::Ring& loop = *row_.ring;
   const double w = parameters().stitch_width;
-  if (placed != nullptr && (name == "arc" || name == "item")) {
+  if (placed != nullptr && is(var::arc, var::item)) {
     add_arc(loop, RingArc{0.0, placed->arc}, colour_, 5.0F, scene_);
     return point(glm::vec3(knit::point_at(loop, placed->arc)), "s = " + knit::short_number(placed->arc));
   }
-  if (name == "width") {
+  if (is(var::width)) {
     add_arc(loop, RingArc{0.0, std::min(w, loop.length)}, colour_, 5.0F, scene_);
     return point(glm::vec3(loop.points.front()), "w = " + knit::short_number(w));
   }
   const auto* chosen = step_as<knit::CountChosen>();
-  if (chosen != nullptr && (name == "course" || name == "n" || name == "ideal" || name == "reason")) {
+  if (chosen != nullptr && is(var::course, var::n, var::ideal, var::reason)) {
     for (std::int32_t i = 0; i < chosen->count; ++i) {
       const double arc = loop.length * i / chosen->count;
       scene_.points.push_back({glm::vec3(knit::point_at(loop, arc)), colour_, 7.0F});
     }
     return;
   }
-  row(name);
+  row();
 }
 
 // At its stitch of the larger row.
@@ -321,7 +334,7 @@ void VariableLight::links(bool doubled_only, bool longest_only) {
          knit::short_number(static_cast<double>(glm::distance(longest->from, longest->to))));
 }
 
-void VariableLight::index(std::string_view name) {
+void VariableLight::index() {
   if (at_.step == nullptr) return;
   const knit::RowId row = at_.step->place.row;
   const knit::Row* above = state_.fabric.find_row(row);
@@ -329,24 +342,24 @@ void VariableLight::index(std::string_view name) {
   if (above == nullptr || below == nullptr) return;
   const auto* main = step_as<knit::MainPlaced>();
   const auto* shaping = step_as<knit::ShapingPlaced>();
-  if (name == "below") return stitches(below, "p = ");
-  if (name == "above") return stitches(above, "n = ");
+  if (is(var::below)) return stitches(below, "p = ");
+  if (is(var::above)) return stitches(above, "n = ");
   const knit::Join* before = state_.fabric.join_into(below->id);
-  if (name == "mains" && before != nullptr) {
+  if (is(var::mains) && before != nullptr) {
     for (const std::int32_t stitch : before->mains)
       point(glm::vec3(below->stitches[static_cast<std::size_t>(stitch)].position), "");
     return;
   }
-  if (name == "links" || name == "sum") return links(false, false);
-  if (name == "doubled") return links(true, false);
-  if (name == "longest") return links(false, true);
-  if (name == "cell" || name == "label" || name == "main") {
+  if (is(var::links, var::sum)) return links(false, false);
+  if (is(var::doubled)) return links(true, false);
+  if (is(var::longest)) return links(false, true);
+  if (is(var::cell, var::label, var::main)) {
     if (main != nullptr) return cell(main->cell, "cell " + std::to_string(main->cell));
     if (shaping != nullptr) return cell(shaping->cell, "cell " + std::to_string(shaping->cell));
   }
-  if (name == "partner" && shaping != nullptr) return cell(shaping->partner, "partner");
+  if (is(var::partner) && shaping != nullptr) return cell(shaping->partner, "partner");
   const knit::Join* plan = join_shown(state_, at_.step->place.row);
-  const bool of_mains = name == "wanted" || name == "spacing" || name == "rule" || name == "mains_set";
+  const bool of_mains = is(var::wanted, var::spacing, var::rule, var::mains_set);
   if (plan == nullptr || !of_mains) return;
   for (const knit::PlacedLabel& placed : plan->placed) {
     if (placed.label == knit::Label::main) cell(placed.cell, "");
@@ -354,7 +367,7 @@ void VariableLight::index(std::string_view name) {
 }
 
 // Faces, and the rows that a line of the pattern is about.
-void VariableLight::strip(std::string_view name) {
+void VariableLight::strip() {
   const auto* made = step_as<knit::FaceMade>();
   const auto* written = step_as<knit::LineWritten>();
   if (made != nullptr) {
@@ -368,38 +381,31 @@ void VariableLight::strip(std::string_view name) {
   }
   if (written == nullptr) return;
   const knit::RowId row = at_.step->place.row;
-  const bool of_below = name == "consumed" && at_.step->place.item == 0;
+  const bool of_below = is(var::consumed) && at_.step->place.item == 0;
   stitches(of_below ? state_.fabric.row_below(row) : state_.fabric.find_row(row), "");
 }
 
 }  // namespace
 
 void describe_variable(const Session& session, Scene& scene) {
-  const std::string& name = session.learning->pointed_variable;
-  if (name.empty() || session.view->side != SidePanel::step) return;
+  const knit::CodeVariable* variable = variable_named(session.learning->pointed_variable);
+  if (variable == nullptr || session.view->side != SidePanel::step) return;
   const auto at = explained(session);
   if (!at) return;
-  VariableLight light(session, *at, scene);
-  switch (at->listing) {
-    case Listing::timing_linear:
-    case Listing::timing_arc_length:
-    case Listing::timing_geodesic:
-    case Listing::timing_harmonic:
-      return light.timing(name);
-    case Listing::cast_on:
-    case Listing::rows_rings:
-      return light.row(name);
-    case Listing::rows_contours:
-      return light.contour(name);
-    case Listing::index_thesis:
-    case Listing::index_even:
-    case Listing::index_nearest:
-      return light.index(name);
-    case Listing::faces:
-    case Listing::pattern:
-      return light.strip(name);
-    case Listing::count_:
-      return;
+  VariableLight light(session, *variable, *at, scene);
+  switch (at->code->stages.front()) {
+    case knit::Stage::import:
+    case knit::Stage::timing:
+      return light.timing();
+    case knit::Stage::cast_on:
+    case knit::Stage::rows:
+      return at->code == &knit::contour_code ? light.contour() : light.row();
+    case knit::Stage::stitches:
+      return light.index();
+    case knit::Stage::faces:
+    case knit::Stage::pattern:
+    case knit::Stage::done:
+      return light.strip();
   }
 }
 

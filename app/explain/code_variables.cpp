@@ -5,74 +5,49 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
-#include "app/explain/code_variable_table.h"
 #include "app/explain/step_table.h"
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
 #include "knit/model/words.h"
+#include "knit/rows/row_variables.h"
+#include "knit/stitches/stitch_variables.h"
+#include "knit/timing/timing_variables.h"
 
 namespace app {
 
+namespace var = knit::var;
+
 namespace {
 
-// Where a step's number is a variable of another name.
-struct Alias {
-  std::string_view kind, field, name;
-};
-constexpr std::array aliases{
-    Alias{"ends-found", "length", "mag"},
-    Alias{"field-solved", "what", ""},
-    Alias{"cycle-found", "vertices", "count"},
-    Alias{"stitch-cast-on", "stitch", "item"},
-    Alias{"stitch-cast-on", "of", "k"},
-    Alias{"cycle-gathered", "vertices", "count"},
-    Alias{"cycle-ordered", "vertices", "count"},
-    Alias{"candidate-measured", "distance", "d"},
-    Alias{"band-missed", "taken", "candidate"},
-    Alias{"band-missed", "distance", "d"},
-    Alias{"band-missed", "skipped_distance", "skipped"},
-    Alias{"row-closed", "stitches", "n"},
-    Alias{"row-resampled", "stitches", "n"},
-    Alias{"gap-shared", "stitches", "n"},
-    Alias{"gap-shared", "per_stitch", "share"},
-    Alias{"gap-shared", "gap_before", "gap"},
-    Alias{"rows-planned", "height", "surface_height"},
-    Alias{"count-chosen", "stitches", "n"},
-    Alias{"stitch-placed", "stitch", "item"},
-    Alias{"stitch-placed", "of", "n"},
-    Alias{"rows-matched", "sum_of_squares", "sum"},
-    Alias{"transition-counted", "mains_wanted", "wanted"},
-    Alias{"transition-counted", "mains_before", "mains"},
-    Alias{"spacing-chosen", "mains", "mains_set"},
-};
-
-// Names and values, each name once; the newest counts.
+// Variables and values, each variable once; the newest counts.
 class Values {
  public:
-  void set(std::string_view name, std::string value) {
-    const auto at = find(name);
+  void set(const knit::CodeVariable& variable, std::string value) {
+    const auto at = find(variable);
     if (at != values_.end()) {
       at->second = std::move(value);
     } else {
-      values_.emplace_back(name, std::move(value));
+      values_.emplace_back(&variable, std::move(value));
     }
   }
-  void set(std::string_view name, double value) { set(name, knit::short_number(value)); }
+  void set(const knit::CodeVariable& variable, double value) { set(variable, knit::short_number(value)); }
   template <std::integral Whole>
-  void set(std::string_view name, Whole value) {
-    set(name, std::to_string(value));
+  void set(const knit::CodeVariable& variable, Whole value) {
+    set(variable, std::to_string(value));
   }
-  [[nodiscard]] std::string take(std::string_view name) {
-    const auto at = find(name);
+  [[nodiscard]] std::string take(const knit::CodeVariable& variable) {
+    const auto at = find(variable);
     return at != values_.end() ? std::move(at->second) : std::string();
   }
 
  private:
-  std::vector<std::pair<std::string_view, std::string>>::iterator find(std::string_view name) {
-    return std::find_if(values_.begin(), values_.end(), [&](const auto& pair) { return pair.first == name; });
+  using Pairs = std::vector<std::pair<const knit::CodeVariable*, std::string>>;
+  Pairs::iterator find(const knit::CodeVariable& variable) {
+    return std::find_if(values_.begin(), values_.end(),
+                        [&](const auto& pair) { return pair.first == &variable; });
   }
-  std::vector<std::pair<std::string_view, std::string>> values_;
+  Pairs values_;
 };
 
 std::string vector_text(const glm::dvec3& v) {
@@ -87,42 +62,42 @@ std::string parameter_text(const knit::Parameters& parameters, std::string_view 
 }
 
 void add_parameters(const knit::Parameters& parameters, Values& values) {
-  values.set("width", parameters.stitch_width);
-  values.set("epsilon", parameters.epsilon);
-  values.set("stitch_height", knit::stitch_height_of(parameters));
-  values.set("metric", parameter_text(parameters, "metric"));
-  values.set("tolerance", parameters.level_tolerance);
+  values.set(var::width, parameters.stitch_width);
+  values.set(var::epsilon, parameters.epsilon);
+  values.set(var::stitch_height, knit::stitch_height_of(parameters));
+  values.set(var::metric, parameter_text(parameters, "metric"));
+  values.set(var::tolerance, parameters.level_tolerance);
 }
 
 void add_timing(const knit::State& state, Values& values) {
   const knit::Ends* ends = ends_shown(state);
   if (ends == nullptr) return;
-  values.set("start", ends->start);
-  values.set("end", ends->end);
-  values.set("direction", vector_text(ends->direction));
-  values.set("mag", glm::length(ends->direction));
+  values.set(var::start, ends->start);
+  values.set(var::end, ends->end);
+  values.set(var::direction, vector_text(ends->direction));
+  values.set(var::mag, glm::length(ends->direction));
   const auto* work = std::get_if<knit::TimingWork>(&state.work);
-  if (work != nullptr && work->scale) values.set("height", work->scale->total());
+  if (work != nullptr && work->scale) values.set(var::height, work->scale->total());
 }
 
 void add_row(const knit::State& state, std::int32_t row, Values& values) {
   const RowShown shown = row_shown(state, row);
-  if (shown.level) values.set("level", *shown.level);
-  if (shown.time) values.set("time", *shown.time);
-  if (shown.below != nullptr) values.set("below", shown.below->stitches.size());
+  if (shown.level) values.set(var::level, *shown.level);
+  if (shown.time) values.set(var::time, *shown.time);
+  if (shown.below != nullptr) values.set(var::below, shown.below->stitches.size());
   if (shown.ring != nullptr) {
-    values.set("count", shown.ring->points.size());
-    values.set("points", shown.ring->points.size());
-    values.set("length", shown.ring->length);
+    values.set(var::count, shown.ring->points.size());
+    values.set(var::points, shown.ring->points.size());
+    values.set(var::length, shown.ring->length);
   }
   const auto* walk = std::get_if<knit::RowWork>(&state.work);
   const auto* contour = std::get_if<knit::ContourWork>(&state.work);
   if (shown.finished != nullptr) {
-    values.set("n", shown.finished->stitches.size());
+    values.set(var::n, shown.finished->stitches.size());
   } else if (walk != nullptr && walk->phase == knit::RowPhase::measure) {
-    values.set("n", walk->walk.kept.size() + 1);
+    values.set(var::n, walk->walk.kept.size() + 1);
   } else if (contour != nullptr && contour->count > 0) {
-    values.set("n", contour->count);
+    values.set(var::n, contour->count);
   }
 }
 
@@ -131,52 +106,35 @@ void add_join(const knit::State& state, std::int32_t row, Values& values) {
   const knit::RowId into = std::max(row, 2);
   const knit::Row* below = fabric.row_below(into);
   if (below == nullptr || !fabric.has_row(into)) return;
-  values.set("below", below->stitches.size());
-  values.set("above", fabric.row(into).stitches.size());
-  if (const knit::Join* before = fabric.join_into(below->id)) values.set("mains", before->mains.size());
+  values.set(var::below, below->stitches.size());
+  values.set(var::above, fabric.row(into).stitches.size());
+  if (const knit::Join* before = fabric.join_into(below->id)) values.set(var::mains, before->mains.size());
   const knit::Join* plan = join_shown(state, row);
   if (plan == nullptr) return;
-  values.set("change", plan->change());
-  values.set("wanted", (std::abs(plan->change()) + 1) / 2);
-  values.set("rule", std::string(knit::name_of(plan->rule)));
-  if (plan->spacing > 0) values.set("spacing", plan->spacing);
-  values.set("remainder", plan->remainder);
-}
-
-// A solve's numbers mean something else by what was solved for.
-void add_solve(const knit::FieldSolved& step, Values& values) {
-  switch (step.which) {
-    case knit::FieldStep::net:
-      return values.set("net", step.count);
-    case knit::FieldStep::slopes:
-      return values.set("slopes", step.count);
-    case knit::FieldStep::heat:
-    case knit::FieldStep::harmonic:
-      return values.set("unknowns", step.count);
-    case knit::FieldStep::distance:
-      values.set("unknowns", step.count);
-      values.set("far", step.high);
-      return values.set("end", step.vertex);
-  }
+  values.set(var::change, plan->change());
+  values.set(var::wanted, (std::abs(plan->change()) + 1) / 2);
+  values.set(var::rule, std::string(knit::name_of(plan->rule)));
+  if (plan->spacing > 0) values.set(var::spacing, plan->spacing);
+  values.set(var::remainder, plan->remainder);
 }
 
 void add_stop(const knit::Stopped& stop, Values& values) {
   if (stop.level >= 0 && stop.time > 0.0) {
-    values.set("level", stop.level);
-    values.set("time", stop.time);
+    values.set(var::level, stop.level);
+    values.set(var::time, stop.time);
   }
   switch (stop.reason) {
     case knit::StopReason::stall:
-      values.set("anchor", stop.vertex);
-      values.set("stitch", stop.count);
-      return values.set("skipped", stop.value);
+      values.set(var::anchor, stop.vertex);
+      values.set(var::stitch, stop.count);
+      return values.set(var::skipped, stop.value);
     case knit::StopReason::changes_too_much:
-      values.set("n", stop.count);
-      return values.set("below", stop.other);
+      values.set(var::n, stop.count);
+      return values.set(var::below, stop.other);
     case knit::StopReason::splits:
-      return values.set("loops", stop.count);
+      return values.set(var::loops, stop.count);
     case knit::StopReason::not_a_ring:
-      return values.set("count", stop.count);
+      return values.set(var::count, stop.count);
     case knit::StopReason::no_extent:
     case knit::StopReason::no_row_levels:
     case knit::StopReason::too_fine:
@@ -184,27 +142,21 @@ void add_stop(const knit::Stopped& stop, Values& values) {
   }
 }
 
-std::string_view variable_of_field(std::string_view kind, std::string_view field) {
-  const auto alias = std::find_if(aliases.begin(), aliases.end(),
-                                  [&](const Alias& a) { return a.kind == kind && a.field == field; });
-  return alias != aliases.end() ? alias->name : field;
-}
-
 // The step's own numbers, as its table has them.
 void add_step(const knit::Step& step, const knit::Input& input, const knit::State& state, Values& values) {
   if (const auto* stop = knit::get_if<knit::Stopped>(step)) return add_stop(*stop, values);
-  if (const auto* solve = knit::get_if<knit::FieldSolved>(step)) return add_solve(*solve, values);
   const auto fields = knit::fields_of(step);
   const auto numbers = numbers_of(step);
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    values.set(variable_of_field(knit::kind_name(step), fields[i].name), numbers[i].second);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].variable != nullptr) values.set(*fields[i].variable, numbers[i].second);
+  }
   const knit::Ends* ends = ends_shown(state);
   const auto* timed = knit::get_if<knit::VertexTimed>(step);
   if (timed != nullptr && ends != nullptr) {
     const auto& positions = input.mesh.positions;
-    values.set("diff", vector_text(positions[timed->vertex] - positions[ends->start]));
+    values.set(var::diff, vector_text(positions[timed->vertex] - positions[ends->start]));
   }
-  if (knit::is<knit::LineWritten>(step)) values.set("row", step.place.row);
+  if (knit::is<knit::LineWritten>(step)) values.set(var::row, step.place.row);
 }
 
 const knit::Cut* cut_of(const knit::ContourWork& work) {
@@ -220,10 +172,13 @@ void take_level(const knit::State& state, std::int32_t level, RowShown& shown) {
 
 }  // namespace
 
-VariableInfo variable_named(std::string_view name) {
-  const auto at = std::find_if(variable_table.begin(), variable_table.end(),
-                               [&](const VariableInfo& info) { return info.name == name; });
-  return at != variable_table.end() ? *at : VariableInfo{};
+const knit::CodeVariable* variable_named(std::string_view key) {
+  for (const PseudoCode* code : listings()) {
+    for (const knit::CodeVariable* variable : variables_in(*code)) {
+      if (variable->key == key) return variable;
+    }
+  }
+  return nullptr;
 }
 
 RowShown row_shown(const knit::State& state, std::int32_t row) {
@@ -274,18 +229,14 @@ std::vector<Variable> variables_of(const Session& session) {
   add_timing(state, values);
   if (at->step != nullptr) {
     const std::int32_t row = at->step->place.row;
-    if (at->listing == Listing::cast_on || at->listing == Listing::rows_rings ||
-        at->listing == Listing::rows_contours) {
+    if (at->code->tells_of(knit::Stage::cast_on) || at->code->tells_of(knit::Stage::rows))
       add_row(state, row, values);
-    }
     if (at->step->place.stage == knit::Stage::stitches) add_join(state, row, values);
     add_step(*at->step, timeline.input(), state, values);
   }
   std::vector<Variable> variables;
-  for (const std::string_view name : variable_names_of(at->listing)) {
-    const VariableInfo info = variable_named(name);
-    variables.push_back({info.name, info.symbol, info.meaning, values.take(name)});
-  }
+  for (const knit::CodeVariable* variable : variables_in(*at->code))
+    variables.push_back({variable, values.take(*variable)});
   return variables;
 }
 

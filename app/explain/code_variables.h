@@ -10,16 +10,11 @@
 
 namespace app {
 
-struct VariableInfo {
-  std::string_view name;     // "epsilon": what actions and scripts call it
-  std::string_view symbol;   // "ε", as in the thesis where it has one
-  std::string_view meaning;  // one sentence
-};
-// An empty one where there is no such variable.
-VariableInfo variable_named(std::string_view name);
+// Null where there is no such variable.
+const knit::CodeVariable* variable_named(std::string_view key);
 
 struct Variable {
-  std::string_view name, symbol, meaning;
+  const knit::CodeVariable* of;
   std::string value;  // in words; empty: it has none at this step
 };
 // Of the listing at hand, in its reading order. Every number of the step shown is the value of one of them

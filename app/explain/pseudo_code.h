@@ -1,12 +1,8 @@
-// The algorithm as short lines of pseudo-code, one listing a stage and way of doing it, and which line a step
-// was. Plain data: the panel, --explain and tests read the same.
-//
-// In a line's text {name} stands for a variable of code_variables.h, shown by its symbol. A shown line is at
-// most `most_code_columns` wide.
+// The listings of all stages' rooms, which line of them a step was, and what is explained at a place of the run.
+// Plain data: the panel, --explain and tests read the same.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,46 +10,19 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "knit/model/pseudo_code.h"
 
 namespace app {
 
-inline constexpr std::size_t most_code_columns = 44;
+using knit::CodeLine;
+using knit::PseudoCode;
 
-enum class Listing : std::uint8_t {
-  timing_linear,
-  timing_arc_length,
-  timing_geodesic,
-  timing_harmonic,
-  cast_on,
-  rows_rings,
-  rows_contours,  // its first row, the cast on, too
-  index_thesis,
-  index_even,
-  index_nearest,
-  faces,
-  pattern,
-  count_
-};
-inline constexpr std::size_t listing_count = static_cast<std::size_t>(Listing::count_);
+// By stages, in calling order.
+std::span<const PseudoCode* const> listings();
 
-struct CodeLine {
-  std::string_view text;
-  std::string_view value;    // the variable whose value stands at the line's end; empty: none
-  std::string_view meaning;  // a sentence or two
-  std::string_view source;   // where it comes from: "Thesis 3.2.1, Algorithm 1, line 7"
-  bool structural = false;   // a head that no step ends at: "for each ..."
-};
-
-struct PseudoCode {
-  std::string_view title;                   // "Algorithm 2: a row from a ring"
-  std::span<const CodeLine> lines;          // counted from 0
-  std::span<const std::string_view> aside;  // variables that stand in no line
-};
-
-const PseudoCode& code_of(Listing listing);
-
-// `parameters`: those in force for the step.
-Listing listing_of(const knit::Step& step, const knit::Parameters& parameters);
+// `parameters`: those in force for the step. What the step shows of how it was done counts for more than they do,
+// because they may have been edited meanwhile.
+const PseudoCode& listing_of(const knit::Step& step, const knit::Parameters& parameters);
 
 // A step may be several lines: from the first of them to the one that it ended at.
 struct LinesRun {
@@ -68,18 +37,19 @@ std::size_t line_of(const knit::Step& step, const knit::Parameters& parameters);
 // The pieces of a line, in reading order.
 struct CodePart {
   enum class Kind : std::uint8_t { plain, keyword, variable } kind = Kind::plain;
-  std::string_view text;  // of a variable: its name
+  std::string_view text;  // of a variable: its symbol
+  const knit::CodeVariable* variable = nullptr;
 };
 std::vector<CodePart> parts_of(const CodeLine& line);
 std::string shown_text(const CodeLine& line);  // with symbols
 
-// The names of all variables of a listing, in reading order, each once.
-std::vector<std::string_view> variable_names_of(Listing listing);
+// All variables of a listing, in reading order, each once.
+std::vector<const knit::CodeVariable*> variables_in(const PseudoCode& code);
 
 // What is explained at this place: the step shown, or why the run stopped; before the first step what comes.
 struct Explained {
   const knit::Step* step = nullptr;  // null: nothing was done so far
-  Listing listing = Listing::timing_linear;
+  const PseudoCode* code = nullptr;
   std::optional<LinesRun> lines;  // that just ran
   bool stopped = false;
 };

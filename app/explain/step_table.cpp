@@ -4,18 +4,19 @@
 
 #include "knit/insight/step_fields.h"
 #include "knit/model/words.h"
+#include "knit/timing/timing_variables.h"
 
 namespace app {
 
 namespace {
 
 struct FieldText {
-  std::string_view name;
+  const knit::CodeVariable* variable;
 
   std::string operator()(bool value) const { return value ? "yes" : "no"; }
   std::string operator()(std::int64_t value) const {
     // One tube all the way: no level splits.
-    return value < 0 && name == "split_level" ? "none" : std::to_string(value);
+    return value < 0 && variable == &knit::var::split_level ? "none" : std::to_string(value);
   }
   std::string operator()(double value) const { return knit::short_number(value); }
   std::string operator()(const std::string& value) const { return value; }
@@ -28,7 +29,7 @@ std::vector<std::pair<std::string, std::string>> numbers_of(const knit::Step& st
   for (const knit::StepField& field : knit::fields_of(step)) {
     std::string name(field.name);
     std::replace(name.begin(), name.end(), '_', ' ');
-    numbers.emplace_back(std::move(name), std::visit(FieldText{field.name}, field.value));
+    numbers.emplace_back(std::move(name), std::visit(FieldText{field.variable}, field.value));
   }
   return numbers;
 }

@@ -111,22 +111,22 @@ std::string padded(std::size_t number) { return (number < 10 ? " " : "") + std::
 Answer explain_answer(const Session& session) {
   const auto at = explained(session);
   if (!at) return {exit_usage, "", "nothing is open that could be explained."};
-  const PseudoCode& code = code_of(at->listing);
+  const PseudoCode& code = *at->code;
   std::string text = place_line(*at) + "\t" + std::string(code.title) + "\n" + sentence(session) + "\n";
   for (std::size_t i = 0; i < code.lines.size(); ++i)
     text += std::string(1, mark_of(*at, i)) + " " + padded(i + 1) + "  " + shown_text(code.lines[i]) + "\n";
   for (const Variable& variable : variables_of(session)) {
     if (variable.value.empty()) continue;
-    text += variable.name;
-    text += "\t" + std::string(variable.symbol) + "\t" + variable.value + "\t";
-    text += variable.meaning;
+    text += variable.of->key;
+    text += "\t" + std::string(variable.of->symbol) + "\t" + variable.value + "\t";
+    text += variable.of->meaning;
     text += "\n";
   }
   return {exit_done, text, ""};
 }
 
 std::optional<std::string> fault_of_point(const std::string& variable) {
-  if (variable.empty() || !variable_named(variable).name.empty()) return std::nullopt;
+  if (variable.empty() || variable_named(variable) != nullptr) return std::nullopt;
   return "--point cannot be \"" + variable +
          "\"; give the name of a variable, the first word of its line as --explain prints it.";
 }

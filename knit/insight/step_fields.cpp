@@ -6,13 +6,14 @@ namespace {
 
 struct NumbersOf {
   StepFields operator()(const Stopped& s) const {
-    return {{"reason", name_of(s.reason)},
-            {"level", s.level},
-            {"count", s.count},
-            {"value", s.value},
-            {"time", s.time},
-            {"other", s.other},
-            {"vertex", s.vertex}};
+    // What these are depends on the reason.
+    return {{"reason", nullptr, name_of(s.reason)},
+            {"level", nullptr, s.level},
+            {"count", nullptr, s.count},
+            {"value", nullptr, s.value},
+            {"time", nullptr, s.time},
+            {"other", nullptr, s.other},
+            {"vertex", nullptr, s.vertex}};
   }
   StepFields operator()(const auto& event) const { return event.numbers(); }
 };

@@ -29,21 +29,51 @@ struct Telling {
   [[nodiscard]] std::string row() const { return "Row " + std::to_string(place.row); }
 };
 
+// A variable of the pseudo-code. Each has one place in memory, which stands for it.
+struct CodeVariable {
+  std::string_view key;      // "epsilon": what actions and scripts call it
+  std::string_view symbol;   // "ε", as in the thesis where it has one
+  std::string_view meaning;  // one sentence
+};
+
 template <class T>
 concept Counts = std::integral<T> && !std::same_as<T, bool>;
 
-// One number, or word, of a step.
-struct StepField {
-  std::string_view name;  // "distance"
-  std::variant<bool, std::int64_t, double, std::string> value;
+// A number's value, or a word.
+struct StepValue : std::variant<bool, std::int64_t, double, std::string> {
+  StepValue(std::same_as<bool> auto yes) : variant(yes) {}
+  StepValue(Counts auto count) : variant(static_cast<std::int64_t>(count)) {}
+  StepValue(double number) : variant(number) {}
+  StepValue(std::string_view word) : variant(std::string(word)) {}
+  StepValue(const char* word) : variant(std::string(word)) {}
+};
 
-  StepField(std::string_view called, Counts auto count)
-      : name(called), value(static_cast<std::int64_t>(count)) {}
-  StepField(std::string_view called, std::same_as<bool> auto yes) : name(called), value(yes) {}
-  StepField(std::string_view called, double number) : name(called), value(number) {}
-  StepField(std::string_view called, std::string_view word) : name(called), value(std::string(word)) {}
+// One number, or word, of a step, and the variable that has this value then.
+struct StepField {
+  std::string_view name;  // "distance", in step logs
+  const CodeVariable* variable;
+  StepValue value;
+
+  StepField(const CodeVariable& is, StepValue number)
+      : name(is.key), variable(&is), value(std::move(number)) {}
+  // `is` null: the value of none.
+  StepField(std::string_view called, const CodeVariable* is, StepValue number)
+      : name(called), variable(is), value(std::move(number)) {}
 };
 using StepFields = std::vector<StepField>;
+
+// An event of any stage, for what tells of all. Valid as long as its step.
+struct AnyEvent {
+  const Place& place;
+  std::string_view kind;
+  const void* event;
+
+  // Null when something else happened.
+  template <class What>
+  [[nodiscard]] const What* get_if() const {
+    return kind == What::kind ? static_cast<const What*>(event) : nullptr;
+  }
+};
 
 // What ended with a step. The machine decides what follows; a stage knows only itself.
 enum class Ended : std::uint8_t { step, row, stage };

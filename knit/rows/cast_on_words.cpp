@@ -1,6 +1,8 @@
 #include "knit/rows/cast_on_events.h"
 
 #include "knit/model/words.h"
+#include "knit/rows/row_variables.h"
+#include "knit/timing/timing_variables.h"
 
 namespace knit {
 
@@ -12,14 +14,16 @@ std::string CycleFound::sentence(const Telling& /*at*/) const {
   return text;
 }
 StepFields CycleFound::numbers() const {
-  return {{"level", level}, {"last_level", last_level}, {"passed_over", passed_over},
-          {"time", time},   {"vertices", vertices},     {"length", length}};
+  return {{var::level, level}, {var::last_level, last_level},       {var::passed_over, passed_over},
+          {var::time, time},   {"vertices", &var::count, vertices}, {var::length, length}};
 }
 
 std::string StitchCastOn::sentence(const Telling& /*at*/) const {
   return "Cast-on stitch " + std::to_string(stitch) + " of " + std::to_string(of) + " is placed, " +
          short_number(arc) + " along the first cycle.";
 }
-StepFields StitchCastOn::numbers() const { return {{"stitch", stitch}, {"of", of}, {"arc", arc}}; }
+StepFields StitchCastOn::numbers() const {
+  return {{"stitch", &var::item, stitch}, {"of", &var::k, of}, {var::arc, arc}};
+}
 
 }  // namespace knit

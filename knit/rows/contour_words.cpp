@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "knit/model/words.h"
+#include "knit/rows/row_variables.h"
+#include "knit/timing/timing_variables.h"
 
 namespace knit {
 
@@ -38,11 +40,11 @@ std::string RowsPlanned::sentence(const Telling& at) const {
   return text;
 }
 StepFields RowsPlanned::numbers() const {
-  return {{"rows", rows},
-          {"passed_over", passed_over},
-          {"height", height},
-          {"row_height", row_height},
-          {"stitch_height", stitch_height}};
+  return {{var::rows, rows},
+          {var::passed_over, passed_over},
+          {"height", &var::surface_height, height},
+          {var::row_height, row_height},
+          {var::stitch_height, stitch_height}};
 }
 
 std::string CutFound::sentence(const Telling& at) const {
@@ -50,20 +52,20 @@ std::string CutFound::sentence(const Telling& at) const {
          plural(edges, "edge", "edges") + " of the mesh.";
 }
 StepFields CutFound::numbers() const {
-  return {{"level", level}, {"time", time}, {"edges", edges}, {"loops", loops}};
+  return {{var::level, level}, {var::time, time}, {var::edges, edges}, {var::loops, loops}};
 }
 
 std::string LoopClosed::sentence(const Telling& at) const {
   return at.row() + ": the cut closes to one loop of " + plural(points, "point", "points") +
          ", from where rounds begin.";
 }
-StepFields LoopClosed::numbers() const { return {{"points", points}}; }
+StepFields LoopClosed::numbers() const { return {{var::points, points}}; }
 
 std::string LengthMeasured::sentence(const Telling& at) const {
   return at.row() + ": the loop is " + short_number(length) + " long, " + short_number(ideal) +
          " stitch widths of " + short_number(at.parameters.stitch_width) + ".";
 }
-StepFields LengthMeasured::numbers() const { return {{"length", length}, {"ideal", ideal}}; }
+StepFields LengthMeasured::numbers() const { return {{var::length, length}, {var::ideal, ideal}}; }
 
 std::string CountChosen::sentence(const Telling& at) const {
   std::string head = at.row() + ": " + stitch_count_text(count);
@@ -86,17 +88,19 @@ std::string CountChosen::sentence(const Telling& at) const {
   return head;
 }
 StepFields CountChosen::numbers() const {
-  return {{"stitches", count},
-          {"ideal", ideal},
-          {"below", below},
-          {"reason", word_of(reason)},
-          {"course", course}};
+  return {{"stitches", &var::n, count},
+          {var::ideal, ideal},
+          {var::below, below},
+          {var::reason, word_of(reason)},
+          {var::course, course}};
 }
 
 std::string StitchPlaced::sentence(const Telling& at) const {
   return at.row() + ": stitch " + std::to_string(stitch) + " of " + std::to_string(of) + " is placed, " +
          short_number(arc) + " along the loop.";
 }
-StepFields StitchPlaced::numbers() const { return {{"stitch", stitch}, {"of", of}, {"arc", arc}}; }
+StepFields StitchPlaced::numbers() const {
+  return {{"stitch", &var::item, stitch}, {"of", &var::n, of}, {var::arc, arc}};
+}
 
 }  // namespace knit

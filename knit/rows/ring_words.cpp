@@ -1,8 +1,10 @@
 #include "knit/rows/ring_events.h"
 
 #include "knit/model/words.h"
+#include "knit/rows/row_variables.h"
 #include "knit/rows/rows.h"
 #include "knit/rows/stop_words.h"
+#include "knit/timing/timing_variables.h"
 
 namespace knit {
 
@@ -39,7 +41,7 @@ std::string CycleGathered::sentence(const Telling& at) const {
          ", with " + plural(vertices, "vertex", "vertices") + ".";
 }
 StepFields CycleGathered::numbers() const {
-  return {{"level", level}, {"time", time}, {"vertices", vertices}};
+  return {{var::level, level}, {var::time, time}, {"vertices", &var::count, vertices}};
 }
 
 std::string CycleOrdered::sentence(const Telling& at) const {
@@ -48,10 +50,10 @@ std::string CycleOrdered::sentence(const Telling& at) const {
          vertex_text(first) + "; it is " + short_number(length) + " round.";
 }
 StepFields CycleOrdered::numbers() const {
-  return {{"first", first},
-          {"by", by == OrderedBy::angle ? "angle" : "edges"},
-          {"vertices", vertices},
-          {"length", length}};
+  return {{var::first, first},
+          {var::by, by == OrderedBy::angle ? "angle" : "edges"},
+          {"vertices", &var::count, vertices},
+          {var::length, length}};
 }
 
 std::string CandidateMeasured::sentence(const Telling& at) const {
@@ -68,8 +70,8 @@ std::string CandidateMeasured::sentence(const Telling& at) const {
   return text;
 }
 StepFields CandidateMeasured::numbers() const {
-  return {{"stitch", stitch},         {"anchor", anchor},     {"candidate", candidate},
-          {"order", candidate_order}, {"distance", distance}, {"verdict", name_of(verdict)}};
+  return {{var::stitch, stitch},         {var::anchor, anchor},           {var::candidate, candidate},
+          {var::order, candidate_order}, {"distance", &var::d, distance}, {var::verdict, name_of(verdict)}};
 }
 
 std::string BandMissed::sentence(const Telling& at) const {
@@ -80,12 +82,12 @@ std::string BandMissed::sentence(const Telling& at) const {
   return text + ".";
 }
 StepFields BandMissed::numbers() const {
-  StepFields fields{{"stitch", stitch},
-                    {"anchor", anchor},
-                    {"taken", taken},
-                    {"order", taken_order},
-                    {"distance", distance}};
-  if (skipped_distance >= 0.0) fields.emplace_back("skipped_distance", skipped_distance);
+  StepFields fields{{var::stitch, stitch},
+                    {var::anchor, anchor},
+                    {"taken", &var::candidate, taken},
+                    {var::order, taken_order},
+                    {"distance", &var::d, distance}};
+  if (skipped_distance >= 0.0) fields.emplace_back("skipped_distance", &var::skipped, skipped_distance);
   return fields;
 }
 
@@ -98,7 +100,10 @@ std::string RowClosed::sentence(const Telling& at) const {
   return text;
 }
 StepFields RowClosed::numbers() const {
-  return {{"stitches", stitches}, {"gap", gap}, {"in_band", in_band}, {"dropped_last", dropped_last}};
+  return {{"stitches", &var::n, stitches},
+          {var::gap, gap},
+          {var::in_band, in_band},
+          {var::dropped_last, dropped_last}};
 }
 
 std::string RowResampled::sentence(const Telling& at) const {
@@ -117,8 +122,11 @@ std::string RowResampled::sentence(const Telling& at) const {
   return text;
 }
 StepFields RowResampled::numbers() const {
-  return {
-      {"picked", from}, {"stitches", to}, {"below", below}, {"reason", word_of(reason)}, {"length", length}};
+  return {{var::picked, from},
+          {"stitches", &var::n, to},
+          {var::below, below},
+          {var::reason, word_of(reason)},
+          {var::length, length}};
 }
 
 std::string GapShared::sentence(const Telling& at) const {
@@ -137,8 +145,12 @@ std::string GapShared::sentence(const Telling& at) const {
          short_number(gap_after) + ".";
 }
 StepFields GapShared::numbers() const {
-  return {{"stitches", stitches},     {"how", word_of(how)},      {"shared", shared},
-          {"per_stitch", per_stitch}, {"gap_before", gap_before}, {"gap_after", gap_after}};
+  return {{"stitches", &var::n, stitches},
+          {var::how, word_of(how)},
+          {var::shared, shared},
+          {"per_stitch", &var::share, per_stitch},
+          {"gap_before", &var::gap, gap_before},
+          {var::gap_after, gap_after}};
 }
 
 bool GapShared::unusual(const Parameters& parameters) const {

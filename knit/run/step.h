@@ -96,4 +96,12 @@ decltype(auto) visit_event(See&& see, const Event& event) {
       event);
 }
 
+inline AnyEvent any_event(const Step& step) {
+  return visit_event(
+      [&](const auto& event) {
+        return AnyEvent{step.place, std::remove_cvref_t<decltype(event)>::kind, &event};
+      },
+      step.what);
+}
+
 }  // namespace knit

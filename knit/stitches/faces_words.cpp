@@ -1,6 +1,7 @@
 #include "knit/stitches/faces_events.h"
 
 #include "knit/model/words.h"
+#include "knit/stitches/stitch_variables.h"
 
 namespace knit {
 
@@ -9,7 +10,7 @@ std::string FaceMade::sentence(const Telling& at) const {
          (corner_count == 4 ? "quad" : "triangle") + ", " + std::string(name_of(label)) + ".";
 }
 StepFields FaceMade::numbers() const {
-  return {{"face", index}, {"of", of}, {"corners", corner_count}, {"label", name_of(label)}};
+  return {{var::face, index}, {var::of, of}, {var::corners, corner_count}, {var::label, name_of(label)}};
 }
 
 }  // namespace knit

@@ -1,6 +1,8 @@
 #include "knit/stitches/index_events.h"
 
 #include "knit/model/words.h"
+#include "knit/rows/row_variables.h"
+#include "knit/stitches/stitch_variables.h"
 
 namespace knit {
 
@@ -13,11 +15,11 @@ std::string TransitionCounted::sentence(const Telling& at) const {
          "; the row before has " + plural(mains_before, "main", "mains") + ".";
 }
 StepFields TransitionCounted::numbers() const {
-  return {{"below", below},
-          {"above", above},
-          {"change", change},
-          {"mains_wanted", mains_wanted},
-          {"mains_before", mains_before}};
+  return {{var::below, below},
+          {var::above, above},
+          {var::change, change},
+          {"mains_wanted", &var::wanted, mains_wanted},
+          {"mains_before", &var::mains, mains_before}};
 }
 
 std::string SpacingChosen::sentence(const Telling& at) const {
@@ -30,9 +32,11 @@ std::string SpacingChosen::sentence(const Telling& at) const {
   return text + ".";
 }
 StepFields SpacingChosen::numbers() const {
-  StepFields fields{
-      {"rule", name_of(rule)}, {"mains", mains}, {"spacing", spacing}, {"remainder", remainder}};
-  if (fell_back) fields.emplace_back("tried", name_of(tried));
+  StepFields fields{{var::rule, name_of(rule)},
+                    {"mains", &var::mains_set, mains},
+                    {var::spacing, spacing},
+                    {var::remainder, remainder}};
+  if (fell_back) fields.emplace_back(var::tried, name_of(tried));
   return fields;
 }
 
@@ -43,21 +47,24 @@ std::string RowsMatched::sentence(const Telling& at) const {
          short_number(longest) + ".";
 }
 StepFields RowsMatched::numbers() const {
-  return {{"links", links}, {"doubled", doubled}, {"sum_of_squares", sum_of_squares}, {"longest", longest}};
+  return {{var::links, links},
+          {var::doubled, doubled},
+          {"sum_of_squares", &var::sum, sum_of_squares},
+          {var::longest, longest}};
 }
 
 std::string MainPlaced::sentence(const Telling& at) const {
   return at.row() + ": main stitch " + std::to_string(of_mains) + " goes to cell " + std::to_string(cell) +
          ".";
 }
-StepFields MainPlaced::numbers() const { return {{"cell", cell}, {"main", of_mains}}; }
+StepFields MainPlaced::numbers() const { return {{var::cell, cell}, {var::main, of_mains}}; }
 
 std::string ShapingPlaced::sentence(const Telling& at) const {
   return at.row() + ": " + std::string(name_of(label)) + " goes to cell " + std::to_string(cell) +
          ", working with cell " + std::to_string(partner) + " (" + std::to_string(count) + " placed).";
 }
 StepFields ShapingPlaced::numbers() const {
-  return {{"label", name_of(label)}, {"cell", cell}, {"partner", partner}, {"placed", count}};
+  return {{var::label, name_of(label)}, {var::cell, cell}, {var::partner, partner}, {var::placed, count}};
 }
 
 }  // namespace knit

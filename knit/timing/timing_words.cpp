@@ -1,6 +1,7 @@
 #include "knit/timing/timing_events.h"
 
 #include "knit/model/words.h"
+#include "knit/timing/timing_variables.h"
 
 namespace knit {
 
@@ -28,7 +29,9 @@ std::string EndsFound::sentence(const Telling& /*at*/) const {
   return "The time runs from " + vertex_text(start) + " (t = 0) to " + vertex_text(end) +
          " (t = 1), over a length of " + short_number(length) + ".";
 }
-StepFields EndsFound::numbers() const { return {{"start", start}, {"end", end}, {"length", length}}; }
+StepFields EndsFound::numbers() const {
+  return {{var::start, start}, {var::end, end}, {"length", &var::mag, length}};
+}
 
 std::string FieldSolved::sentence(const Telling& /*at*/) const {
   switch (which) {
@@ -50,20 +53,29 @@ std::string FieldSolved::sentence(const Telling& /*at*/) const {
   return "";
 }
 StepFields FieldSolved::numbers() const {
-  return {{"what", word_of(which)}, {"vertex", vertex}, {"count", count}, {"high", high}};
+  const bool distance = which == FieldStep::distance;
+  const CodeVariable* counted = which == FieldStep::net      ? &var::net
+                                : which == FieldStep::slopes ? &var::slopes
+                                                             : &var::unknowns;
+  return {{"what", nullptr, word_of(which)},
+          {"vertex", distance ? &var::end : nullptr, vertex},
+          {"count", counted, count},
+          {"high", distance ? &var::far : nullptr, high}};
 }
 
 std::string HeightsMeasured::sentence(const Telling& /*at*/) const {
   return "From start to end the surface is " + short_number(height) +
          " high; equal steps of time shall be equally high on it.";
 }
-StepFields HeightsMeasured::numbers() const { return {{"height", height}, {"bands", bands}}; }
+StepFields HeightsMeasured::numbers() const { return {{var::height, height}, {var::bands, bands}}; }
 
 std::string VertexTimed::sentence(const Telling& /*at*/) const {
   const std::string text = "Vertex " + std::to_string(vertex) + " gets the time t = " + short_number(time);
   return clamped ? text + ", clamped: it lies beyond the chosen start or end." : text + ".";
 }
-StepFields VertexTimed::numbers() const { return {{"vertex", vertex}, {"time", time}, {"clamped", clamped}}; }
+StepFields VertexTimed::numbers() const {
+  return {{var::vertex, vertex}, {var::time, time}, {var::clamped, clamped}};
+}
 
 std::string CriticalsFound::sentence(const Telling& /*at*/) const {
   return "The time has " + plural(minima, "minimum", "minima") + ", " + plural(saddles, "saddle", "saddles") +
@@ -74,7 +86,7 @@ std::string CriticalsFound::sentence(const Telling& /*at*/) const {
          std::to_string(euler) + ".";
 }
 StepFields CriticalsFound::numbers() const {
-  return {{"minima", minima}, {"saddles", saddles}, {"maxima", maxima}, {"euler", euler}};
+  return {{var::minima, minima}, {var::saddles, saddles}, {var::maxima, maxima}, {var::euler, euler}};
 }
 
 std::string LevelsGrouped::sentence(const Telling& /*at*/) const {
@@ -86,11 +98,11 @@ std::string LevelsGrouped::sentence(const Telling& /*at*/) const {
   return text + "; every level set is a single loop.";
 }
 StepFields LevelsGrouped::numbers() const {
-  return {{"levels", levels},
-          {"tolerance", tolerance},
-          {"outside", outside},
-          {"split_level", split_level},
-          {"split_loops", split_loops}};
+  return {{var::levels, levels},
+          {var::tolerance, tolerance},
+          {var::outside, outside},
+          {var::split_level, split_level},
+          {var::split_loops, split_loops}};
 }
 
 std::string timing_stop_sentence(const Stopped& /*stop*/) {

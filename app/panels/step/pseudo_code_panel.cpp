@@ -20,22 +20,21 @@ struct Page {
   PanelFrame& frame;
   const Explained& at;
   const std::vector<Variable>& variables;
-  std::vector<std::string_view> shown;  // names whose values stand at a line
-  std::string_view under;               // the variable under the pointer; empty: none
+  std::vector<const knit::CodeVariable*> shown;  // whose values stand at a line
+  std::string_view under;                        // the variable under the pointer; empty: none
 
-  [[nodiscard]] const Variable& variable(std::string_view name) const {
-    return *std::find_if(variables.begin(), variables.end(),
-                         [&](const Variable& v) { return v.name == name; });
+  [[nodiscard]] const Variable& variable(const knit::CodeVariable* of) const {
+    return *std::find_if(variables.begin(), variables.end(), [&](const Variable& v) { return v.of == of; });
   }
-  [[nodiscard]] bool is_shown(std::string_view name) const {
-    return std::find(shown.begin(), shown.end(), name) != shown.end();
+  [[nodiscard]] bool is_shown(const knit::CodeVariable* of) const {
+    return std::find(shown.begin(), shown.end(), of) != shown.end();
   }
 };
 
 std::string tooltip_of(const Variable& variable) {
-  std::string words(variable.symbol);
+  std::string words(variable.of->symbol);
   if (!variable.value.empty()) words += " = " + variable.value;
-  return words + "\n" + std::string(variable.meaning);
+  return words + "\n" + std::string(variable.of->meaning);
 }
 
 // In the panels' own letters, whatever the code's are.
@@ -49,9 +48,9 @@ void plain_tooltip(const PanelFrame& frame, const std::string& words) {
 void take_pointing(Page& page, const Variable& variable, ImVec2 at, ImVec2 size, const char* kind) {
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(size);
-  page.frame.mark(std::string(kind) + std::string(variable.name));
+  page.frame.mark(std::string(kind) + std::string(variable.of->key));
   if (!ImGui::IsItemHovered()) return;
-  page.under = variable.name;
+  page.under = variable.of->key;
   plain_tooltip(page.frame, tooltip_of(variable));
 }
 
@@ -91,11 +90,11 @@ float draw_parts(Page& page, const CodeLine& line, ImVec2 at, bool ran) {
   const float height = ImGui::GetTextLineHeight();
   for (const CodePart& part : parts_of(line)) {
     const bool variable = part.kind == CodePart::Kind::variable;
-    const std::string words(variable ? page.variable(part.text).symbol : part.text);
+    const std::string words(part.text);
     const ImVec2 size(ImGui::CalcTextSize(words.c_str()).x, height);
-    if (variable) light_pointed(page, part.text, at, size);
+    if (variable) light_pointed(page, part.variable->key, at, size);
     ImGui::GetWindowDrawList()->AddText(at, style::packed(colour_of(part.kind, ran)), words.c_str());
-    if (variable) take_pointing(page, page.variable(part.text), at, size, "variable/");
+    if (variable) take_pointing(page, page.variable(part.variable), at, size, "variable/");
     at.x += size.x;
   }
   return at.x;
@@ -103,13 +102,13 @@ float draw_parts(Page& page, const CodeLine& line, ImVec2 at, bool ran) {
 
 // At the line's end, if there is room for it.
 void draw_value(Page& page, const CodeLine& line, float from, ImVec2 end, bool ran) {
-  if (line.value.empty() || page.is_shown(line.value)) return;
+  if (line.value == nullptr || page.is_shown(line.value)) return;
   const Variable& variable = page.variable(line.value);
   const ImVec2 size = ImGui::CalcTextSize(variable.value.c_str());
   const ImVec2 at(std::floor(end.x - size.x), end.y);
   if (variable.value.empty() || at.x < from + page.frame.units(6.0f)) return;
-  page.shown.push_back(variable.name);
-  light_pointed(page, variable.name, at, size);
+  page.shown.push_back(variable.of);
+  light_pointed(page, variable.of->key, at, size);
   ImGui::GetWindowDrawList()->AddText(at, style::packed(ran ? theme().text : theme().faint_text),
                                       variable.value.c_str());
   take_pointing(page, variable, at, size, "value/");
@@ -117,7 +116,7 @@ void draw_value(Page& page, const CodeLine& line, float from, ImVec2 end, bool r
 
 // A value that several lines give stands at the last of them that ran, or at none.
 bool gives_value(const Explained& at, std::size_t number) {
-  const auto lines = code_of(at.listing).lines;
+  const auto lines = at.code->lines;
   const auto same = [&](const CodeLine& line) { return line.value == lines[number].value; };
   if (std::count_if(lines.begin(), lines.end(), same) == 1) return true;
   if (!at.lines || !at.lines->holds(number)) return false;
@@ -142,7 +141,7 @@ struct Lines {
 };
 
 void draw_line(Page& page, const Lines& lines, std::size_t number) {
-  const CodeLine& line = code_of(page.at.listing).lines[number];
+  const CodeLine& line = page.at.code->lines[number];
   const ImVec2 low(lines.at.x, std::floor(lines.at.y + static_cast<float>(number) * lines.height));
   const ImVec2 high(low.x + lines.width, low.y + lines.height);
   const bool ran = page.at.lines && page.at.lines->holds(number);
@@ -163,7 +162,7 @@ void draw_line(Page& page, const Lines& lines, std::size_t number) {
 }
 
 void draw_lines(Page& page) {
-  const PseudoCode& code = code_of(page.at.listing);
+  const PseudoCode& code = *page.at.code;
   push_font(page.frame.fonts.mono);
   const Lines lines{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x,
                     std::floor(ImGui::GetTextLineHeight() + page.frame.units(2.0f)),
@@ -182,10 +181,10 @@ void draw_lines(Page& page) {
 // Name left, value right.
 void draw_cell(Page& page, const Variable& variable, ImVec2 at, float width) {
   const ImVec2 size(width, ImGui::GetTextLineHeight());
-  const std::string symbol(variable.symbol);
+  const std::string symbol(variable.of->symbol);
   const float left = ImGui::CalcTextSize(symbol.c_str()).x + page.frame.units(8.0f);
   const std::string value = cut_to_width(variable.value, width - left);
-  light_pointed(page, variable.name, at, size);
+  light_pointed(page, variable.of->key, at, size);
   text_at(at, 0.0f, theme().accent, symbol);
   text_at(ImVec2(at.x + width, at.y), 1.0f, theme().text, value);
   take_pointing(page, variable, at, size, "variable/");
@@ -203,8 +202,8 @@ void draw_aside(Page& page) {
   float y = at.y;
   bool right = false;
   for (const Variable& variable : page.variables) {
-    if (variable.value.empty() || page.is_shown(variable.name)) continue;
-    const std::string words = std::string(variable.symbol) + variable.value;
+    if (variable.value.empty() || page.is_shown(variable.of)) continue;
+    const std::string words = std::string(variable.of->symbol) + variable.value;
     const bool wide = ImGui::CalcTextSize(words.c_str()).x + page.frame.units(8.0f) > half;
     if (wide && right) y += line;
     if (wide) right = false;
@@ -214,7 +213,7 @@ void draw_aside(Page& page) {
   }
   if (right) y += line;
   pop_font();
-  const auto key = ImGui::GetID("aside") + static_cast<ImGuiID>(page.at.listing);
+  const auto key = ImGui::GetID(page.at.code);
   float& most = *ImGui::GetStateStorage()->GetFloatRef(key);
   most = std::max(most, (y - at.y) / page.frame.layout.scale);
   ImGui::SetCursorScreenPos(at);
@@ -242,7 +241,7 @@ void draw_pseudo_code(PanelFrame& frame) {
   if (!at) return leave_variables(frame);
   const std::vector<Variable> variables = variables_of(frame.session);
   Page page{frame, *at, variables, {}, {}};
-  heading(frame, std::string(code_of(at->listing).title).c_str());
+  heading(frame, std::string(at->code->title).c_str());
   frame.mark("code");
   draw_lines(page);
   draw_aside(page);

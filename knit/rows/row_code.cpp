@@ -1,0 +1,243 @@
+#include "knit/rows/row_code.h"
+
+#include <array>
+
+#include "knit/rows/cast_on_events.h"
+#include "knit/rows/contour_events.h"
+#include "knit/rows/ring_events.h"
+#include "knit/rows/row_variables.h"
+#include "knit/timing/timing_variables.h"
+
+namespace knit {
+
+namespace {
+
+template <RowSource source>
+bool made_from(const Parameters& parameters) {
+  return parameters.rows == source;
+}
+
+constexpr std::array cast_on_lines{
+    CodeLine{"for each level after t = 0",
+             {},
+             &var::level,
+             "Levels of equal time, from the start on.",
+             "Thesis 3.2.2; docs/algorithm.md, Cast on",
+             never,
+             true},
+    CodeLine{"  {} \xE2\x86\x90 its vertices as a ring",
+             {&var::cycle},
+             &var::count,
+             "The level's vertices in working order. Where they form no single ring the run stops.",
+             "docs/algorithm.md, Rings",
+             lit_or<lit_by<CycleFound>,
+                    lit_by_stop<StopReason::no_row_levels, StopReason::not_a_ring, StopReason::splits>>},
+    CodeLine{"  if {} \xE2\x89\xA5 1.5 {}: begin here",
+             {&var::length, &var::width},
+             &var::length,
+             "The first ring with room for three half stitches; shorter ones are passed over.",
+             "docs/algorithm.md, Cast on",
+             lit_or<lit_by<CycleFound>, lit_by_stop<StopReason::no_row_levels>>},
+    CodeLine{"{} \xE2\x86\x90 stitches to cast on",
+             {&var::k},
+             &var::k,
+             "As many as shall be cast on; 6 unless given.",
+             "Thesis 3.2.2; docs/algorithm.md, Cast on",
+             lit_if<&StitchCastOn::stitch, 1>},
+    CodeLine{"for {} \xE2\x86\x90 1 ... {}",
+             {&var::item, &var::k},
+             &var::item,
+             "One stitch after the other.",
+             "Thesis 3.2.2",
+             never,
+             true},
+    CodeLine{"  w[{}] \xE2\x86\x90 {} at {} = (i\xE2\x88\x92"
+             "1) L/k",
+             {&var::item, &var::cycle, &var::arc},
+             &var::arc,
+             "Stitches stand at equal arcs along the ring, from its first vertex.",
+             "Thesis 3.2.2; docs/algorithm.md, Cast on",
+             lit_by<StitchCastOn>}};
+
+constexpr std::array ring_lines{
+    CodeLine{"{} \xE2\x86\x90 vertices at the next {}",
+             {&var::cycle, &var::time},
+             &var::time,
+             "The next level: all vertices of one time.",
+             "Thesis 3.2.3, step 2",
+             lit_by<CycleGathered>},
+    CodeLine{
+        "order {} round its centre",
+        {&var::cycle},
+        &var::by,
+        "By angle about the centre, in working order; where that is not the order along the mesh, by its "
+        "edges. Where there is no single ring the run stops.",
+        "Thesis 3.2.3; docs/algorithm.md, Rings",
+        lit_or<lit_by<CycleOrdered>, lit_by_stop<StopReason::not_a_ring, StopReason::splits>>},
+    CodeLine{"{} \xE2\x86\x90 {}[0]",
+             {&var::anchor, &var::cycle},
+             &var::anchor,
+             "The anchor is the stitch from which the next is measured; first it is where rounds begin.",
+             "Thesis 3.2.3, Algorithm 2, line 1",
+             lit_by<CycleOrdered>},
+    CodeLine{"for each {} of {}",
+             {&var::candidate, &var::cycle},
+             &var::candidate,
+             "Each vertex of the ring in turn; printed as vn.",
+             "Thesis 3.2.3, Algorithm 2, line 2",
+             never,
+             true},
+    CodeLine{
+        "  {} \xE2\x86\x90 {}({}, {})",
+        {&var::d, &var::metric, &var::anchor, &var::candidate},
+        &var::d,
+        "The distance from the anchor: straight through the air (euclidean), along the ring (arc) or along "
+        "the surface (geodesic), as the metric says.",
+        "Thesis 3.2.3, Algorithm 2, line 3",
+        lit_by<CandidateMeasured>},
+    CodeLine{"  if {} \xE2\x88\x88 [{} \xE2\x88\x92 {}, {} + {}]",
+             {&var::d, &var::width, &var::epsilon, &var::width, &var::epsilon},
+             &var::verdict,
+             "Is it a stitch's length away, within the tolerance? Both edges of the band belong to it.",
+             "Thesis 3.2.3, Algorithm 2, line 4",
+             lit_by<CandidateMeasured>},
+    CodeLine{"    w[{}] \xE2\x86\x90 {}, {} \xE2\x86\x90 {}",
+             {&var::stitch, &var::anchor, &var::anchor, &var::candidate},
+             &var::stitch,
+             "The anchor is kept as a stitch, and the vertex becomes the next anchor.",
+             "Thesis 3.2.3, Algorithm 2, lines 5 and 6",
+             lit_if<&CandidateMeasured::verdict, Verdict::accepted>},
+    CodeLine{"  else if {} > {} + {}",
+             {&var::d, &var::width, &var::epsilon},
+             &var::verdict,
+             "The ring has stepped over the band: as printed, the anchor would hardly ever move again.",
+             "docs/algorithm.md, Rows: Stalls",
+             lit_if<&CandidateMeasured::verdict, Verdict::too_far>},
+    CodeLine{"    {} \xE2\x86\x90 nearest to {}, or stop",
+             {&var::anchor, &var::width},
+             &var::skipped,
+             "Of the vertices on either side of the band the one nearer to the stitch width is taken (at the "
+             "ring's end its last vertex), or the run stops: as \"when nothing is in the band\" says.",
+             "docs/algorithm.md, Rows: Stalls",
+             lit_or<lit_by<BandMissed>, lit_by_stop<StopReason::stall>>},
+    CodeLine{"{} \xE2\x86\x90 {}(last w, first w)",
+             {&var::gap, &var::metric},
+             &var::gap,
+             "The closing gap: from the last stitch to the first.",
+             "Thesis 3.2.3, after Algorithm 2",
+             lit_by<RowClosed>},
+    CodeLine{
+        "if not {}/2 \xE2\x89\xA4 {} \xE2\x89\xA4 2{}: spread",
+        {&var::below, &var::n, &var::below},
+        &var::n,
+        "At most one increase a stitch and two stitches into one; a row outside, or of fewer than three, is "
+        "spread evenly with a count that can be knitted.",
+        "docs/algorithm.md, Rows: Counts that cannot be knitted",
+        lit_or<lit_by<RowResampled>, lit_by_stop<StopReason::changes_too_much>>},
+    CodeLine{
+        "share {} among the {} stitches",
+        {&var::gap, &var::n},
+        &var::share,
+        "Thesis: stitch i is shifted by i times this much. Arc: stitches stand at equal arcs of this length. "
+        "None: they stay.",
+        "Thesis 3.2.3, shift dist; docs/algorithm.md, The closing gap",
+        lit_by<GapShared>}};
+
+constexpr std::array contour_lines{
+    CodeLine{
+        "plan cuts, one {} apart",
+        {&var::stitch_height},
+        &var::rows,
+        "As many rows of the stitch height as fit into the surface's height; it is cut at equal steps of "
+        "time.",
+        "docs/algorithm.md, Rows from contours",
+        lit_or<lit_by<RowsPlanned>, lit_by_stop<StopReason::no_row_levels, StopReason::too_fine>>},
+    CodeLine{"for each cut at {}",
+             {&var::time},
+             &var::time,
+             "From the start on; cuts too short make no row.",
+             "docs/algorithm.md, Rows from contours",
+             lit_by_stop<StopReason::not_a_ring>,
+             true},
+    CodeLine{"  find where {} crosses edges",
+             {&var::time},
+             &var::edges,
+             "The cut goes through edges of the mesh, along which the time runs straight.",
+             "docs/algorithm.md, Rows from contours",
+             lit_by<CutFound>},
+    CodeLine{"  {} \xE2\x86\x90 the crossings as one loop",
+             {&var::cycle},
+             &var::points,
+             "Its pieces are linked to a closed line; where there are several the run stops.",
+             "docs/algorithm.md, Rows from contours",
+             lit_or<lit_by<LoopClosed>, lit_by_stop<StopReason::splits>>},
+    CodeLine{"  {} \xE2\x86\x90 length of {}",
+             {&var::length, &var::cycle},
+             &var::length,
+             "Once round the loop.",
+             "docs/algorithm.md, Rows from contours",
+             lit_by<LengthMeasured>},
+    CodeLine{"  if first row: {} \xE2\x86\x90 cast on, if given",
+             {&var::n},
+             &var::n,
+             "As many as shall be cast on.",
+             "docs/algorithm.md, Rows from contours: Count",
+             lit_if<&CountChosen::reason, CountReason::as_cast_on>},
+    CodeLine{"  else {} \xE2\x86\x90 round({} / {})",
+             {&var::n, &var::length, &var::width},
+             &var::n,
+             "As many stitches as the length holds.",
+             "docs/algorithm.md, Rows from contours: Count",
+             lit_if<&CountChosen::reason, CountReason::ideal, CountReason::at_least_three,
+                    CountReason::at_most_double, CountReason::at_least_half, CountReason::room_ahead>},
+    CodeLine{"    within 3, {}/2 and 2{}",
+             {&var::below, &var::below},
+             &var::n,
+             "At least three; at least half and at most twice the row below.",
+             "docs/algorithm.md, Rows from contours: Count",
+             lit_if<&CountChosen::reason, CountReason::at_least_three, CountReason::at_most_double,
+                    CountReason::at_least_half>},
+    CodeLine{"    best over four rows together",
+             {},
+             &var::n,
+             "A stitch more or fewer here may bring the rows above nearer to what theirs hold.",
+             "docs/algorithm.md, Rows from contours: Count",
+             lit_if<&CountChosen::reason, CountReason::room_ahead>},
+    CodeLine{"  for {} \xE2\x86\x90 1 ... {}",
+             {&var::item, &var::n},
+             &var::item,
+             "One stitch after the other.",
+             "docs/algorithm.md, Rows from contours: Stitches",
+             never,
+             true},
+    CodeLine{"    w[{}] \xE2\x86\x90 {} at {} = (i\xE2\x88\x92"
+             "1) L/n",
+             {&var::item, &var::cycle, &var::arc},
+             &var::arc,
+             "Stitches stand at equal arcs along the loop, from where rounds begin.",
+             "docs/algorithm.md, Rows from contours: Stitches",
+             lit_by<StitchPlaced>}};
+
+constexpr std::array cast_on_aside{&var::time, &var::last_level, &var::passed_over};
+constexpr std::array ring_aside{&var::order,  &var::below,   &var::count,  &var::length,       &var::level,
+                                &var::metric, &var::in_band, &var::picked, &var::dropped_last, &var::reason,
+                                &var::first,  &var::how,     &var::shared, &var::gap_after};
+constexpr std::array contour_aside{&var::level,  &var::loops,       &var::ideal,          &var::course,
+                                   &var::reason, &var::passed_over, &var::surface_height, &var::row_height};
+
+}  // namespace
+
+const PseudoCode cast_on_code{
+    {Stage::cast_on, Stage::cast_on}, made_from<RowSource::rings>, "Cast on", cast_on_lines, cast_on_aside};
+const PseudoCode ring_code{{Stage::rows, Stage::rows},
+                           made_from<RowSource::rings>,
+                           "Algorithm 2: a row from a ring",
+                           ring_lines,
+                           ring_aside};
+const PseudoCode contour_code{{Stage::rows, Stage::cast_on},
+                              made_from<RowSource::contours>,
+                              "A row from a contour",
+                              contour_lines,
+                              contour_aside};
+
+}  // namespace knit

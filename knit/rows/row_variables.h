@@ -1,0 +1,70 @@
+// The variables of the pseudo-code that are first met in the stages cast on and rows: what they are called, their symbols (as in
+// the thesis where it has one) and their meaning.
+#pragma once
+
+#include "knit/model/event.h"
+
+namespace knit::var {
+
+inline constexpr CodeVariable level{"level", "level",
+                                    "The number of the level, or of the cut, that the row is made on."};
+inline constexpr CodeVariable last_level{"last_level", "last level", "The last level that makes a row."};
+inline constexpr CodeVariable passed_over{"passed_over", "passed over",
+                                          "How many levels or cuts were too short to make a row."};
+inline constexpr CodeVariable cycle{"cycle", "v",
+                                    "The ring of vertices, or the loop of a cut, that the row is made on."};
+inline constexpr CodeVariable count{"count", "N", "How many vertices the ring has."};
+inline constexpr CodeVariable length{"length", "L", "The length once round, in mesh units."};
+inline constexpr CodeVariable width{"width", "w", "The stitch width: how long a stitch should be."};
+inline constexpr CodeVariable epsilon{"epsilon", "\xCE\xB5",
+                                      "By how much a stitch may be shorter or longer than that."};
+inline constexpr CodeVariable k{"k", "k", "How many stitches are cast on."};
+inline constexpr CodeVariable item{"item", "i", "The number of the stitch that is placed, from 1."};
+inline constexpr CodeVariable arc{"arc", "s", "How far along the ring the stitch stands."};
+inline constexpr CodeVariable first{"first", "v[0]", "The vertex where the round begins."};
+inline constexpr CodeVariable by{"by", "by",
+                                 "How the ring was put in order: by angle or along the mesh's edges."};
+inline constexpr CodeVariable anchor{"anchor", "v0",
+                                     "The anchor: the stitch from which the next is measured."};
+inline constexpr CodeVariable candidate{"candidate", "vi",
+                                        "The candidate: the vertex that is measured, or taken."};
+inline constexpr CodeVariable order{"order", "i", "The candidate's place in the ring, from 0."};
+inline constexpr CodeVariable d{"d", "d", "The distance from the anchor to the candidate, by the metric."};
+inline constexpr CodeVariable metric{"metric", "d2",
+                                     "The ruler: through the air, along the ring or along the surface."};
+inline constexpr CodeVariable verdict{"verdict", "verdict",
+                                      "Whether the distance lies in the band, below it or above it."};
+inline constexpr CodeVariable stitch{"stitch", "j", "The number of the stitch that the anchor is, from 1."};
+inline constexpr CodeVariable skipped{"skipped", "other d",
+                                      "The distance of the nearest vertex that was not taken."};
+inline constexpr CodeVariable gap{"gap", "g", "The closing gap: from the row's last stitch to its first."};
+inline constexpr CodeVariable in_band{"in_band", "g in band",
+                                      "Whether the closing gap is a stitch's length within the tolerance."};
+inline constexpr CodeVariable dropped_last{"dropped_last", "last dropped",
+                                           "Whether the last anchor was too near the first stitch to stay."};
+inline constexpr CodeVariable n{"n", "n", "How many stitches the row has so far, or has now."};
+inline constexpr CodeVariable picked{"picked", "picked", "How many stitches Algorithm 2 had picked."};
+inline constexpr CodeVariable below{"below", "p", "How many stitches the row below has."};
+inline constexpr CodeVariable reason{"reason", "because", "Why the row has this count."};
+inline constexpr CodeVariable share{"share", "share",
+                                    "By how much a stitch is shifted for its number, or the even spacing."};
+inline constexpr CodeVariable how{"how", "close", "How the closing gap is shared out: none, thesis or arc."};
+inline constexpr CodeVariable shared{"shared", "shared", "Whether the stitches were moved."};
+inline constexpr CodeVariable gap_after{"gap_after", "g after",
+                                        "The closing gap once it has been shared out."};
+
+// of contours
+inline constexpr CodeVariable rows{"rows", "rows", "How many cuts are planned."};
+inline constexpr CodeVariable stitch_height{"stitch_height", "h",
+                                            "The stitch height: how far apart rows should be."};
+inline constexpr CodeVariable surface_height{"surface_height", "H",
+                                             "The height of the surface that is still to be cut, along it."};
+inline constexpr CodeVariable row_height{"row_height", "row height", "How far apart the cuts come out."};
+inline constexpr CodeVariable edges{"edges", "edges", "How many edges of the mesh the cut goes through."};
+inline constexpr CodeVariable loops{"loops", "loops", "Into how many loops the level set falls."};
+inline constexpr CodeVariable points{"points", "N", "How many points the loop has."};
+inline constexpr CodeVariable ideal{"ideal", "L / w",
+                                    "How many stitches of the stitch width the length holds."};
+inline constexpr CodeVariable course{"course", "L / n", "How wide the stitches come out."};
+
+}  // namespace knit::var
