@@ -139,7 +139,8 @@ class Monkey {
   }
 
   knit::Thing thing(const Session& session) {
-    const auto row = static_cast<std::int32_t>(below(session.document->timeline.furthest().fabric.rows().size() + 3));
+    const auto row =
+        static_cast<std::int32_t>(below(session.document->timeline.furthest().fabric.rows().size() + 3));
     const std::int32_t item = small(90);
     switch (below(6)) {
       case 0:

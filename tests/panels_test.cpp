@@ -239,7 +239,8 @@ TEST_CASE("layers, rows and problems are clicked") {
   const SetLayer hidden = only<SetLayer>(desk.click("layer/faces", 0.1f));
   CHECK(hidden.layer == Layer::faces);
   CHECK_FALSE(hidden.on);
-  const std::string last = "row/" + std::to_string(desk.session.document->timeline.state().fabric.rows().size());
+  const std::string last =
+      "row/" + std::to_string(desk.session.document->timeline.state().fabric.rows().size());
   CHECK(only<SeekPlace>(desk.click(last, 0.1f)).place.row ==
         static_cast<int>(desk.session.document->timeline.state().fabric.rows().size()));
 

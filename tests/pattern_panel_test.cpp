@@ -119,8 +119,9 @@ TEST_CASE("a line under the pointer lights its rounds in the view, and a click g
   CHECK(rounds.first == round);
   std::size_t stitches = 0;
   for (std::int32_t r = rounds.first; r <= rounds.last; ++r)
-    stitches +=
-        desk.session.document->timeline.state().fabric.rows()[static_cast<std::size_t>(r) - 1]->stitches.size();
+    stitches += desk.session.document->timeline.state()
+                    .fabric.rows()[static_cast<std::size_t>(r) - 1]
+                    ->stitches.size();
   CHECK(describer.describe(desk.session).lines.size() == before + stitches);
   const Actions clicked = desk.click(line);
   REQUIRE(count_of<SeekPlace>(clicked) == 1);

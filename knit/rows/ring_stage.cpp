@@ -92,7 +92,8 @@ RowResampled resample(const Parameters& parameters, std::int32_t below, RowWork&
   return {picked, needed.count, below, needed.reason, work.ring->length};
 }
 
-Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWork& work, std::optional<Row>& row) {
+Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWork& work,
+                          std::optional<Row>& row) {
   SharedGap shared = share_gap(work.closed, *work.ring, parameters);
   const GapShared step{static_cast<std::int32_t>(shared.stitches.size()),
                        parameters.close,
@@ -102,8 +103,8 @@ Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWo
                        work.closed.gap,
                        shared.gap};
   const std::int32_t level = work.level;
-  row = Row{0,         at.number, at.on, level, time_of_level(at.timing, level),
-            work.ring, std::move(shared.stitches)};
+  row =
+      Row{0, at.number, at.on, level, time_of_level(at.timing, level), work.ring, std::move(shared.stitches)};
   work = row_work_at(level + 1);
   return {step, level < at.last_level ? Ended::row : Ended::stage};
 }

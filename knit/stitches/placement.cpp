@@ -35,8 +35,7 @@ std::vector<Join> plan_joins(std::span<const std::int32_t> sizes, PlacementPolic
   std::vector<Join> joins;
   for (std::size_t i = 1; i < sizes.size(); ++i) {
     const bool from_cast_on = i == 1;
-    const std::vector<std::int32_t> mains =
-        from_cast_on ? std::vector<std::int32_t>{} : joins.back().mains;
+    const std::vector<std::int32_t> mains = from_cast_on ? std::vector<std::int32_t>{} : joins.back().mains;
     joins.push_back(placement_of(policy).plan(
         {{sizes[i - 1], mains, from_cast_on}, sizes[i], static_cast<std::int32_t>(i) + 1}));
   }

@@ -1,5 +1,5 @@
-#include "knit/stitches/placement.h"
 #include "knit/stitches/stitch_code.h"
+#include "knit/stitches/placement.h"
 
 #include <array>
 

@@ -9,8 +9,8 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/view_help.h"
 #include "app/panels/kit/widgets.h"
-#include "app/panels/view/view.h"
 #include "app/panels/view/overlays.h"
+#include "app/panels/view/view.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 
