@@ -50,21 +50,23 @@ State knitted(const std::shared_ptr<const Input>& input, const Parameters& param
 // The first thing that differs; empty: the same piece.
 std::string difference(const State& one, const State& other, double hair) {
   if (test_support::row_sizes(one) != test_support::row_sizes(other)) return "sizes of rows";
-  for (std::size_t i = 0; i < one.rows.size(); ++i) {
-    for (std::size_t j = 0; j < one.rows[i]->stitches.size(); ++j) {
-      const Stitch& a = one.rows[i]->stitches[j];
-      const Stitch& b = other.rows[i]->stitches[j];
+  for (const auto& row : one.fabric.rows()) {
+    const Row& twin = other.fabric.row(row->id);
+    for (std::size_t j = 0; j < row->stitches.size(); ++j) {
+      const Stitch& a = row->stitches[j];
+      const Stitch& b = twin.stitches[j];
       if (a.vertex != b.vertex || glm::distance(a.position, b.position) > hair)
-        return "stitch " + std::to_string(j) + " of row " + std::to_string(i + 1);
+        return "stitch " + std::to_string(j) + " of row " + std::to_string(row->id);
     }
   }
-  for (std::size_t i = 0; i < one.transitions.size(); ++i) {
-    const Transition& a = *one.transitions[i];
-    const Transition& b = *other.transitions[i];
-    const std::string to = " to row " + std::to_string(a.row);
-    if (a.link != b.link) return "links" + to;
-    if (a.labels != b.labels || a.partner != b.partner || a.mains != b.mains) return "labels" + to;
-    if (one.strips[i]->faces != other.strips[i]->faces) return "faces" + to;
+  for (const auto& join : one.fabric.joins()) {
+    const Join* twin = other.fabric.join_into(join->to);
+    const std::string to = " to row " + std::to_string(join->to);
+    if (twin == nullptr || join->link != twin->link) return "links" + to;
+    if (join->labels != twin->labels || join->partner != twin->partner || join->mains != twin->mains)
+      return "labels" + to;
+    if (one.fabric.strip_into(join->to)->faces != other.fabric.strip_into(join->to)->faces)
+      return "faces" + to;
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include "knit/stitches/faces_events.h"
 #include "knit/stitches/index_events.h"
 #include "knit/stitches/pattern_events.h"
+#include "knit/stitches/placement.h"
 #include "knit/stitches/stitch_variables.h"
 
 namespace knit {
