@@ -9,6 +9,7 @@
 #include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 

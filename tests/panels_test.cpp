@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -156,7 +156,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.act(moved);
     }
     CHECK(wishes > 5);
-    CHECK(desk.session.document->timeline.parameters().epsilon > wide_band().epsilon);
+    CHECK(desk.session.document->timeline.parameters().epsilon() > wide_band().epsilon());
     CHECK(desk.session.document->timeline.edits().size() == (from_here ? 1 : 0));
     desk.frames({MouseClick{MouseButton::Left, false}});
     if (from_here) {
@@ -164,7 +164,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
       CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
-            knit::agreed(wide_band(), desk.session.document->timeline.input()));
+            knit::resolved(wide_band(), desk.session.document->timeline.input()));
     }
   }
 }
@@ -236,12 +236,13 @@ TEST_CASE("layers, rows and problems are clicked") {
   const SetLayer hidden = only<SetLayer>(desk.click("layer/faces", 0.1f));
   CHECK(hidden.layer == Layer::faces);
   CHECK_FALSE(hidden.on);
-  const std::string last = "row/" + std::to_string(desk.session.document->timeline.state().fabric.rows().size());
+  const std::string last =
+      "row/" + std::to_string(desk.session.document->timeline.state().fabric.rows().size());
   CHECK(only<SeekPlace>(desk.click(last, 0.1f)).place.row ==
         static_cast<int>(desk.session.document->timeline.state().fabric.rows().size()));
 
   knit::Parameters narrow = wide_band();
-  narrow.epsilon = 0.001;
+  knit::give_epsilon(narrow, 0.001);
   desk.open(narrow);
   desk.session.view->list = RunList::problems;
   desk.settle();

@@ -10,6 +10,7 @@
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -87,11 +88,11 @@ std::string parameter_text(const knit::Parameters& parameters, std::string_view 
 }
 
 void add_parameters(const knit::Parameters& parameters, Values& values) {
-  values.set("width", parameters.stitch_width);
-  values.set("epsilon", parameters.epsilon);
-  values.set("stitch_height", knit::stitch_height_of(parameters));
-  values.set("metric", parameter_text(parameters, "metric"));
-  values.set("tolerance", parameters.level_tolerance);
+  values.set("width", parameters.stitch.width);
+  values.set("epsilon", parameters.epsilon());
+  values.set("stitch_height", parameters.stitch.height);
+  values.set("metric", parameter_text(parameters, knit::keys::metric));
+  values.set("tolerance", parameters.timing.level_tolerance);
 }
 
 void add_timing(const knit::State& state, Values& values) {

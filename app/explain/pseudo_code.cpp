@@ -47,9 +47,9 @@ Listing listing_at(knit::Stage stage, const knit::Parameters& parameters) {
   switch (stage) {
     case knit::Stage::cast_on:
     case knit::Stage::rows:
-      return rows_listing(stage, parameters.rows);
+      return rows_listing(stage, parameters.rows.source);
     case knit::Stage::stitches:
-      return index_listing(parameters.placement);
+      return index_listing(parameters.stitches.placement);
     case knit::Stage::faces:
       return Listing::faces;
     case knit::Stage::pattern:
@@ -59,7 +59,7 @@ Listing listing_at(knit::Stage stage, const knit::Parameters& parameters) {
     case knit::Stage::timing:
       break;
   }
-  return timing_listing(parameters.timing);
+  return timing_listing(parameters.timing.kind);
 }
 
 // What a step shows of how it was done counts for more than parameters, which may have been edited meanwhile.

@@ -8,7 +8,7 @@
 #include "app/session/outbox.h"
 #include "app/session/run_figures.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -34,7 +34,7 @@ struct DoDeed {
   void operator()(const OpenAsItComes& deed) const {
     const Document* open = session.document ? &*session.document : nullptr;
     if (open == nullptr || open->source.example != deed.example ||
-        open->timeline.base_parameters().weld != open->defaults.weld)
+        open->timeline.base_parameters().mesh.weld != open->defaults.mesh.weld)
       apply(session, OpenExample{deed.example});
     // What could not be opened has said so.
     if (!session.document || session.document->source.example != deed.example) return;
@@ -53,11 +53,8 @@ struct DoDeed {
   void operator()(const SetParameters& deed) const {
     if (!session.document) return;
     knit::Parameters parameters = session.document->timeline.parameters();
-    for (const auto& [info, text] : deed.settings) {
-      knit::set_value(*info, parameters, text);
-      knit::give_size_by(info->key, parameters);
-    }
-    apply(session, Tune{knit::agreed(parameters, session.document->timeline.input())});
+    knit::set_values(deed.settings, parameters);
+    apply(session, Tune{parameters});
   }
   void operator()(const SeekAt& deed) const {
     if (session.document) go_to(session, deed.at);
@@ -132,7 +129,7 @@ bool row_size_holds(const Wait& wait, const knit::Timeline& timeline) {
 bool number_holds(const Wait& wait, const knit::Parameters& parameters) {
   const auto* number = std::get_if<knit::Number>(&wait.parameter->kind);
   if (number == nullptr) return false;
-  const double value = parameters.*(number->field);
+  const double value = number->get(parameters);
   return value >= wait.low && value <= wait.high;
 }
 

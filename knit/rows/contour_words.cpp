@@ -61,7 +61,7 @@ StepFields LoopClosed::numbers() const { return {{"points", points}}; }
 
 std::string LengthMeasured::sentence(const Telling& at) const {
   return at.row() + ": the loop is " + short_number(length) + " long, " + short_number(ideal) +
-         " stitch widths of " + short_number(at.parameters.stitch_width) + ".";
+         " stitch widths of " + short_number(at.parameters.stitch.width) + ".";
 }
 StepFields LengthMeasured::numbers() const { return {{"length", length}, {"ideal", ideal}}; }
 

@@ -23,31 +23,31 @@ Ended finish_join(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
   return at.last ? Ended::stage : Ended::row;
 }
 
-TransitionCounted count(const Parameters& parameters, const JoinAt& at, IndexWork& work) {
+TransitionCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& work) {
   const RowBelow below = row_below(at);
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
   const auto carried = static_cast<std::int32_t>(below.mains.size());
-  const bool nearest = parameters.placement == PlacementPolicy::nearest;
+  const bool nearest = settings.placement == PlacementPolicy::nearest;
   return {below.size, above, above - below.size, nearest ? carried : mains_wanted(below.size, above),
           carried};
 }
 
-Join plan_nearest_join(const Parameters& parameters, const JoinAt& at) {
+Join plan_nearest_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
   const RowBelow below = row_below(at);
   const std::vector<std::uint8_t> shaped =
       at.before != nullptr ? shaped_by(*at.before) : std::vector<std::uint8_t>{};
-  const double square = parameters.stitch_width * parameters.stitch_width;
-  const NearestPenalties penalties{parameters.stacking_penalty * square,
-                                   parameters.follow_mains == FollowMains::on ? square : 0.0};
+  const double square = stitch.width * stitch.width;
+  const NearestPenalties penalties{settings.stacking_penalty * square,
+                                   settings.follow_mains == FollowMains::on ? square : 0.0};
   return plan_nearest({at.below.stitches, at.above->stitches, below.mains, shaped}, penalties, at.row);
 }
 
-Advanced<IndexEvent> space(const Parameters& parameters, const JoinAt& at, IndexWork& work,
-                           Shared<Join>& join) {
-  const bool nearest = parameters.placement == PlacementPolicy::nearest;
-  Join made = nearest ? plan_nearest_join(parameters, at)
-                      : plan_join(row_below(at), size_of(*at.above), at.row, parameters.placement);
+Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
+                           IndexWork& work, Shared<Join>& join) {
+  const bool nearest = settings.placement == PlacementPolicy::nearest;
+  Join made = nearest ? plan_nearest_join(settings, stitch, at)
+                      : plan_join(row_below(at), size_of(*at.above), at.row, settings.placement);
   made.from = at.from;
   work.plan = Shared(std::move(made));
   work.phase = IndexPhase::place;
@@ -82,17 +82,17 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
 
 }  // namespace
 
-Advanced<IndexEvent> advance_index(const Parameters& parameters, const JoinAt& at, IndexWork& work,
-                                   Shared<Join>& join) {
+Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
+                                   IndexWork& work, Shared<Join>& join) {
   if (at.above == nullptr) {
     const std::int32_t only = size_of(at.below);
     return {TransitionCounted{only, only, 0, 0, 0}, Ended::stage};
   }
   switch (work.phase) {
     case IndexPhase::count:
-      return count(parameters, at, work);
+      return count(settings, at, work);
     case IndexPhase::space:
-      return space(parameters, at, work, join);
+      return space(settings, stitch, at, work, join);
     case IndexPhase::place:
       break;
   }

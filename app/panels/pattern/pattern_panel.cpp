@@ -8,6 +8,7 @@
 #include "app/files/pattern_export.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
