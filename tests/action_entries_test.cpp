@@ -9,6 +9,7 @@
 #include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -192,9 +193,9 @@ TEST_CASE("what is typed becomes the action, or is refused in one sentence") {
   CHECK(row.row == 2);
   CHECK(taken<SeekPlace>(session, "Go to place...", "rows:2:3").place ==
         knit::Place{knit::Stage::rows, 2, 3});
-  CHECK(taken<Tune>(session, "Set epsilon \xCE\xB5 to...", "0.125").parameters.epsilon == 0.125);
+  CHECK(taken<Tune>(session, "Set epsilon \xCE\xB5 to...", "0.125").parameters.epsilon() == 0.125);
   CHECK(taken<EditFromHere>(session, "Change a parameter from here on...", "epsilon = 0.125")
-            .parameters.epsilon == 0.125);
+            .parameters.epsilon() == 0.125);
   CHECK(taken<SetBreaks>(session, "Break when...", "stall").conditions.size() == 1);
   CHECK(taken<Select>(session, "Select vertex...", "12").thing == knit::Thing(knit::VertexThing{12}));
   CHECK(taken<SetScale>(session, "Set the size of words and lines to...", "150").scale == 1.5);

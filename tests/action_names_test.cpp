@@ -12,6 +12,7 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -90,7 +91,7 @@ Controls all_controls() {
     look(desk);
   }
   knit::Parameters changed = desk.session.document->timeline.parameters();
-  changed.epsilon *= 1.1;
+  knit::give_epsilon(changed, changed.epsilon() * 1.1);
   apply(desk.session, EditFromHere{changed});
   apply(desk.session, Select{knit::VertexThing{3}});
   desk.session.outbox->notices.push_back({});

@@ -6,6 +6,7 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "knit/run/machine.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -90,7 +91,7 @@ TEST_CASE("opening an example: its mesh, its parameters, at the start and in vie
   CHECK(session.document->timeline.input().mesh.name == "thesis-sphere");
   CHECK(session.document->timeline.position() == 0);
   CHECK(session.document->timeline.parameters() == session.document->defaults);
-  CHECK(session.document->defaults.close == knit::Closing::thesis);
+  CHECK(session.document->defaults.rows.close == knit::Closing::thesis);
   CHECK(session.document->load_ms > 0.0);
   CHECK(session.outbox->notices.empty());
   Camera framed;
@@ -131,7 +132,7 @@ TEST_CASE("opening a file: parameters follow its size") {
   CHECK(session.document->source.example.empty());
   CHECK(session.document->source.file == folder.path() / "a ball.obj");
   CHECK(session.document->timeline.input().mesh.name == "a ball");
-  CHECK(session.document->defaults.stitch_width ==
+  CHECK(session.document->defaults.stitch.width ==
         Approx(0.03 * session.document->timeline.input().bounds.diagonal()));
   CHECK(session.outbox->notices.empty());
 }
@@ -278,10 +279,10 @@ TEST_CASE("tuning keeps the place and counts from the start") {
   const knit::Place place{knit::Stage::rows, 6, 4};
   apply_all(session,
             {SeekPlace{place}, Tune{with(test_support::small_parameters(), "cast-on", "8")}, PassTime{0.0}});
-  CHECK(session.document->timeline.base_parameters().cast_on == 8);
+  CHECK(session.document->timeline.base_parameters().rows.cast_on == 8);
   CHECK(session.document->timeline.place() == place);
   CHECK(session.document->timeline.state().fabric.rows()[0]->stitches.size() == 8);
-  CHECK(session.document->defaults.cast_on == 0);
+  CHECK(session.document->defaults.rows.cast_on == 0);
   CHECK(session.outbox->notices.empty());
 }
 
@@ -324,8 +325,8 @@ TEST_CASE("an edit from here keeps the past, and can be removed") {
   CHECK(session.document->timeline.edits().size() == 1);
   CHECK(session.document->timeline.position() == before.position);
   CHECK(hash_of(session.document->timeline.state()) == before.state);
-  CHECK(session.document->timeline.parameters().epsilon == 0.28);
-  CHECK(session.document->timeline.base_parameters().epsilon == 0.15);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.28);
+  CHECK(session.document->timeline.base_parameters().epsilon() == 0.15);
   apply(session, RemoveEdit{7});  // there is none
   CHECK(session.document->timeline.edits().size() == 1);
   apply_all(session, {RemoveEdit{0}, PassTime{0.0}});
@@ -346,7 +347,7 @@ TEST_CASE("where rows come from cannot change from here once they have begun") {
              EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
   CHECK(session.outbox->notices.size() == 2);
   CHECK(session.document->timeline.state().finished());
-  CHECK(session.document->timeline.base_parameters().rows == knit::RowSource::rings);
+  CHECK(session.document->timeline.base_parameters().rows.source == knit::RowSource::rings);
   CHECK(session.document->timeline.state().fabric.rows()[3]->ring->ordered_by == knit::OrderedBy::cut);
 }
 
@@ -358,7 +359,7 @@ TEST_CASE("welding runs on the merged mesh, at the same place, and back again") 
                       PassTime{0.0}});
   CHECK(session.document->timeline.input().mesh.positions.size() < unwelded);
   CHECK(session.document->original->positions.size() == unwelded);
-  CHECK(session.document->timeline.parameters().weld == knit::Weld::on);
+  CHECK(session.document->timeline.parameters().mesh.weld == knit::Weld::on);
   CHECK(session.document->timeline.place() == place);
 
   apply_all(session, {Tune{test_support::small_parameters()}, PassTime{0.0}});
@@ -373,9 +374,9 @@ TEST_CASE("welding keeps edits, and is refused when a picked vertex would be gon
             {ToLast{}, SeekPlace{{knit::Stage::rows, 6, 4}}, EditFromHere{with(good, "epsilon", "0.28")}});
   apply_all(session, {Tune{with(session.document->timeline.parameters(), "weld", "on")}, PassTime{0.0}});
   REQUIRE(session.document->timeline.edits().size() == 1);
-  CHECK(session.document->timeline.edits()[0].parameters.epsilon == 0.28);
-  CHECK(session.document->timeline.edits()[0].parameters.weld == knit::Weld::on);
-  CHECK(session.document->timeline.base_parameters().epsilon == 0.15);
+  CHECK(session.document->timeline.edits()[0].parameters.epsilon() == 0.28);
+  CHECK(session.document->timeline.edits()[0].parameters.mesh.weld == knit::Weld::on);
+  CHECK(session.document->timeline.base_parameters().epsilon() == 0.15);
 
   Session picked = small_session(true);
   const auto last = std::to_string(picked.document->timeline.input().mesh.positions.size() - 1);
@@ -388,15 +389,15 @@ TEST_CASE("picking start and end vertices") {
   Session session = finished_small_session();
   const auto top = static_cast<knit::VertexId>(session.document->timeline.input().mesh.positions.size() - 1);
   apply(session, PickVertex{top});  // nobody asked
-  CHECK(session.document->timeline.parameters().start == knit::no_vertex);
+  CHECK(session.document->timeline.parameters().timing.start == knit::no_vertex);
   apply(session, SetPicking{Picking::start});
   CHECK(session.view->gaze.picking == Picking::start);
   apply(session, PickVertex{top});
   CHECK(session.view->gaze.picking == Picking::nothing);
-  CHECK(session.document->timeline.parameters().start == top);
+  CHECK(session.document->timeline.parameters().timing.start == top);
   apply_all(session, {SetPicking{Picking::end}, PickVertex{0}});
-  CHECK(session.document->timeline.parameters().end == 0);
-  CHECK(session.document->timeline.parameters().start == top);
+  CHECK(session.document->timeline.parameters().timing.end == 0);
+  CHECK(session.document->timeline.parameters().timing.start == top);
   apply(session, ToLast{});
   CHECK(session.document->timeline.furthest().fabric.rows().front()->stitches.front().position.y >
         0.0);  // now from the top

@@ -94,7 +94,7 @@ TEST_CASE("a history never grows without end, and outlives tuning") {
   const knit::Place there = session.document->timeline.place();
   apply(session, ToFirst{});
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.placement = knit::PlacementPolicy::even;
+  parameters.stitches.placement = knit::PlacementPolicy::even;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   apply(session, GoBack{});

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -293,6 +294,36 @@ Strings changes_of_session(const Source& source) {
   return found;
 }
 
+// A stage takes its own settings and those before it, so nothing can depend on what is read later. What its events say
+// in words may speak of all that was in force.
+Strings takes_all_settings(const Source& source) {
+  Strings wrong;
+  if (source.stem.ends_with("_events") || source.stem.ends_with("_words")) return wrong;
+  for (const std::string& line : test_support::lines_of(code_of(source.text))) {
+    for (const std::string& all : {std::string("Settings&"), std::string("Parameters&")}) {
+      for (std::size_t at = line.find(all); at != std::string::npos; at = line.find(all, at + 1)) {
+        const bool of_a_group = at > 0 && std::isalpha(static_cast<unsigned char>(line[at - 1])) != 0;
+        if (!of_a_group) wrong.push_back(source.name() + " takes " + all);
+      }
+    }
+  }
+  return wrong;
+}
+
+// Of keys that are no words otherwise: "epsilon" is also a term, "rows" a stage.
+Strings keys_in(const Source& source) {
+  Strings found;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    const std::string quoted = "\"" + std::string(info.key) + "\"";
+    const bool plain = info.key.find('-') == std::string_view::npos || knit::stage_named(info.key);
+    const Strings uses =
+        plain ? Strings{"find_parameter(" + quoted, "key == " + quoted, "key != " + quoted} : Strings{quoted};
+    for (const std::string& use : uses)
+      if (source.text.find(use) != std::string::npos) found.push_back(source.name() + " says " + use);
+  }
+  return found;
+}
+
 template <class Check>
 Strings collect(const std::string& folder, Check check) {
   Strings all;
@@ -388,6 +419,20 @@ TEST_CASE("the session's header is light") {
   }
 }
 
+TEST_CASE("no stage takes all settings") {
+  for (const char* folder : {"knit/mesh", "knit/import", "knit/timing", "knit/rows", "knit/stitches"})
+    CHECK(collect(folder, takes_all_settings) == none);
+}
+
+TEST_CASE("a parameter's key stands in the table and the presets only") {
+  for (const Arrow& arrow : arrows) {
+    if (arrow.folder == "knit/model") continue;
+    CHECK(collect(arrow.folder, [](const Source& source) {
+            return source.name() == "app/session/presets.cpp" ? none : keys_in(source);
+          }) == none);
+  }
+}
+
 TEST_CASE("no source file is longer than 600 lines") {
   Strings long_files;
   for (const Arrow& arrow : arrows) {
@@ -436,6 +481,18 @@ TEST_CASE("these rules can be broken") {
   CHECK(changed("const View& view = *session.view;\nif (session.view->side == SidePanel::step) return;\n") ==
         0);
   CHECK(changed("scene.view = session.view->gaze.camera.view(1.0);\nx = session.document->run_ms;\n") == 0);
+
+  const auto takes_all = [&](const std::string& text) {
+    return takes_all_settings(source("knit/rows", "x", false, text)).size();
+  };
+  CHECK(takes_all("void f(const Settings& s);\nvoid g(const Parameters& p, const knit::Settings& s);\n") ==
+        3);
+  CHECK(takes_all("void f(const RowsSettings& rows, const StitchSize& stitch);  // Settings&\n") == 0);
+  const auto keys = [&](const std::string& text) {
+    return keys_in(source("app/x", "x", false, text)).size();
+  };
+  CHECK(keys("a == \"stitch-width\"; find_parameter(\"rows\"); info.key == \"epsilon\";") == 3);
+  CHECK(keys("Term{\"epsilon\"}; stage == \"rows\"; \"cast-on\"") == 0);
 
   const auto in_knit = [&](bool header, const std::string& text) {
     return wrong_in_knit(source("knit/rows", "x", header, text)).size();

@@ -43,7 +43,7 @@ struct Start {
     error = open_as_asked(session, line);
     session.jobs->beside = true;
   }
-  [[nodiscard]] double stitch_width() const { return session.document->timeline.parameters().stitch_width; }
+  [[nodiscard]] double stitch_width() const { return session.document->timeline.parameters().stitch.width; }
 
   CommandLine line;
   Session session;

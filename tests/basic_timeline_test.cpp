@@ -52,7 +52,7 @@ struct Counter {
     if (before.rise != after.rise) return {0, 0};
     return before.fall != after.fall ? Place{1, 0} : Place{3, 0};
   }
-  static Parameters agreed(const Parameters& parameters, const Input& /*input*/) { return parameters; }
+  static Parameters resolved(const Parameters& parameters, const Input& /*input*/) { return parameters; }
   static Parameters with_change(const Parameters& kept, const Parameters& before, const Parameters& after) {
     return {before.rise == after.rise ? kept.rise : after.rise,
             before.fall == after.fall ? kept.fall : after.fall};

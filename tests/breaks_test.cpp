@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 #include "tests/support/session.h"
@@ -27,7 +29,7 @@ Timeline whole_run(const Parameters& parameters) {
 
 Parameters contour_parameters() {
   Parameters parameters = test_support::small_parameters();
-  parameters.rows = RowSource::contours;
+  parameters.rows.source = RowSource::contours;
   return parameters;
 }
 
@@ -142,7 +144,7 @@ TEST_CASE("rows that grow, shrink, or have a wide or a narrow stitch break where
           "[breaks]") {
   for (const Parameters& parameters : {test_support::small_parameters(), contour_parameters()}) {
     const Timeline timeline = whole_run(parameters);
-    const double w = parameters.stitch_width;
+    const double w = parameters.stitch.width;
     for (const int n : {0, 2, 4}) {
       CHECK(hits_of(timeline, "grows>" + std::to_string(n)) ==
             rows_where(timeline, [&](const Rows& rows, std::size_t i) { return change(rows, i) > n; }));
@@ -170,7 +172,7 @@ TEST_CASE("rows that grow, shrink, or have a wide or a narrow stitch break where
 
 TEST_CASE("gaps, stalls and more than twice the row before break at the step that says so", "[breaks]") {
   Parameters narrow = test_support::small_parameters();
-  narrow.epsilon = 0.01;
+  give_epsilon(narrow, 0.01);
   const Timeline timeline = whole_run(narrow);
   std::vector<std::size_t> gaps, stalls, doubles;
   for (std::size_t i = 0; i < timeline.known(); ++i) {
@@ -192,17 +194,17 @@ TEST_CASE("gaps, stalls and more than twice the row before break at the step tha
 
 TEST_CASE("a run that stops for it breaks at its stop, after the last step", "[breaks]") {
   Parameters strict = test_support::small_parameters();
-  strict.epsilon = 0.01;
-  strict.on_stall = OnStall::stop;
+  give_epsilon(strict, 0.01);
+  strict.rows.on_stall = OnStall::stop;
   const Timeline stalled = whole_run(strict);
   REQUIRE(stalled.stop() != nullptr);
   CHECK(hits_of(stalled, "stall") == std::vector{stalled.known()});
   CHECK(hits_of(stalled, "over-double").empty());
 
   Parameters fine = test_support::small_parameters();
-  fine.stitch_width = 0.1;
-  fine.epsilon = 0.08;
-  fine.resample = Resample::off;
+  give_width(fine, 0.1);
+  give_epsilon(fine, 0.08);
+  fine.rows.resample = Resample::off;
   const Timeline stopped = whole_run(fine);
   REQUIRE(stopped.stop() != nullptr);
   CHECK(knit::get_if<Stopped>(*stopped.stop())->reason == StopReason::changes_too_much);

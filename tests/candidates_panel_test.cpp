@@ -81,7 +81,7 @@ TEST_CASE("candidates: where there are none it says so, and nothing breaks") {
   desk.settle();
   CHECK(desk.ui.own<CandidateList>().table().none == knit::NoCandidates::cast_on);
   knit::Parameters parameters = wide_band();
-  parameters.rows = knit::RowSource::contours;
+  parameters.rows.source = knit::RowSource::contours;
   desk.open(parameters);
   desk.act({SeekPlace{{knit::Stage::rows, 3, 4}}});
   desk.settle();

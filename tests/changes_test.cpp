@@ -5,6 +5,7 @@
 #include "app/session/document.h"
 #include "app/session/outbox.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -142,7 +143,7 @@ TEST_CASE("what is cancelled leaves nothing to undo") {
 TEST_CASE("parameters as text read back equal, in the table's order") {
   knit::Parameters all =
       with(with(with(small_parameters(), "axis", "1,0.5,0.25"), "gauge", "21.7,33"), "start", "7");
-  all.level_tolerance = 1.0 / 30000.0;
+  all.timing.level_tolerance = 1.0 / 30000.0;
   for (const knit::Parameters& p :
        {small_parameters(), knit::Parameters{}, all, with(all, "sizes", "gauge")}) {
     const std::string text = parameters_text(p);
@@ -160,7 +161,7 @@ TEST_CASE("pasted text sets what it names, and a size makes its view the given o
   CHECK(std::get<knit::Parameters>(read) ==
         with(with(small_parameters(), "epsilon", "0.07"), "close", "thesis"));
   const auto gauge = read_parameters_text("gauge = 20,28", small_parameters());
-  CHECK(std::get<knit::Parameters>(gauge).sizes == knit::SizesFrom::gauge);
+  CHECK(std::get<knit::Parameters>(gauge).size.from() == knit::SizesFrom::gauge);
 }
 
 TEST_CASE("text that cannot be read is one sentence that names the line, and nothing is half done") {

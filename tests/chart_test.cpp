@@ -5,6 +5,7 @@
 #include <set>
 
 #include "knit/model/bug.h"
+#include "knit/model/stitch_size.h"
 #include "knit/pattern/wales.h"
 #include "knit/run/timeline.h"
 #include "tests/support/catch.h"
@@ -18,11 +19,11 @@ namespace {
 
 State sphere_run(double width, PlacementPolicy placement, FollowMains follow = FollowMains::off) {
   Parameters parameters;
-  parameters.timing = TimingKind::arc_length;
-  parameters.rows = RowSource::contours;
-  parameters.placement = placement;
-  parameters.follow_mains = follow;
-  parameters.stitch_width = width;
+  parameters.timing.kind = TimingKind::arc_length;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = placement;
+  parameters.stitches.follow_mains = follow;
+  give_width(parameters, width);
   Timeline timeline(thesis_sphere(), parameters);
   timeline.extend_to_end();
   REQUIRE(timeline.stop() == nullptr);

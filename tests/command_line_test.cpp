@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <map>
 
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
+#include "tests/support/samples.h"
 #include "tests/support/session.h"
 
 using namespace app;
@@ -109,37 +111,14 @@ TEST_CASE("a mesh or an example is opened, spaces and all") {
 }
 
 TEST_CASE("every parameter has its option") {
-  const std::map<std::string, std::string> samples{{"weld", "on"},
-                                                   {"axis", "0,-1,0.5"},
-                                                   {"start", "3"},
-                                                   {"end", "auto"},
-                                                   {"level-tolerance", "0.001"},
-                                                   {"cast-on", "8"},
-                                                   {"stitch-width", "0.2"},
-                                                   {"epsilon", "0.1"},
-                                                   {"on-stall", "stop"},
-                                                   {"last-anchor", "drop"},
-                                                   {"resample", "off"},
-                                                   {"close", "thesis"},
-                                                   {"placement", "even"},
-                                                   {"timing", "geodesic"},
-                                                   {"sizes", "gauge"},
-                                                   {"stitch-height", "0.1"},
-                                                   {"gauge", "24,30"},
-                                                   {"height-cm", "20"},
-                                                   {"rows", "contours"},
-                                                   {"start-direction", "1,0,0"},
-                                                   {"metric", "arc"},
-                                                   {"stacking-penalty", "0"},
-                                                   {"follow-mains", "on"}};
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     const std::string key(info.key);
     CAPTURE(key);
-    REQUIRE(samples.count(key) == 1);
-    const CommandLine line = understood({"--" + key, samples.at(key)});
+    const std::string sample = test_support::sample_of(info);
+    const CommandLine line = understood({"--" + key, sample});
     CHECK(line.settings.size() == 1);
-    CHECK(value_of(line, key) == samples.at(key));
-    CHECK(value_of(understood({"--" + key + "=" + samples.at(key)}), key) == samples.at(key));
+    CHECK(value_of(line, key) == sample);
+    CHECK(value_of(understood({"--" + key + "=" + sample}), key) == sample);
   }
 }
 
@@ -293,12 +272,12 @@ TEST_CASE("an opened example has its parameters, and the command line's over the
   REQUIRE(session.document);
   CHECK(session.document->source.example == "thesis-sphere");
   const knit::Parameters& parameters = session.document->timeline.parameters();
-  CHECK(parameters.cast_on == 8);
-  CHECK(parameters.close == knit::Closing::none);
-  CHECK(parameters.stitch_width == 0.1);
-  CHECK(parameters.epsilon == 0.05);
+  CHECK(parameters.rows.cast_on == 8);
+  CHECK(parameters.rows.close == knit::Closing::none);
+  CHECK(parameters.stitch.width == 0.1);
+  CHECK(parameters.epsilon() == 0.05);
   CHECK(session.document->timeline.position() == 0);
-  CHECK(session.document->defaults.cast_on == 0);
+  CHECK(session.document->defaults.rows.cast_on == 0);
 }
 
 TEST_CASE("a stitch width alone takes epsilon along, an epsilon given stays") {
@@ -306,7 +285,7 @@ TEST_CASE("a stitch width alone takes epsilon along, an epsilon given stays") {
     Session session;
     session.program->assets = KNIT_ASSETS_DIR;
     REQUIRE_FALSE(open_as_asked(session, understood(words)));
-    return session.document->timeline.parameters().epsilon;
+    return session.document->timeline.parameters().epsilon();
   };
   CHECK(epsilon_after({"--stitch-width", "0.2"}) == Approx(0.1));
   CHECK(epsilon_after({"--stitch-width", "0.2", "--epsilon", "0.03"}) == 0.03);
@@ -415,16 +394,16 @@ TEST_CASE("a preset comes first, settings over it, wherever they stand") {
   CHECK(understood({"--preset", "best-rows"}).preset == "best-rows");
   CHECK(understood({}).preset.empty());
   const knit::Parameters best = opened_with({"--example", "egg", "--preset", "best-rows"});
-  CHECK(best.rows == knit::RowSource::contours);
-  CHECK(best.timing == knit::TimingKind::arc_length);
-  CHECK(best.placement == knit::PlacementPolicy::nearest);
-  CHECK(best.stitch_width == 0.1);
-  CHECK(best.epsilon == 0.025);
+  CHECK(best.rows.source == knit::RowSource::contours);
+  CHECK(best.timing.kind == knit::TimingKind::arc_length);
+  CHECK(best.stitches.placement == knit::PlacementPolicy::nearest);
+  CHECK(best.stitch.width == 0.1);
+  CHECK(best.epsilon() == 0.025);
   for (const Words& words : {Words{"--preset", "best-rows", "--placement", "even"},
                              Words{"--placement", "even", "--preset", "best-rows"}}) {
     const knit::Parameters p = opened_with(words);
-    CHECK(p.rows == knit::RowSource::contours);
-    CHECK(p.placement == knit::PlacementPolicy::even);
+    CHECK(p.rows.source == knit::RowSource::contours);
+    CHECK(p.stitches.placement == knit::PlacementPolicy::even);
   }
   const Answer bad = answered({"--preset", "fluffy"});
   CHECK(bad.exit_code == 2);
@@ -435,17 +414,17 @@ TEST_CASE("a preset comes first, settings over it, wherever they stand") {
 
 TEST_CASE("a gauge given is the given view of the stitch size, epsilon comes along") {
   const knit::Parameters p = opened_with({"--gauge", "20,28", "--height-cm", "16"});  // 8 cm a unit
-  CHECK(p.sizes == knit::SizesFrom::gauge);
-  CHECK(p.stitch_width == Approx(10.0 / 20.0 / 8.0));
-  CHECK(p.stitch_height == Approx(10.0 / 28.0 / 8.0));
-  CHECK(p.epsilon == Approx(0.5 * p.stitch_width));
+  CHECK(p.size.from() == knit::SizesFrom::gauge);
+  CHECK(p.stitch.width == Approx(10.0 / 20.0 / 8.0));
+  CHECK(p.stitch.height == Approx(10.0 / 28.0 / 8.0));
+  CHECK(p.epsilon() == Approx(0.5 * p.stitch.width));
   const knit::Parameters tall = opened_with({"--height-cm", "16"});  // a height alone changes no stitch
-  CHECK(tall.sizes == knit::SizesFrom::mesh);
-  CHECK(tall.stitch_width == 0.1);
-  CHECK(tall.gauge.stitches == Approx(10.0 / (0.1 * 8.0)));
+  CHECK(tall.size.from() == knit::SizesFrom::mesh);
+  CHECK(tall.stitch.width == 0.1);
+  CHECK(tall.stitch.gauge.stitches == Approx(10.0 / (0.1 * 8.0)));
   const knit::Parameters back = opened_with({"--preset", "knitters-gauge", "--stitch-width", "0.2"});
-  CHECK(back.sizes == knit::SizesFrom::mesh);
-  CHECK(back.stitch_width == 0.2);
+  CHECK(back.size.from() == knit::SizesFrom::mesh);
+  CHECK(back.stitch.width == 0.2);
 }
 
 TEST_CASE("a gauge and a size in mesh units are refused together, unless one is said to count") {
@@ -461,16 +440,16 @@ TEST_CASE("a gauge and a size in mesh units are refused together, unless one is 
     words.emplace_back(sizes);
     return opened_with(words);
   };
-  CHECK(counted("mesh").stitch_width == 0.2);
-  CHECK(counted("mesh").gauge.stitches == Approx(10.0 / (0.2 * 8.0)));
-  CHECK(counted("gauge").stitch_width == Approx(10.0 / 20.0 / 8.0));
-  CHECK(counted("gauge").gauge == knit::Gauge{20.0, 28.0});
+  CHECK(counted("mesh").stitch.width == 0.2);
+  CHECK(counted("mesh").stitch.gauge.stitches == Approx(10.0 / (0.2 * 8.0)));
+  CHECK(counted("gauge").stitch.width == Approx(10.0 / 20.0 / 8.0));
+  CHECK(counted("gauge").stitch.gauge == knit::Gauge{20.0, 28.0});
 }
 
 TEST_CASE("a stitch height left to itself, and where rounds begin") {
-  CHECK(opened_with({"--stitch-height", "0.05"}).stitch_height == 0.05);
-  CHECK(opened_with({"--preset", "knitters-gauge", "--stitch-height", "auto"}).stitch_height == 0.0);
-  CHECK(opened_with({"--start-direction", "-1,0,0"}).start_direction == glm::dvec3(-1.0, 0.0, 0.0));
+  CHECK(opened_with({"--stitch-height", "0.05"}).stitch.height == 0.05);
+  CHECK(opened_with({"--preset", "knitters-gauge", "--stitch-height", "auto"}).stitch.height_follows);
+  CHECK(opened_with({"--start-direction", "-1,0,0"}).rows.start_direction == glm::dvec3(-1.0, 0.0, 0.0));
   Session session;
   session.program->assets = KNIT_ASSETS_DIR;
   const auto error = open_as_asked(session, understood({"--start-direction", "0,1,0"}));

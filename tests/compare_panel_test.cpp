@@ -5,6 +5,8 @@
 #include "app/panels/compare/sweep_plot.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 
 using namespace desk;
 
@@ -12,7 +14,7 @@ namespace {
 
 void tune_epsilon(Desk& desk, double epsilon) {
   knit::Parameters parameters = desk.session.document->timeline.parameters();
-  parameters.epsilon = epsilon;
+  knit::give_epsilon(parameters, epsilon);
   apply(desk.session, Tune{parameters});
   desk.session.document->timeline.extend_to_end();
 }
@@ -38,7 +40,7 @@ TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
   desk.settle();
   CHECK(desk.ui.own<CompareCache>().times_compared() == times);
   desk.act({only<SwapPinned>(desk.click("compare/swap"))});
-  CHECK(desk.session.document->timeline.parameters().epsilon == wide_band().epsilon);
+  CHECK(desk.session.document->timeline.parameters().epsilon() == wide_band().epsilon());
   desk.session.document->timeline.extend_to_end();
   desk.settle();
   CHECK(desk.ui.own<CompareCache>().times_compared() == times + 1);
@@ -66,7 +68,7 @@ TEST_CASE("sweep side: start, point, take", "[panels]") {
   const auto taken = only<TakeSweepValue>(desk.click("sweep/stitches", 0.97f));
   CHECK(taken.run == 4);
   desk.act({taken});
-  CHECK(desk.session.document->timeline.parameters().epsilon == 0.25);
+  CHECK(desk.session.document->timeline.parameters().epsilon() == 0.25);
 }
 
 TEST_CASE("sweep side: the form shows the plan of a sweep that a script began", "[panels]") {
@@ -99,8 +101,8 @@ TEST_CASE("sweep side: two parameters make a map", "[panels]") {
   const auto taken = only<TakeSweepValue>(desk.click("sweep/map", 0.97f));
   CHECK(taken.run == 10);  // the last column, the middle row
   desk.act({taken});
-  CHECK(desk.session.document->timeline.parameters().epsilon == 0.25);
-  CHECK(desk.session.document->timeline.parameters().stitch_width == 0.4);
+  CHECK(desk.session.document->timeline.parameters().epsilon() == 0.25);
+  CHECK(desk.session.document->timeline.parameters().stitch.width == 0.4);
 }
 
 TEST_CASE("sweep side: the usual range of every parameter can be swept, one that cannot is told",
@@ -128,7 +130,7 @@ TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the for
   desk.open();
   CHECK(desk.ui.own<SweepForm>().axis.key == "epsilon");
   knit::Parameters parameters = desk.session.document->timeline.parameters();
-  parameters.rows = knit::RowSource::contours;
+  parameters.rows.source = knit::RowSource::contours;
   apply(desk.session, Tune{parameters});
   desk.settle();
   CHECK(desk.ui.own<SweepForm>().axis.key == "stitch-width");

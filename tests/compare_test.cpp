@@ -10,6 +10,7 @@
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
 #include "app/session/view.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -23,7 +24,7 @@ namespace {
 
 void tune_epsilon(Session& session, double epsilon) {
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.epsilon = epsilon;
+  knit::give_epsilon(parameters, epsilon);
   apply(session, Tune{parameters});
 }
 
@@ -111,7 +112,7 @@ TEST_CASE("compare: rows alike that are made otherwise are told by their shaping
   Session session = small_session();
   apply(session, PinRun{});
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.placement = knit::PlacementPolicy::even;
+  parameters.stitches.placement = knit::PlacementPolicy::even;
   apply(session, Tune{parameters});
   const RunDifference difference = difference_now(session);
   REQUIRE(difference.first_row);
@@ -132,13 +133,13 @@ TEST_CASE("swap: the pinned knobs come to hand at the same place, and back", "[c
   tune_epsilon(session, 0.07);
   session.document->timeline.extend_to_end();
   knit::Parameters edited = session.document->timeline.parameters();
-  edited.close = knit::Closing::none;
+  edited.rows.close = knit::Closing::none;
   apply(session, EditFromHere{edited});
   session.document->timeline.extend_to_end();
   const std::uint64_t second = knit::hash_of(session.document->timeline.furthest());
   REQUIRE(first != second);
   apply(session, SwapPinned{});
-  CHECK(session.document->timeline.parameters().epsilon == 0.15);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.15);
   CHECK(session.document->timeline.edits().empty());
   session.document->timeline.extend_to_end();
   CHECK(knit::hash_of(session.document->timeline.furthest()) == first);
@@ -160,13 +161,13 @@ TEST_CASE("swap: welding is swapped with, another mesh is refused", "[compare]")
   apply(session, PinRun{});
   const std::size_t loose = session.document->timeline.input().mesh.positions.size();
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.weld = knit::Weld::on;
+  parameters.mesh.weld = knit::Weld::on;
   apply(session, Tune{parameters});
   REQUIRE(session.document->timeline.input().mesh.positions.size() < loose);
   apply(session, SwapPinned{});
   CHECK(session.outbox->notices.empty());
   CHECK(session.document->timeline.input().mesh.positions.size() == loose);
-  CHECK(session.document->timeline.base_parameters().weld == knit::Weld::off);
+  CHECK(session.document->timeline.base_parameters().mesh.weld == knit::Weld::off);
   apply(session, OpenExample{"thesis-sphere"});
   const knit::Parameters here = session.document->timeline.parameters();
   const std::size_t notices = session.outbox->notices.size();
@@ -204,8 +205,8 @@ TEST_CASE("ghost: what differs of the pinned run, in lines that stay the same", 
   const RunDifference difference = difference_now(session);
   const auto same = static_cast<std::size_t>(difference.first_row->row) - 1;
   CHECK(first.size() > session.document->pinned->end.fabric.rows().size() - same);
-  CHECK(first.size() <=
-        session.document->pinned->end.fabric.rows().size() + session.document->pinned->end.fabric.strips().size() - same);
+  CHECK(first.size() <= session.document->pinned->end.fabric.rows().size() +
+                            session.document->pinned->end.fabric.strips().size() - same);
   apply(session, ToFirst{});
   CHECK(ghosts_of(describer.describe(session)) == first);
   apply(session, SetLayer{Layer::column_edges, false});
@@ -227,9 +228,9 @@ TEST_CASE("set_knobs: exactly these parameters and edits, as a run of its own", 
   timeline.seek(timeline.position_of({knit::Stage::rows, 6, 2}));
   const knit::Place place = timeline.place();
   knit::Parameters base = timeline.base_parameters();
-  base.epsilon = 0.1;
+  knit::give_epsilon(base, 0.1);
   knit::Parameters later = base;
-  later.close = knit::Closing::none;
+  later.rows.close = knit::Closing::none;
   const std::vector<knit::Edit> edits{{{knit::Stage::rows, 8, 0}, later}};
   timeline.set_knobs(base, edits);
   CHECK(timeline.base_parameters() == base);

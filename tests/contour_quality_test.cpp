@@ -1,6 +1,7 @@
 // What rows from contours with placement `nearest` are held to: the figures of finished runs.
 #include <glm/geometric.hpp>
 
+#include "knit/model/stitch_size.h"
 #include "knit/quality/closeness.h"
 #include "knit/quality/quality.h"
 #include "knit/run/timeline.h"
@@ -18,11 +19,11 @@ using Sizes = std::vector<int>;
 
 Parameters contours(TimingKind timing, double width, double height) {
   Parameters parameters;
-  parameters.rows = RowSource::contours;
-  parameters.placement = PlacementPolicy::nearest;
-  parameters.timing = timing;
-  parameters.stitch_width = width;
-  parameters.stitch_height = height;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters.timing.kind = timing;
+  give_width(parameters, width);
+  give_height(parameters, height);
   return parameters;
 }
 
@@ -35,7 +36,7 @@ State finished(const std::shared_ptr<const Input>& input, const Parameters& para
 }
 
 Quality quality_of(const Input& input, const State& state, const Parameters& parameters) {
-  return measure_quality(input, state, parameters.stitch_width, stitch_height_of(parameters));
+  return measure_quality(input, state, parameters.stitch.width, parameters.stitch.height);
 }
 
 struct Ball {
@@ -125,7 +126,7 @@ TEST_CASE("contour quality: a sphere has the same rows along any axis", "[contou
       Parameters parameters = contours(TimingKind::arc_length, 0.1, height);
       const Sizes upright = row_sizes(finished(ball.input, parameters));
       for (const glm::dvec3& axis : test_support::random_axes(20, 1)) {
-        parameters.axis = {AxisKind::custom, axis};
+        parameters.timing.axis = {AxisKind::custom, axis};
         const Sizes sizes = row_sizes(finished(ball.input, parameters));
         INFO(ball.name << ", rows of " << height << ", axis " << axis.x << ", " << axis.y << ", " << axis.z);
         REQUIRE(sizes.size() == upright.size());
@@ -142,8 +143,8 @@ TEST_CASE("contour quality: whatever the wishes for shaping, each step up is sou
   for (const double stacking : {0.0, 0.5, 50.0}) {
     for (const FollowMains follow : {FollowMains::off, FollowMains::on}) {
       Parameters parameters = contours(TimingKind::arc_length, 0.09, 0.0);
-      parameters.stacking_penalty = stacking;
-      parameters.follow_mains = follow;
+      parameters.stitches.stacking_penalty = stacking;
+      parameters.stitches.follow_mains = follow;
       const State state = finished(input, parameters);
       REQUIRE(state.fabric.joins().size() + 1 == state.fabric.rows().size());
       std::vector<std::int32_t> mains;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/timeline.h"
 #include "knit/timing/heights.h"
 #include "tests/support/bodies.h"
@@ -20,10 +21,10 @@ constexpr double pi = std::numbers::pi;
 
 Parameters sized(double width, double height, TimingKind timing = TimingKind::arc_length) {
   Parameters parameters;
-  parameters.rows = RowSource::contours;
-  parameters.timing = timing;
-  parameters.stitch_width = width;
-  parameters.stitch_height = height;
+  parameters.rows.source = RowSource::contours;
+  parameters.timing.kind = timing;
+  give_width(parameters, width);
+  give_height(parameters, height);
   return parameters;
 }
 
@@ -31,7 +32,8 @@ using Planned = std::variant<CutPlan, Stopped>;
 
 Planned planned(const Mesh& mesh, const Parameters& parameters, double from = 0.0) {
   const auto input = make_input(mesh);
-  return plan_cuts(*input, *test_support::timing_of(*input, parameters), parameters, from);
+  return plan_cuts(*input, *test_support::timing_of(*input, parameters), parameters.rows, parameters.stitch,
+                   from);
 }
 
 CutPlan plan_of(const Mesh& mesh, const Parameters& parameters, double from = 0.0) {
@@ -55,7 +57,8 @@ CutPlan plan_with(const std::vector<double>& lengths) {
 }
 
 ChosenCount chosen(const std::vector<double>& lengths, std::int32_t below = 0, std::int32_t cut = 0) {
-  return choose_count(plan_with(lengths), cut, below, sized(width, 0.0));
+  const Parameters parameters = sized(width, 0.0);
+  return choose_count(plan_with(lengths), cut, below, parameters.rows, parameters.stitch);
 }
 
 bool within_limits(std::int32_t below, std::int32_t count) {
@@ -117,7 +120,7 @@ TEST_CASE("contour rows: with linear time equal along the axis, with arc-length 
   const auto input = make_input(vase(96, 0.05));
   const auto timing = test_support::timing_of(*input, parameters);
   REQUIRE(timing->retimed);
-  const CutPlan plan = std::get<CutPlan>(plan_cuts(*input, *timing, parameters, 0.0));
+  const CutPlan plan = std::get<CutPlan>(plan_cuts(*input, *timing, parameters.rows, parameters.stitch, 0.0));
   const double base = input->mesh.positions[timing->ends.start].y;
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     const double value = (plan.cuts[i].loops[0]->points[0].y - base) / timing->ends.direction.y;
@@ -188,7 +191,7 @@ TEST_CASE("contour rows: stitches too fine to be held stop the run before the me
 TEST_CASE("contour rows: a tube that parts is planned up to where it does", "[contour-rows]") {
   for (const TimingKind timing : {TimingKind::linear, TimingKind::arc_length}) {
     Parameters parameters = sized(0.1, 0.1, timing);
-    parameters.axis.kind = AxisKind::x;
+    parameters.timing.axis.kind = AxisKind::x;
     const Mesh mesh = torus(96, 48, 1.0, 0.4);
     const CutPlan plan = plan_of(mesh, parameters);
     REQUIRE(plan.split);
@@ -210,7 +213,7 @@ TEST_CASE("contour rows: another end that begins is told apart", "[contour-rows]
   REQUIRE(both.split);
   CHECK(both.split->level == 0);
   CHECK(both.split->cause == CriticalKind::minimum);
-  parameters.axis = {AxisKind::custom, {0.3, 1.0, 0.0}};  // one foot is lower
+  parameters.timing.axis = {AxisKind::custom, {0.3, 1.0, 0.0}};  // one foot is lower
   const CutPlan one = plan_of(test_support::arch(), parameters);
   REQUIRE(one.split);
   CHECK(one.split->level > 1);
@@ -235,13 +238,13 @@ TEST_CASE("contour rows: a count is the length in stitches, rounded", "[contour-
 
 TEST_CASE("contour rows: the cast on may be given, and holds for the first row only", "[contour-rows]") {
   Parameters parameters = sized(width, 0.0);
-  parameters.cast_on = 9;
-  const ChosenCount first = choose_count(plan_with({20.0, 21.0}), 0, 0, parameters);
+  parameters.rows.cast_on = 9;
+  const ChosenCount first = choose_count(plan_with({20.0, 21.0}), 0, 0, parameters.rows, parameters.stitch);
   CHECK(first.count == 9);
   CHECK(first.reason == CountReason::as_cast_on);
   CHECK(first.ideal == Approx(20.0));
-  CHECK(choose_count(plan_with({20.0, 21.0}), 1, 9, parameters).count == 18);
-  CHECK(choose_count(plan_with({20.0, 21.0}), 1, 11, parameters).count == 21);
+  CHECK(choose_count(plan_with({20.0, 21.0}), 1, 9, parameters.rows, parameters.stitch).count == 18);
+  CHECK(choose_count(plan_with({20.0, 21.0}), 1, 11, parameters.rows, parameters.stitch).count == 21);
 }
 
 TEST_CASE("contour rows: at most twice and at least half the row below", "[contour-rows]") {

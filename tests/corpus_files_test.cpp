@@ -105,7 +105,7 @@ TEST_CASE("corpus: a file that is not there or has gone", "[corpus]") {
   check_refused(path, {"ball.obj does not exist"});
   // What is open needs its file no more: welding takes the mesh as it was read.
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.weld = knit::Weld::on;
+  parameters.mesh.weld = knit::Weld::on;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   CHECK(session.document->timeline.state().finished());

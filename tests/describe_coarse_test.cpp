@@ -11,6 +11,7 @@
 #include "app/session/jobs.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -23,10 +24,10 @@ Session fine_session() {
   Session session;
   session.document = Document(knit::Timeline(knit::make_input(knit::sphere(48, 25, false)), [] {
     knit::Parameters fine;
-    fine.rows = knit::RowSource::contours;
-    fine.placement = knit::PlacementPolicy::even;
-    fine.stitch_width = fine.stitch_height = 0.019;
-    fine.epsilon = 0.009;
+    fine.rows.source = knit::RowSource::contours;
+    fine.stitches.placement = knit::PlacementPolicy::even;
+    knit::give_width(fine, 0.019), knit::give_height(fine, 0.019);
+    knit::give_epsilon(fine, 0.009);
     return fine;
   }()));
   session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);

@@ -29,16 +29,16 @@ Session session_of(const knit::Mesh& mesh, const knit::Parameters& parameters) {
 
 Session contour_session(knit::TimingKind timing = knit::TimingKind::arc_length) {
   knit::Parameters parameters = test_support::small_parameters();
-  parameters.timing = timing;
-  parameters.rows = knit::RowSource::contours;
+  parameters.timing.kind = timing;
+  parameters.rows.source = knit::RowSource::contours;
   return session_of(knit::sphere(40, 16), parameters);
 }
 
 // Its level sets split: lying (along y) from the first one on, standing (along x) above the lower saddle.
 Session torus_session(knit::AxisKind axis) {
   knit::Parameters parameters = test_support::small_parameters();
-  parameters.axis.kind = axis;
-  parameters.rows = knit::RowSource::contours;
+  parameters.timing.axis.kind = axis;
+  parameters.rows.source = knit::RowSource::contours;
   return session_of(knit::torus(48, 24, 0.7, 0.3), parameters);
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("isolines are there with their layer once the times are, and are made 
   CHECK(isolines_at({Stage::rows, 4, 0}) == first);
 
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.timing = knit::TimingKind::linear;
+  parameters.timing.kind = knit::TimingKind::linear;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   CHECK(isolines_at({Stage::rows, 3, 1}) != first);

@@ -9,6 +9,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
@@ -80,7 +81,7 @@ void set_all_layers(Session& session, bool on) { session.view->layers.fill(on); 
 Session uneven_session() {
   Session session = small_session();
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.epsilon = 0.01;
+  knit::give_epsilon(parameters, 0.01);
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   return session;
@@ -261,7 +262,8 @@ TEST_CASE("finished rows: an edge and a point a stitch, first and last row in th
   CHECK(count_lines(scene, dark_theme.of(knit::Label::cast)) == ends);
   CHECK(count_lines(scene, dark_theme.row_edge) == stitches - ends);
   std::size_t columns = 0;
-  for (const auto& strip : session.document->timeline.state().fabric.strips()) columns += strip->column_edges.size();
+  for (const auto& strip : session.document->timeline.state().fabric.strips())
+    columns += strip->column_edges.size();
   CHECK(count_lines(scene, dark_theme.column_edge) == columns);
 }
 
@@ -486,12 +488,12 @@ TEST_CASE("what is shown never depends on what was shown before") {
   }
   knit::Parameters tuned = session.document->timeline.parameters();
   for (const double epsilon : {0.1, 0.15}) {
-    tuned.epsilon = epsilon;
+    knit::give_epsilon(tuned, epsilon);
     apply(session, Tune{tuned});
     apply(session, ToLast{});
     check_same();
   }
-  tuned.axis = knit::Axis{knit::AxisKind::custom, {0.0, -1.0, 0.0}};
+  tuned.timing.axis = knit::Axis{knit::AxisKind::custom, {0.0, -1.0, 0.0}};
   apply(session, Tune{tuned});
   apply(session, ToLast{});
   check_same();

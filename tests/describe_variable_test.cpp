@@ -119,9 +119,9 @@ TEST_CASE("every variable may be pointed at anywhere, and one that has a place s
   std::vector<Session> runs{test_support::finished_small_session()};
   for (const auto change : {0, 1, 2}) {
     knit::Parameters parameters = test_support::small_parameters();
-    if (change == 0) parameters.rows = knit::RowSource::contours;
-    if (change == 1) parameters.placement = knit::PlacementPolicy::nearest;
-    if (change == 2) parameters.timing = knit::TimingKind::geodesic;
+    if (change == 0) parameters.rows.source = knit::RowSource::contours;
+    if (change == 1) parameters.stitches.placement = knit::PlacementPolicy::nearest;
+    if (change == 2) parameters.timing.kind = knit::TimingKind::geodesic;
     Session session = test_support::small_session();
     apply(session, Tune{parameters});
     apply(session, ToLast{});

@@ -16,6 +16,8 @@
 #include "app/script/subcommands.h"
 #include "app/session/document.h"
 #include "knit/import/obj.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -240,9 +242,9 @@ TEST_CASE(
     "a row that is grown into and shrunk out of has two lists in the map, and one in the report's labels") {
   Session session = test_support::small_session();
   knit::Parameters parameters = test_support::small_parameters();
-  parameters.stitch_width = 0.25;
-  parameters.epsilon = 0.125;
-  parameters.cast_on = 12;
+  knit::give_width(parameters, 0.25);
+  knit::give_epsilon(parameters, 0.125);
+  parameters.rows.cast_on = 12;
   session.document->timeline = knit::Timeline(knit::make_input(knit::sphere(40, 4)), parameters);
   apply(session, ToLast{});
   const Json report = Json::parse(report_text(session));
@@ -333,8 +335,8 @@ TEST_CASE("a stop is the last problem, and the last line of the steps") {
 TEST_CASE("a mended stall is a problem with its place") {
   Session session = test_support::small_session();
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.epsilon = 0.01;
-  parameters.resample = knit::Resample::on;
+  knit::give_epsilon(parameters, 0.01);
+  parameters.rows.resample = knit::Resample::on;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
   const Json report = Json::parse(report_text(session));

@@ -9,7 +9,7 @@
 #include "app/describe/describe_step.h"
 #include "app/files/export.h"
 #include "app/session/document.h"
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -203,9 +203,7 @@ TEST_CASE("glTF holds row edges and column edges as lines, and metres by the gau
   for (const auto* ends : {&row_ends, &column_ends}) {
     for (const auto& end : *ends) CHECK(end[0] < static_cast<double>(stitches));
   }
-  const double metres = knit::centimetres_per_unit(session.document->timeline.parameters(),
-                                                   session.document->timeline.input()) /
-                        100.0;
+  const double metres = session.document->timeline.parameters().stitch.centimetres_per_unit / 100.0;
   CHECK(gltf.json["nodes"][0]["scale"] == Json({metres, metres, metres}));
   CHECK(gltf.json["asset"]["extras"]["metres_per_mesh_unit"] == metres);
 }

@@ -3,6 +3,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 
+#include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -19,9 +20,9 @@ void settle(Session& session) {
 
 knit::Parameters with_width(double width) {
   knit::Parameters parameters = test_support::small_parameters();
-  parameters.rows = knit::RowSource::contours;
-  parameters.stitch_width = width;
-  parameters.epsilon = 0.5 * width;
+  parameters.rows.source = knit::RowSource::contours;
+  knit::give_width(parameters, width);
+  knit::give_epsilon(parameters, 0.5 * width);
   return parameters;
 }
 
@@ -95,8 +96,9 @@ TEST_CASE("the next move ends what is said about the place, and what is come bac
 
 TEST_CASE("playing on from another place says nothing more about it", "[place]") {
   Session session = contour_session();
-  apply(session, SeekPlace{{Stage::rows,
-                            static_cast<std::int32_t>(session.document->timeline.state().fabric.rows().size()), 2}});
+  apply(session,
+        SeekPlace{{Stage::rows,
+                   static_cast<std::int32_t>(session.document->timeline.state().fabric.rows().size()), 2}});
   apply(session, Tune{with_width(0.4)});
   settle(session);
   REQUIRE_FALSE(session.document->place_note.empty());
@@ -113,8 +115,8 @@ TEST_CASE("in a window the place is told once the run has come back", "[place]")
   apply(session, PassTime{0.0});
   REQUIRE(session.document->timeline.place().row == rows);
   knit::Parameters wider = test_support::large_parameters(knit::TimingKind::arc_length);
-  wider.stitch_width = 0.4;
-  wider.epsilon = 0.2;
+  knit::give_width(wider, 0.4);
+  knit::give_epsilon(wider, 0.2);
   apply(session, Tune{wider});
   CHECK(session.document->place_note.empty());
   REQUIRE(session.document->timeline.sought().has_value());

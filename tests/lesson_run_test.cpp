@@ -1,5 +1,6 @@
 // Beginning, turning, skipping and leaving lessons; what is kept.
 #include "app/actions/navigate.h"
+#include "app/lessons/lesson_truths.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -7,6 +8,9 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
+#include "knit/quality/measures.h"
 #include "tests/support/lesson.h"
 
 using namespace app;
@@ -26,7 +30,7 @@ Session in_lesson(const std::string& key = "what-it-does") {
 TEST_CASE("leaving a lesson puts everything back as it was") {
   Session session = example_session("egg");
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.epsilon = 0.03;
+  knit::give_epsilon(parameters, 0.03);
   apply(session, Tune{parameters});
   apply(session, SeekPlace{{knit::Stage::rows, 7, 20}});
   apply(session, SetLayer{Layer::wire, true});
@@ -42,14 +46,14 @@ TEST_CASE("leaving a lesson puts everything back as it was") {
   apply(session, LeaveLesson{});
   CHECK(!session.learning->lesson);
   CHECK(session.document->source.example == "egg");
-  CHECK(session.document->timeline.parameters().epsilon == 0.03);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.03);
   CHECK(session.document->timeline.place() == place);
   CHECK(session.view->gaze.camera == camera);
   CHECK(session.view->layers == layers);
   CHECK(session.view->side == SidePanel::report);
   CHECK(session.program->preferences.theme == ThemeKind::light);  // the program's own stays
   apply(session, Undo{});
-  CHECK(session.document->timeline.parameters().epsilon == session.document->defaults.epsilon);
+  CHECK(session.document->timeline.parameters().epsilon() == session.document->defaults.epsilon());
 }
 
 TEST_CASE("a lesson that cannot be had changes nothing") {
@@ -103,11 +107,11 @@ TEST_CASE("the best score is kept, a worse one does not replace it") {
 TEST_CASE("a page is set up again as it was") {
   Session session = in_lesson("picking-a-row");
   REQUIRE(!go_to_lesson_page(session, 7));
-  CHECK(session.document->timeline.parameters().epsilon == 0.012);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.012);
   set_by_text(session, "epsilon", "0.05");
   apply(session, SetLayer{Layer::surface, false});
   apply(session, TurnLesson{0});
-  CHECK(session.document->timeline.parameters().epsilon == 0.012);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.012);
   CHECK(session.view->shows(Layer::surface));
   CHECK(lesson_of(session).page == 6);
   CHECK(session.document->timeline.place().stage == knit::Stage::rows);
@@ -180,4 +184,32 @@ TEST_CASE("the command line begins a lesson at a page") {
   }
   const auto list = parse_command_line({"--list-lessons"}, KNIT_ASSETS_DIR);
   CHECK(lines_of(std::get<Answer>(list).out).size() == 6);
+}
+
+TEST_CASE("a what-if question asks what tuning would make of the run, changes on the way included") {
+  Session session = small_session();
+  apply(session, ToLast{});
+  apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
+  knit::Parameters edited = session.document->timeline.parameters();
+  edited.rows.close = knit::Closing::none;
+  apply(session, EditFromHere{edited});
+  session.document->timeline.extend_to_end();
+  REQUIRE(session.document->timeline.edits().size() == 1);
+  const auto stitches_of = [](const knit::Timeline& timeline) {
+    return std::to_string(knit::count_stitches(timeline.furthest()));
+  };
+  JudgeCall call;
+  call.word = "stitches";
+  call.settings = {{knit::find_parameter("stitch-width"), "0.4"}};
+  const Truth truth = truths::what_if(session, call);
+
+  knit::Timeline tuned = session.document->timeline;
+  knit::Parameters wider = tuned.parameters();
+  REQUIRE_FALSE(knit::set_values(call.settings, wider));
+  tuned.tune(wider);
+  tuned.extend_to_end();
+  REQUIRE(stitches_of(tuned) != stitches_of(session.document->timeline));
+  CAPTURE(truth.reason);
+  CHECK(truth.reason.find(stitches_of(session.document->timeline) + " now, " + stitches_of(tuned) +
+                          " with") != std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -19,7 +20,6 @@ namespace {
 void tune(Session& session, const char* key, const std::string& value) {
   knit::Parameters parameters = session.document->timeline.parameters();
   REQUIRE_FALSE(knit::set_value(*knit::find_parameter(key), parameters, value));
-  knit::give_size_by(key, parameters);
   apply(session, Tune{parameters});
 }
 
@@ -140,7 +140,8 @@ TEST_CASE("with edits the link names the session file, while that says what is s
   Session session = example_session("sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 9, 4}});
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.close = parameters.close == knit::Closing::arc ? knit::Closing::thesis : knit::Closing::arc;
+  parameters.rows.close =
+      parameters.rows.close == knit::Closing::arc ? knit::Closing::thesis : knit::Closing::arc;
   apply(session, EditFromHere{parameters});
   CHECK(copied(session) == "");
   REQUIRE_FALSE(session.outbox->notices.empty());
@@ -172,7 +173,7 @@ TEST_CASE("a parameter, a place and a side beside --session go over what it says
   const Session plain = opened_by("knit-mesh " + path);
   check_same(session, plain);
   const Session tuned = opened_by("knit-mesh --session " + path + " --close none --at rows:5:1 --side step");
-  CHECK(tuned.document->timeline.base_parameters().close == knit::Closing::none);
+  CHECK(tuned.document->timeline.base_parameters().rows.close == knit::Closing::none);
   CHECK(tuned.document->timeline.place() == knit::Place{knit::Stage::rows, 5, 1});
   CHECK(tuned.view->side == SidePanel::step);
   CHECK(tuned.document->changes.undo.empty());

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
 using namespace knit;
@@ -65,16 +66,16 @@ TEST_CASE("planning rows on a large mesh is not taken by the way either") {
   CHECK(run_briefly(timeline).count(planned) == 0);
   timeline.seek(timeline.position_of({Stage::rows, 6, 0}));
   Parameters higher = timeline.parameters();
-  higher.stitch_height = 0.3;
+  give_height(higher, 0.3);
   timeline.edit_from_here(higher);
   CHECK(run_briefly(timeline).count(planned) == 0);
 }
 
 TEST_CASE("planning very many rows is not taken by the way even on a small mesh") {
   Parameters fine = large_parameters(TimingKind::linear);
-  fine.rows = RowSource::contours;
-  fine.stitch_width = 0.001;
-  fine.stitch_height = 0.001;
+  fine.rows.source = RowSource::contours;
+  give_width(fine, 0.001);
+  give_height(fine, 0.001);
   Timeline timeline(test_support::small_sphere(), fine);
   while (timeline.furthest().stage() < Stage::cast_on) REQUIRE(timeline.extend_briefly(1));
   CHECK(timeline.next_is_long());
@@ -114,7 +115,7 @@ TEST_CASE("an outcome counts once, where its job was given out, and as long as n
 
   Timeline tuned = timeline;
   Parameters wider = tuned.parameters();
-  wider.stitch_width = 0.25;
+  give_width(wider, 0.25);
   tuned.tune(wider);
   tuned.accept(job, outcome);
   CHECK(tuned.known() == 1);
@@ -124,7 +125,7 @@ TEST_CASE("an outcome counts once, where its job was given out, and as long as n
 
   Timeline back = timeline;
   back.seek(0);
-  wider.timing = TimingKind::harmonic;
+  wider.timing.kind = TimingKind::harmonic;
   back.tune(wider);
   back.accept(job, outcome);
   CHECK(back.known() == 0);

@@ -10,6 +10,7 @@
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
 #include "knit/model/bug.h"
+#include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
@@ -51,18 +52,18 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   };
   collect(run(small_sphere(), small_parameters()), small_parameters());
   Parameters rough = small_parameters();
-  rough.epsilon = 0.01;
-  rough.cast_on = 3;
+  give_epsilon(rough, 0.01);
+  rough.rows.cast_on = 3;
   collect(run(small_sphere(), rough), rough);
   Parameters strict = rough;
-  strict.on_stall = OnStall::stop;
+  strict.rows.on_stall = OnStall::stop;
   collect(run(small_sphere(), strict), strict);
   Parameters contours = small_parameters();
-  contours.timing = TimingKind::arc_length;
-  contours.rows = RowSource::contours;
-  contours.placement = PlacementPolicy::nearest;
+  contours.timing.kind = TimingKind::arc_length;
+  contours.rows.source = RowSource::contours;
+  contours.stitches.placement = PlacementPolicy::nearest;
   collect(run(small_sphere(), contours), contours);
-  contours.timing = TimingKind::geodesic;
+  contours.timing.kind = TimingKind::geodesic;
   collect(run(small_sphere(), contours), contours);
   CHECK(sentences.size() == event_count);
   for (const auto& [kind, sentence] : sentences) {
@@ -86,8 +87,8 @@ TEST_CASE("sentences say what a person needs, with the numbers") {
 
 TEST_CASE("a stop leaves the state as it was, and comes again") {
   Parameters strict = small_parameters();
-  strict.epsilon = 0.01;
-  strict.on_stall = OnStall::stop;
+  give_epsilon(strict, 0.01);
+  strict.rows.on_stall = OnStall::stop;
   const auto input = small_sphere();
   Timeline timeline = run(input, strict);
   REQUIRE(timeline.stop() != nullptr);
@@ -104,7 +105,7 @@ TEST_CASE("a stop leaves the state as it was, and comes again") {
 
 TEST_CASE("a stall is logged each time it is bridged") {
   Parameters rough = small_parameters();
-  rough.epsilon = 0.01;
+  give_epsilon(rough, 0.01);
   const Timeline timeline = run(small_sphere(), rough);
   REQUIRE(timeline.stop() == nullptr);
   std::size_t too_far = 0;
@@ -128,7 +129,7 @@ TEST_CASE("a stall is logged each time it is bridged") {
 TEST_CASE(
     "no row more than doubles or halves, where that is forbidden to mend, the run stops and names the row") {
   Parameters narrow = small_parameters();
-  narrow.cast_on = 3;
+  narrow.rows.cast_on = 3;
   const Timeline mended = run(small_sphere(), narrow);
   REQUIRE(mended.stop() == nullptr);
   const std::vector<int> sizes = test_support::row_sizes(mended.furthest());
@@ -136,7 +137,7 @@ TEST_CASE(
     CHECK(sizes[i] <= 2 * sizes[i - 1]);
     CHECK(2 * sizes[i] >= sizes[i - 1]);
   }
-  narrow.resample = Resample::off;
+  narrow.rows.resample = Resample::off;
   const Timeline stopped = run(small_sphere(), narrow);
   REQUIRE(stopped.stop() != nullptr);
   CHECK(narrate(*stopped.stop(), narrow).find("Row 2: ") == 0);
@@ -180,11 +181,11 @@ TEST_CASE("parameters edited at any step give a run that ends or says why") {
   for (int edit = 0; edit < 60; ++edit) {
     timeline.seek(random() % (timeline.known() + 1));
     Parameters p = timeline.parameters();
-    p.cast_on = 3 + static_cast<int>(random() % 20);
-    p.epsilon = 0.01 + 0.2 * static_cast<double>(random() % 100) / 100;
-    p.close = static_cast<Closing>(random() % 3);
-    p.on_stall = static_cast<OnStall>(random() % 4 == 0 ? 1 : 0);
-    p.placement = static_cast<PlacementPolicy>(random() % 2);
+    p.rows.cast_on = 3 + static_cast<int>(random() % 20);
+    give_epsilon(p, 0.01 + 0.2 * static_cast<double>(random() % 100) / 100);
+    p.rows.close = static_cast<Closing>(random() % 3);
+    p.rows.on_stall = static_cast<OnStall>(random() % 4 == 0 ? 1 : 0);
+    p.stitches.placement = static_cast<PlacementPolicy>(random() % 2);
     timeline.edit_from_here(p);
     timeline.extend_to_end();
     CHECK((timeline.stop() != nullptr || timeline.furthest().finished()));

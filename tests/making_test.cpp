@@ -3,6 +3,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/program.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -24,7 +25,7 @@ struct Window {
   }
   void weld(knit::Weld weld) {
     knit::Parameters parameters = session.document->timeline.parameters();
-    parameters.weld = weld;
+    parameters.mesh.weld = weld;
     apply(session, Tune{parameters});
   }
   void wait() {
@@ -51,13 +52,13 @@ TEST_CASE("making: welding a large mesh is done beside the window, and undone an
   window.weld(knit::Weld::on);
   REQUIRE(window.session.jobs->opening);
   CHECK_FALSE(window.is_welded());
-  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::off);
+  CHECK(window.session.document->timeline.parameters().mesh.weld == knit::Weld::off);
   apply(window.session, StepBy{});  // what is shown goes on
   CHECK(window.session.document->timeline.position() == 5001);
   apply(window.session, StepBy{Unit::item, -1});
   window.wait();
   CHECK(window.is_welded());
-  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::on);
+  CHECK(window.session.document->timeline.parameters().mesh.weld == knit::Weld::on);
   CHECK(window.session.document->timeline.sought().value_or(window.session.document->timeline.place()) ==
         place);
   REQUIRE(window.session.document->changes.undo.size() == 1);
@@ -80,18 +81,18 @@ TEST_CASE("making: another change gives it up, and so does cancelling") {
   window.weld(knit::Weld::on);
   const auto work = window.session.jobs->opening;
   knit::Parameters other = window.session.document->timeline.parameters();
-  other.epsilon *= 1.1;
+  knit::give_epsilon(other, other.epsilon() * 1.1);
   apply(window.session, Tune{other});
   CHECK_FALSE(window.session.jobs->opening);
   CHECK(work->progress->stopped());
-  CHECK(window.session.document->timeline.parameters().epsilon == other.epsilon);
+  CHECK(window.session.document->timeline.parameters().epsilon() == other.epsilon());
   CHECK_FALSE(window.is_welded());
   window.weld(knit::Weld::on);
   REQUIRE(window.session.jobs->opening);
   apply(window.session, CancelWork{});
   CHECK_FALSE(window.session.jobs->opening);
   CHECK_FALSE(window.is_welded());
-  CHECK(window.session.document->timeline.parameters().weld == knit::Weld::off);
+  CHECK(window.session.document->timeline.parameters().mesh.weld == knit::Weld::off);
 }
 
 TEST_CASE("making: without a window, and for a small mesh, it is done at once") {
@@ -104,8 +105,8 @@ TEST_CASE("making: without a window, and for a small mesh, it is done at once") 
   Session small = example_session("thesis-sphere");
   small.jobs->beside = true;
   knit::Parameters welded = small.document->timeline.parameters();
-  welded.weld = knit::Weld::on;
+  welded.mesh.weld = knit::Weld::on;
   apply(small, Tune{welded});
   CHECK_FALSE(small.jobs->opening);
-  CHECK(small.document->timeline.parameters().weld == knit::Weld::on);
+  CHECK(small.document->timeline.parameters().mesh.weld == knit::Weld::on);
 }

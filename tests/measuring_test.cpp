@@ -31,7 +31,7 @@ void check_measures(const Session& session) {
 
 void tune_cast_on(Session& session, int count) {
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.cast_on = count;
+  parameters.rows.cast_on = count;
   apply(session, Tune{parameters});
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("a run that stops is not measured") {
   Session session = small_session();
   session.jobs->beside = true;
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.axis = {knit::AxisKind::z, {}};
+  parameters.timing.axis = {knit::AxisKind::z, {}};
   apply(session, Tune{parameters});
   for (int i = 0; i < 5; ++i) apply(session, PassTime{0.001});
   REQUIRE(session.document->timeline.stop() != nullptr);
@@ -80,7 +80,7 @@ TEST_CASE("a run that stops is not measured") {
 
 TEST_CASE("a change that is taken back before the new run was measured is measured again") {
   Session session = measured_session();
-  const int cast_on = session.document->timeline.parameters().cast_on;
+  const int cast_on = session.document->timeline.parameters().rows.cast_on;
   tune_cast_on(session, 9);
   apply(session, PassTime{0.001});
   tune_cast_on(session, cast_on);
@@ -93,7 +93,7 @@ TEST_CASE("a change that is taken back before the new run was measured is measur
 TEST_CASE("a change that leaves the run as it is leaves it measured") {
   Session session = measured_session();
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.height_cm = 30.0;  // the mesh gives the sizes
+  parameters.size.height_cm = 30.0;  // the mesh gives the sizes
   apply(session, Tune{parameters});
   for (int i = 0; i < 4; ++i) apply(session, PassTime{0.001});
   CHECK((session.jobs->run.measuring || session.document->closeness));

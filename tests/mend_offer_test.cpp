@@ -190,7 +190,7 @@ TEST_CASE("mends are saved with the session and carried out when it is opened") 
   CHECK(hash_of(again.document->timeline.state()) == hash_of(session.document->timeline.state()));
   // Welding on the way is of the mended mesh.
   knit::Parameters parameters = again.document->timeline.parameters();
-  parameters.weld = knit::Weld::on;
+  parameters.mesh.weld = knit::Weld::on;
   apply(again, Tune{parameters});
   CHECK(again.document->timeline.input().mesh.triangles.size() == 528);
 

@@ -1,6 +1,7 @@
 // Algorithm 2 with other rulers: the same walk, measured along the ring or along the surface.
 #include <map>
 
+#include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
 #include "knit/rows/rows.h"
 #include "knit/run/machine.h"
@@ -12,7 +13,7 @@ using namespace knit;
 namespace {
 
 Timeline run(std::shared_ptr<const Input> input, Parameters parameters, Metric metric) {
-  parameters.metric = metric;
+  parameters.rows.metric = metric;
   Timeline timeline(std::move(input), parameters);
   timeline.extend_to_end();
   return timeline;
@@ -50,7 +51,7 @@ std::shared_ptr<const Input> clover() {
 TEST_CASE("straight is never longer than along the surface, and that never longer than along the ring") {
   const auto input = clover();
   Parameters parameters = test_support::small_parameters();
-  parameters.stitch_width = 0.35;
+  give_width(parameters, 0.35);
   const auto straight = distances_of(run(input, parameters, Metric::euclidean));
   const auto surface = distances_of(run(input, parameters, Metric::geodesic));
   const auto along = distances_of(run(input, parameters, Metric::arc));
@@ -72,8 +73,8 @@ TEST_CASE("straight is never longer than along the surface, and that never longe
 TEST_CASE("on rings that bend, the ruler decides how many stitches there are") {
   const auto input = clover();
   Parameters parameters;
-  parameters.stitch_width = 0.6;
-  parameters.epsilon = 0.1;
+  give_width(parameters, 0.6);
+  give_epsilon(parameters, 0.1);
   const auto straight = sizes_of(run(input, parameters, Metric::euclidean));
   const auto along = sizes_of(run(input, parameters, Metric::arc));
   REQUIRE(straight.size() == along.size());
@@ -92,7 +93,7 @@ TEST_CASE("the thesis sphere has the same rows by every metric: the counts come 
 TEST_CASE("a geodesic walk does not depend on the way it is stepped") {
   const auto input = test_support::small_sphere();
   Parameters parameters = test_support::small_parameters();
-  parameters.metric = Metric::geodesic;
+  parameters.rows.metric = Metric::geodesic;
   Timeline timeline(input, parameters);
   timeline.extend_to_end();
   std::vector<std::uint64_t> hashes;
@@ -111,9 +112,9 @@ TEST_CASE("a geodesic walk does not depend on the way it is stepped") {
 TEST_CASE("a stall far from the ring's end is measured however far it is") {
   const auto input = clover();
   Parameters strict;
-  strict.stitch_width = 0.3;
-  strict.epsilon = 0.001;
-  strict.on_stall = OnStall::stop;
+  give_width(strict, 0.3);
+  give_epsilon(strict, 0.001);
+  strict.rows.on_stall = OnStall::stop;
   const Timeline timeline = run(input, strict, Metric::geodesic);
   REQUIRE(timeline.stop() != nullptr);
   for (const Step& step : timeline.steps()) {
@@ -126,13 +127,13 @@ TEST_CASE("a row that is refused at its end leaves the state as it was, by every
   const std::vector<ProfilePoint> profile{{0.0, 0.0}, {0.9, 0.5}, {1.0, 1.0}, {0.9, 1.5}, {0.0, 2.0}};
   const auto input = make_input(revolve("drum", profile, 6, false));
   Parameters parameters;
-  parameters.resample = Resample::off;
-  parameters.on_stall = OnStall::continue_;
-  parameters.cast_on = 13;
-  parameters.stitch_width = 1.0;
-  parameters.epsilon = 0.3;
+  parameters.rows.resample = Resample::off;
+  parameters.rows.on_stall = OnStall::continue_;
+  parameters.rows.cast_on = 13;
+  give_width(parameters, 1.0);
+  give_epsilon(parameters, 0.3);
   for (const Metric metric : {Metric::euclidean, Metric::arc, Metric::geodesic}) {
-    parameters.metric = metric;
+    parameters.rows.metric = metric;
     State state;
     State before;
     std::optional<Step> last;

@@ -11,6 +11,7 @@
 #include "app/session/outbox.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -119,18 +120,16 @@ class Monkey {
     for (std::size_t turns = 1 + below(2); turns > 0; --turns) {
       const knit::ParameterInfo& info = table[below(table.size())];
       if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
-        const double usual = defaults.*(number->field);
-        parameters.*(number->field) =
-            below(12) == 0 ? number->low : usual * std::pow(2.0, uniform(-0.6, 2.0));
+        const double usual = number->get(defaults);
+        number->set(parameters, below(12) == 0 ? number->low : usual * std::pow(2.0, uniform(-0.6, 2.0)));
       } else if (const auto* choice = std::get_if<knit::Choice>(&info.kind)) {
         // The timings that are solved for cost most: once in a while.
         const bool dear = info.key == "timing" || info.key == "metric";
         choice->set(parameters, dear && below(30) > 0 ? 0 : static_cast<int>(below(choice->names.size())));
       } else if (const auto* count = std::get_if<knit::Count>(&info.kind)) {
-        parameters.*(count->field) = static_cast<int>(below(20));
+        count->set(parameters, static_cast<int>(below(20)));
       } else if (const auto* picked = std::get_if<knit::PickedVertex>(&info.kind)) {
-        parameters.*(picked->field) =
-            below(3) > 0 ? knit::no_vertex : static_cast<knit::VertexId>(below(3000));
+        picked->set(parameters, below(3) > 0 ? knit::no_vertex : static_cast<knit::VertexId>(below(3000)));
       } else {
         static_cast<void>(knit::set_value(info, parameters, std::array{"x", "y", "z", "1,2,3"}[below(4)]));
       }
@@ -186,7 +185,7 @@ class Monkey {
 
   Action swept(const Session& session) {
     if (below(6) > 0) return below(2) == 0 ? Action(CancelSweep{}) : Action(TakeSweepValue{below(4)});
-    const double width = session.document->defaults.stitch_width;
+    const double width = session.document->defaults.stitch.width;
     return StartSweep{{{"epsilon", 0.2 * width, 0.9 * width, 3}, std::nullopt}};
   }
 

@@ -12,7 +12,7 @@
 
 #include <array>
 
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -159,7 +159,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.act(moved);
     }
     CHECK(wishes > 5);
-    CHECK(desk.session.document->timeline.parameters().epsilon > wide_band().epsilon);
+    CHECK(desk.session.document->timeline.parameters().epsilon() > wide_band().epsilon());
     CHECK(desk.session.document->timeline.edits().size() == (from_here ? 1 : 0));
     desk.frames({MouseClick{MouseButton::Left, false}});
     if (from_here) {
@@ -167,7 +167,7 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
       CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
-            knit::agreed(wide_band(), desk.session.document->timeline.input()));
+            knit::resolved(wide_band(), desk.session.document->timeline.input()));
     }
   }
 }
@@ -179,7 +179,8 @@ TEST_CASE("choices, the axis and welding are one click") {
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.axis.kind == knit::AxisKind::x);
   desk.ui.own<ChangeMode>().from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.weld == knit::Weld::on);
-  CHECK(only<EditFromHere>(desk.click("knob/rows", 0.9f)).parameters.rows == knit::RowSource::contours);
+  CHECK(only<EditFromHere>(desk.click("knob/rows", 0.9f)).parameters.rows.source ==
+        knit::RowSource::contours);
   CHECK(only<SetPicking>(desk.click("pick/start")).picking == Picking::start);
 }
 
@@ -245,7 +246,7 @@ TEST_CASE("layers, rows and problems are clicked") {
         static_cast<int>(desk.session.document->timeline.state().fabric.rows().size()));
 
   knit::Parameters narrow = wide_band();
-  narrow.epsilon = 0.001;
+  knit::give_epsilon(narrow, 0.001);
   desk.open(narrow);
   desk.session.view->list = RunList::problems;
   desk.settle();

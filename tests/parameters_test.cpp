@@ -1,8 +1,9 @@
 // The one table of parameters: text in, text out, ranges, first readers.
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 
 #include <algorithm>
 
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 
@@ -20,11 +21,11 @@ std::optional<std::string> set(Parameters& parameters, const char* key, const ch
 
 TEST_CASE("every parameter's text reads back as the same value") {
   Parameters changed;
-  changed.axis = {AxisKind::custom, {0.1, -2.0, 1e-7}};
-  changed.start = 17;
-  changed.stitch_width = 0.1 + 0.2;
-  changed.close = Closing::thesis;
-  changed.weld = Weld::on;
+  changed.timing.axis = {AxisKind::custom, {0.1, -2.0, 1e-7}};
+  changed.timing.start = 17;
+  give_width(changed, 0.1 + 0.2);
+  changed.rows.close = Closing::thesis;
+  changed.mesh.weld = Weld::on;
   for (const ParameterInfo& info : parameter_table()) {
     CAPTURE(info.key);
     Parameters read;
@@ -72,40 +73,40 @@ TEST_CASE("the first reader of a change is the earliest among what differs") {
   const Parameters base;
   Parameters p = base;
   CHECK(first_reader_of_change(base, p) == Stage::done);
-  p.placement = PlacementPolicy::even;
+  p.stitches.placement = PlacementPolicy::even;
   CHECK(first_reader_of_change(base, p) == Stage::stitches);
-  p.epsilon = 0.01;
+  give_epsilon(p, 0.01);
   CHECK(first_reader_of_change(base, p) == Stage::rows);
-  p.stitch_width = 0.2;
+  give_width(p, 0.2);
   CHECK(first_reader_of_change(base, p) == Stage::cast_on);
-  p.end = 3;
+  p.timing.end = 3;
   CHECK(first_reader_of_change(base, p) == Stage::timing);
-  p.weld = Weld::on;
+  p.mesh.weld = Weld::on;
   CHECK(first_reader_of_change(base, p) == Stage::import);
 }
 
 TEST_CASE("a change is carried over without touching the rest") {
   Parameters base;
-  base.cast_on = 9;
+  base.rows.cast_on = 9;
   Parameters from;
   Parameters to;
-  to.epsilon = 0.02;
+  give_epsilon(to, 0.02);
   const Parameters result = with_change(base, from, to);
-  CHECK(result.cast_on == 9);
-  CHECK(result.epsilon == 0.02);
+  CHECK(result.rows.cast_on == 9);
+  CHECK(result.epsilon() == 0.02);
 }
 
 TEST_CASE("what does not fit together or the mesh is said") {
   const Mesh mesh = sphere(16, 8);
   Parameters p;
-  CHECK_FALSE(fault_of(p, mesh));
-  p.start = 1000;
-  CHECK(fault_of(p, mesh)->find("--start 1000 is not a vertex") == 0);
-  p.start = p.end = 5;
-  CHECK(fault_of(p, mesh)->find("both vertex 5") != std::string::npos);
+  CHECK_FALSE(fault_of(p, *make_input(mesh)));
+  p.timing.start = 1000;
+  CHECK(fault_of(p, *make_input(mesh))->find("--start 1000 is not a vertex") == 0);
+  p.timing.start = p.timing.end = 5;
+  CHECK(fault_of(p, *make_input(mesh))->find("both vertex 5") != std::string::npos);
   p = Parameters{};
-  p.epsilon = p.stitch_width;
-  CHECK(fault_of(p, mesh)->find("not below the stitch width") != std::string::npos);
+  give_epsilon(p, p.stitch.width);
+  CHECK(fault_of(p, *make_input(mesh))->find("not below the stitch width") != std::string::npos);
 }
 
 TEST_CASE("a picked vertex that is no part of the surface is a fault, whatever the timing") {
@@ -115,18 +116,19 @@ TEST_CASE("a picked vertex that is no part of the surface is a fault, whatever t
   for (const bool on_a_line : {false, true}) {
     if (on_a_line) mesh.triangles.push_back({0, stray, stray});
     Parameters p;
-    p.timing = TimingKind::harmonic;
-    p.end = stray;
-    REQUIRE(fault_of(p, mesh));
-    CHECK(fault_of(p, mesh)->find("--end " + std::to_string(stray) + " belongs to no face") == 0);
-    p.end = stray - 1;
-    CHECK_FALSE(fault_of(p, mesh));
+    p.timing.kind = TimingKind::harmonic;
+    p.timing.end = stray;
+    REQUIRE(fault_of(p, *make_input(mesh)));
+    CHECK(fault_of(p, *make_input(mesh))->find("--end " + std::to_string(stray) + " belongs to no face") ==
+          0);
+    p.timing.end = stray - 1;
+    CHECK_FALSE(fault_of(p, *make_input(mesh)));
   }
   // A copy that no face uses lies on the surface all the same.
   mesh.positions.push_back(mesh.positions[3]);
   Parameters p;
-  p.start = stray + 1;
-  CHECK_FALSE(fault_of(p, mesh));
+  p.timing.start = stray + 1;
+  CHECK_FALSE(fault_of(p, *make_input(mesh)));
 }
 
 TEST_CASE("a value that no text could have given is a fault") {
@@ -134,25 +136,25 @@ TEST_CASE("a value that no text could have given is a fault") {
   const auto fault_with = [&](auto change) {
     Parameters parameters;
     change(parameters);
-    return fault_of(parameters, mesh).value_or("");
+    return fault_of(parameters, *make_input(mesh)).value_or("");
   };
   CHECK(fault_with([](Parameters&) {}).empty());
   CHECK(fault_with([](Parameters& p) {
-          p.rows = RowSource::contours;
-          p.stitch_width = 0.0;
+          p.rows.source = RowSource::contours;
+          give_width(p, 0.0);
         }).starts_with("--stitch-width cannot be \"0\""));
-  CHECK(fault_with([](Parameters& p) { p.epsilon = std::nan(""); }).starts_with("--epsilon cannot be"));
-  CHECK(fault_with([](Parameters& p) { p.cast_on = -1; }).starts_with("--cast-on cannot be"));
-  CHECK(fault_with([](Parameters& p) { p.gauge.rounds = -4.0; }).starts_with("--gauge cannot be"));
+  CHECK(fault_with([](Parameters& p) { give_epsilon(p, std::nan("")); }).starts_with("--epsilon cannot be"));
+  CHECK(fault_with([](Parameters& p) { p.rows.cast_on = -1; }).starts_with("--cast-on cannot be"));
+  CHECK(fault_with([](Parameters& p) { give_gauge(p, {22.0, -4.0}); }).starts_with("--gauge cannot be"));
   CHECK(fault_with([](Parameters& p) {
-          p.axis = {AxisKind::custom, glm::dvec3(0.0)};
+          p.timing.axis = {AxisKind::custom, glm::dvec3(0.0)};
         }).starts_with("--axis cannot be"));
 }
 
 TEST_CASE("defaults follow the mesh's size") {
   const Parameters p = default_parameters(bounds_of(sphere(16, 8).positions));
-  CHECK(p.stitch_width == Approx(0.03 * 2 * std::sqrt(3.0)));
-  CHECK(p.epsilon == Approx(0.5 * p.stitch_width));
+  CHECK(p.stitch.width == Approx(0.03 * 2 * std::sqrt(3.0)));
+  CHECK(p.epsilon() == Approx(0.5 * p.stitch.width));
 }
 
 TEST_CASE("numbers or auto, counts or auto, directions and gauges read back as they were written") {
@@ -185,9 +187,9 @@ TEST_CASE("numbers or auto, counts or auto, directions and gauges read back as t
     CAPTURE(c.key, c.text);
     const ParameterInfo& info = *find_parameter(c.key);
     Parameters p;
-    p.stitch_height = 0.3;  // so that auto changes something
-    p.cast_on = 7;
-    p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+    give_height(p, 0.3);  // so that auto changes something
+    p.rows.cast_on = 7;
+    p.rows.start_direction = glm::dvec3(0.0, 0.0, 2.0);
     CHECK_FALSE(set_value(info, p, c.text));
     CHECK(value_text(info, p) == c.written);
     Parameters read;
@@ -195,14 +197,14 @@ TEST_CASE("numbers or auto, counts or auto, directions and gauges read back as t
     CHECK(value_text(info, read) == c.written);
   }
   Parameters p;
-  p.cast_on = 7;
-  p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+  p.rows.cast_on = 7;
+  p.rows.start_direction = glm::dvec3(0.0, 0.0, 2.0);
   for (const char* key : {"stitch-height", "cast-on", "start-direction"}) CHECK_FALSE(set(p, key, "auto"));
   CHECK(p == Parameters{});  // auto is the default of each
   CHECK_FALSE(set(p, "gauge", "18.25,24"));
-  CHECK(p.gauge == Gauge{18.25, 24.0});
+  CHECK(p.stitch.gauge == Gauge{18.25, 24.0});
   CHECK_FALSE(set(p, "start-direction", "-1,0,0.5"));
-  CHECK(p.start_direction == glm::dvec3(-1.0, 0.0, 0.5));
+  CHECK(p.rows.start_direction == glm::dvec3(-1.0, 0.0, 0.5));
 }
 
 TEST_CASE("each kind of value is refused with what it takes") {
@@ -231,9 +233,9 @@ TEST_CASE("each kind of value is refused with what it takes") {
     for (const char* text : kind.refused) {
       CAPTURE(kind.key, text);
       Parameters p;
-      p.stitch_height = 0.3;
-      p.cast_on = 7;
-      p.start_direction = glm::dvec3(0.0, 0.0, 2.0);
+      give_height(p, 0.3);
+      p.rows.cast_on = 7;
+      p.rows.start_direction = glm::dvec3(0.0, 0.0, 2.0);
       const Parameters before = p;
       const auto error = set(p, kind.key, text);
       REQUIRE(error);
@@ -254,8 +256,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
     for (const PlacementPolicy placement :
          {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
       Parameters p;
-      p.rows = rows;
-      p.placement = placement;
+      p.rows.source = rows;
+      p.stitches.placement = placement;
       for (const ParameterInfo& info : parameter_table()) {
         CAPTURE(info.key, rows, placement);
         const bool idle = (among(of_rings, info.key) && rows == RowSource::contours) ||
@@ -271,13 +273,13 @@ TEST_CASE("rounds cannot begin along the direction of knitting") {
   const auto top = static_cast<VertexId>(mesh.positions.size() - 1);
   const auto fault = [&](const Axis& axis, const glm::dvec3& start, bool picked) {
     Parameters p;
-    p.axis = axis;
-    p.start_direction = start;
+    p.timing.axis = axis;
+    p.rows.start_direction = start;
     if (picked) {  // the poles: from top to bottom, whatever the axis
-      p.start = top;
-      p.end = 0;
+      p.timing.start = top;
+      p.timing.end = 0;
     }
-    return fault_of(p, mesh).value_or("");
+    return fault_of(p, *make_input(mesh)).value_or("");
   };
   const Axis y{AxisKind::y, {}};
   const Axis x{AxisKind::x, {}};
@@ -295,8 +297,8 @@ TEST_CASE("rounds cannot begin along the direction of knitting") {
 TEST_CASE("an epsilon as wide as the stitch is a fault only where rings are walked") {
   const Mesh mesh = sphere(16, 8);
   Parameters p;
-  p.epsilon = 3.0 * p.stitch_width;
-  CHECK(fault_of(p, mesh));
-  p.rows = RowSource::contours;
-  CHECK_FALSE(fault_of(p, mesh));
+  give_epsilon(p, 3.0 * p.stitch.width);
+  CHECK(fault_of(p, *make_input(mesh)));
+  p.rows.source = RowSource::contours;
+  CHECK_FALSE(fault_of(p, *make_input(mesh)));
 }

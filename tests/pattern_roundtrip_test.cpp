@@ -3,7 +3,7 @@
 
 #include "app/files/pattern_export.h"
 #include "knit/mesh/shapes.h"
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/reader/pattern_reader.h"
@@ -73,15 +73,15 @@ TEST_CASE("round trip: every shape, placement and row source comes back from its
            {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
         CAPTURE(name, static_cast<int>(source), static_cast<int>(policy));
         Parameters parameters;
-        parameters.stitch_width = 0.15;
-        parameters.epsilon = 0.05;
-        parameters.timing = source == RowSource::rings ? TimingKind::linear : TimingKind::arc_length;
-        parameters.rows = source;
-        parameters.placement = policy;
+        give_width(parameters, 0.15);
+        give_epsilon(parameters, 0.05);
+        parameters.timing.kind = source == RowSource::rings ? TimingKind::linear : TimingKind::arc_length;
+        parameters.rows.source = source;
+        parameters.stitches.placement = policy;
         Timeline timeline(input, parameters);
         timeline.extend_to_end();
         REQUIRE(timeline.furthest().finished());
-        check_round_trip(timeline.furthest(), timeline.parameters().gauge);
+        check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge);
       }
     }
   }
@@ -136,12 +136,12 @@ TEST_CASE("the pattern's rounds say what Appendix A's labels say, for its sizes"
 
 TEST_CASE("the thesis sphere's pattern casts on 6 and has a round for each of its 64 rows") {
   Parameters parameters;
-  parameters.close = Closing::thesis;
+  parameters.rows.close = Closing::thesis;
   Timeline timeline(make_input(sphere(128, 65, true)), parameters);
   timeline.extend_to_end();
   const Rounds rounds = rounds_of(timeline.furthest());
   CHECK(rounds.cast_on == 6);
   CHECK(rounds.rounds.size() == 63);
   CHECK(rounds.last_count() == 6);
-  check_round_trip(timeline.furthest(), timeline.parameters().gauge);
+  check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge);
 }

@@ -179,7 +179,7 @@ TEST_CASE("the loop is played round and round, and follows its row when the run 
   }
   CHECK(turns >= 3);
   knit::Parameters other = session.document->timeline.parameters();
-  other.cast_on = 9;  // other rows before it
+  other.rows.cast_on = 9;  // other rows before it
   apply(session, Tune{other});
   for (int i = 0; i < 3; ++i) apply(session, PassTime{0.0});
   REQUIRE(session.document->travel.loop.has_value());

@@ -57,8 +57,8 @@ TEST_CASE("the plots as CSV hold the run's numbers") {
   CHECK(series["stitches/ideal"].size() == sizes.size());
   CHECK(series["course-length/made"].size() == sizes.size());
   const knit::Parameters& parameters = session.document->timeline.parameters();
-  const knit::Quality quality = knit::measure_quality(
-      session.document->timeline.input(), state, parameters.stitch_width, knit::stitch_height_of(parameters));
+  const knit::Quality quality = knit::measure_quality(session.document->timeline.input(), state,
+                                                      parameters.stitch.width, parameters.stitch.height);
   CHECK(sum_of(series["course/count"]) == static_cast<double>(quality.course.count));
   CHECK(sum_of(series["wale/count"]) == static_cast<double>(quality.wale.count));
   CHECK(sum_of(series["corner/count"]) == static_cast<double>(quality.corner.count));

@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -44,19 +46,19 @@ TEST_CASE("there are three presets, each found by its key, with a title and a se
 TEST_CASE("every setting of a preset is taken by the table, and is in force afterwards") {
   // Away from every default, so that a setting which is not applied shows.
   knit::Parameters odd;
-  odd.timing = knit::TimingKind::harmonic;
-  odd.sizes = knit::SizesFrom::gauge;
-  odd.stitch_height = 0.7;
-  odd.gauge = {9.0, 9.0};
-  odd.height_cm = 99.0;
-  odd.start_direction = glm::dvec3(1.0, 0.0, 0.0);
-  odd.cast_on = 9;
-  odd.metric = knit::Metric::arc;
-  odd.last_anchor = knit::LastAnchor::drop;
-  odd.close = knit::Closing::none;
-  odd.placement = knit::PlacementPolicy::even;
-  odd.stacking_penalty = 3.0;
-  odd.follow_mains = knit::FollowMains::on;
+  odd.timing.kind = knit::TimingKind::harmonic;
+  knit::give_sizes(odd, knit::SizesFrom::gauge);
+  knit::give_height(odd, 0.7);
+  knit::give_gauge(odd, {9.0, 9.0});
+  odd.size.height_cm = 99.0;
+  odd.rows.start_direction = glm::dvec3(1.0, 0.0, 0.0);
+  odd.rows.cast_on = 9;
+  odd.rows.metric = knit::Metric::arc;
+  odd.rows.last_anchor = knit::LastAnchor::drop;
+  odd.rows.close = knit::Closing::none;
+  odd.stitches.placement = knit::PlacementPolicy::even;
+  odd.stitches.stacking_penalty = 3.0;
+  odd.stitches.follow_mains = knit::FollowMains::on;
   for (const Preset& p : presets()) {
     std::set<std::string_view> keys;
     for (const PresetSetting& setting : p.settings) {
@@ -95,9 +97,9 @@ TEST_CASE("the thesis's preset gives the thesis's sphere its golden counts, from
   Session session = example_session("thesis-sphere");
   apply(session, ApplyPreset{"best-rows"});
   knit::Parameters other = session.document->timeline.parameters();
-  other.start_direction = glm::dvec3(1.0, 0.0, 0.0);
-  other.cast_on = 9;
-  other.last_anchor = knit::LastAnchor::drop;
+  other.rows.start_direction = glm::dvec3(1.0, 0.0, 0.0);
+  other.rows.cast_on = 9;
+  other.rows.last_anchor = knit::LastAnchor::drop;
   apply(session, Tune{other});
   apply(session, ToLast{});
   CHECK(session.document->timeline.state().fabric.stitch_count() != 3372);
@@ -113,9 +115,9 @@ TEST_CASE("the knitter's gauge makes an object of 12 cm from 22 stitches and 32 
   Session session = example_session("sphere");
   apply(session, ApplyPreset{"knitters-gauge"});
   const knit::Parameters& p = session.document->timeline.parameters();
-  CHECK(p.stitch_width == Approx(10.0 / 22.0 / 6.0));
-  CHECK(p.stitch_height == Approx(10.0 / 32.0 / 6.0));
-  CHECK(p.epsilon == 0.025);
+  CHECK(p.stitch.width == Approx(10.0 / 22.0 / 6.0));
+  CHECK(p.stitch.height == Approx(10.0 / 32.0 / 6.0));
+  CHECK(p.epsilon() == 0.025);
 }
 
 TEST_CASE("a preset is a change for the whole run: the place is kept, and twice is once") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 
@@ -11,7 +12,7 @@ using namespace knit;
 TEST_CASE("problems are exactly the unusual steps", "[problems]") {
   for (const double epsilon : {0.001, 0.01, 0.15}) {
     Parameters parameters = test_support::small_parameters();
-    parameters.epsilon = epsilon;
+    give_epsilon(parameters, epsilon);
     Timeline timeline(test_support::small_sphere(), parameters);
     timeline.extend_to_end();
     std::size_t wrong = 0;

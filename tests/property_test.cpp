@@ -6,7 +6,8 @@
 
 #include "knit/import/check.h"
 #include "knit/insight/narrate.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
@@ -52,21 +53,21 @@ Mesh random_body(Dice& dice, unsigned subdivisions) {
 // Parameters that a person might set. With `contours` alone the outcome does not hang on single vertices.
 Parameters random_parameters(Dice& dice, const Input& input, bool contours_only) {
   Parameters p = default_parameters(input.bounds);
-  p.stitch_width = input.bounds.diagonal() * dice.between(0.03, 0.12);
-  p.epsilon = p.stitch_width * dice.between(0.1, 0.9);
-  p.axis = {AxisKind::custom,
-            test_support::random_axes(1, static_cast<unsigned>(dice.below(100000))).front()};
-  p.rows = contours_only || dice.below(3) != 0 ? RowSource::contours : RowSource::rings;
-  p.timing = static_cast<TimingKind>(dice.below(4));
-  p.placement = static_cast<PlacementPolicy>(dice.below(3));
-  p.close = static_cast<Closing>(dice.below(3));
-  p.metric = static_cast<Metric>(dice.below(3));
-  p.on_stall = dice.below(4) == 0 ? OnStall::stop : OnStall::continue_;
-  p.resample = dice.below(4) == 0 ? Resample::off : Resample::on;
-  p.last_anchor = static_cast<LastAnchor>(dice.below(2));
-  p.follow_mains = static_cast<FollowMains>(dice.below(2));
-  p.level_tolerance = dice.below(2) == 0 ? 1e-5 : dice.between(0.001, 0.06);
-  if (dice.below(3) == 0) p.cast_on = 3 + static_cast<int>(dice.below(12));
+  give_width(p, input.bounds.diagonal() * dice.between(0.03, 0.12));
+  give_epsilon(p, p.stitch.width * dice.between(0.1, 0.9));
+  p.timing.axis = {AxisKind::custom,
+                   test_support::random_axes(1, static_cast<unsigned>(dice.below(100000))).front()};
+  p.rows.source = contours_only || dice.below(3) != 0 ? RowSource::contours : RowSource::rings;
+  p.timing.kind = static_cast<TimingKind>(dice.below(4));
+  p.stitches.placement = static_cast<PlacementPolicy>(dice.below(3));
+  p.rows.close = static_cast<Closing>(dice.below(3));
+  p.rows.metric = static_cast<Metric>(dice.below(3));
+  p.rows.on_stall = dice.below(4) == 0 ? OnStall::stop : OnStall::continue_;
+  p.rows.resample = dice.below(4) == 0 ? Resample::off : Resample::on;
+  p.rows.last_anchor = static_cast<LastAnchor>(dice.below(2));
+  p.stitches.follow_mains = static_cast<FollowMains>(dice.below(2));
+  p.timing.level_tolerance = dice.below(2) == 0 ? 1e-5 : dice.between(0.001, 0.06);
+  if (dice.below(3) == 0) p.rows.cast_on = 3 + static_cast<int>(dice.below(12));
   return p;
 }
 
@@ -95,11 +96,12 @@ Timeline moved_run(const Sample& run, const glm::dmat3& turn, const glm::dvec3& 
   if (glm::determinant(turn) < 0.0)
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   Parameters parameters = run.parameters;
-  parameters.axis.custom = turn * parameters.axis.custom;
-  if (parameters.start_direction) parameters.start_direction = turn * *parameters.start_direction;
-  parameters.stitch_width *= scale;
-  parameters.stitch_height *= scale;
-  parameters.epsilon *= scale;
+  parameters.timing.axis.custom = turn * parameters.timing.axis.custom;
+  if (parameters.rows.start_direction)
+    parameters.rows.start_direction = turn * *parameters.rows.start_direction;
+  give_epsilon(parameters, parameters.epsilon() * scale);
+  if (!parameters.stitch.height_follows) give_height(parameters, parameters.stitch.height * scale);
+  give_width(parameters, parameters.stitch.width * scale);
   return finished(make_input(mesh), parameters);
 }
 
@@ -167,7 +169,7 @@ TEST_CASE("property: a run on any convex body ends or says why, and what it made
     INFO("seed " << seed);
     const Sample run = random_run(seed, false);
     REQUIRE(check(run.input->mesh).fit());
-    REQUIRE_FALSE(fault_of(agreed(run.parameters, *run.input), run.input->mesh));
+    REQUIRE_FALSE(fault_of(run.parameters, *run.input));
     const Timeline timeline = finished(run.input, run.parameters);
     CHECK(test_support::broken_promise(timeline.furthest()).empty());
     if (timeline.stop() != nullptr) {
@@ -238,7 +240,8 @@ TEST_CASE("property: a turned body has the same counts when its rows are contour
   for (unsigned seed = 401; seed <= 400 + many; ++seed) {
     INFO("seed " << seed);
     Sample run = random_run(seed, true);
-    run.parameters.start_direction = glm::cross(run.parameters.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
+    run.parameters.rows.start_direction =
+        glm::cross(run.parameters.timing.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
     const Timeline plain = finished(run.input, run.parameters);
     Dice dice(seed);
     const glm::dvec3 axis = vector_in(dice, 1.0) + glm::dvec3(1.1, 0.0, 0.0);
@@ -259,11 +262,12 @@ TEST_CASE(
   for (unsigned seed = 501; seed <= 500 + many; ++seed) {
     INFO("seed " << seed);
     Sample run = random_run(seed, true);
-    run.parameters.start_direction = glm::cross(run.parameters.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
+    run.parameters.rows.start_direction =
+        glm::cross(run.parameters.timing.axis.custom, glm::dvec3(0.3, 0.5, -0.8));
     const Timeline plain = finished(run.input, run.parameters);
     const Timeline image = moved_run(run, mirror, glm::dvec3(0.0), 1.0);
     CHECK(counts_of(image) == counts_of(plain));
-    const bool by_place = run.parameters.placement == PlacementPolicy::nearest;
+    const bool by_place = run.parameters.stitches.placement == PlacementPolicy::nearest;
     const auto& ours = plain.furthest().fabric.joins();
     const auto& theirs = image.furthest().fabric.joins();
     REQUIRE(ours.size() == theirs.size());

@@ -13,6 +13,7 @@
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
 #include "knit/run/machine.h"
 #include "knit/timing/timing_code.h"
@@ -49,31 +50,33 @@ std::vector<Session> all_ways() {
   using knit::Parameters;
   std::vector<Session> runs;
   const auto add = [&](auto change) { runs.push_back(run_changed(change)); };
-  add([](Parameters& p) { p.start = 100, p.end = 500; });
+  add([](Parameters& p) { p.timing.start = 100, p.timing.end = 500; });
   for (const auto kind :
        {knit::TimingKind::arc_length, knit::TimingKind::geodesic, knit::TimingKind::harmonic}) {
-    add([&](Parameters& p) { p.timing = kind, p.start = 100, p.end = 300, p.stitch_width = 0.5; });
-    add([&](Parameters& p) { p.timing = kind; });
+    add([&](Parameters& p) {
+      p.timing.kind = kind, p.timing.start = 100, p.timing.end = 300, knit::give_width(p, 0.5);
+    });
+    add([&](Parameters& p) { p.timing.kind = kind; });
   }
-  add([](Parameters& p) { p.start = 7, p.end = 7; });
-  add([](Parameters& p) { p.epsilon = 0.01; });
-  add([](Parameters& p) { p.epsilon = 0.01, p.on_stall = knit::OnStall::stop; });
-  add([](Parameters& p) { p.stitch_width = 9.0; });
-  add([](Parameters& p) { p.cast_on = 3, p.last_anchor = knit::LastAnchor::drop; });
-  add([](Parameters& p) { p.cast_on = 3, p.resample = knit::Resample::off; });
-  add([](Parameters& p) { p.placement = knit::PlacementPolicy::even, p.cast_on = 13; });
-  add([](Parameters& p) { p.placement = knit::PlacementPolicy::nearest; });
-  add([](Parameters& p) { p.rows = knit::RowSource::contours; });
-  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.cast_on = 4; });
-  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_height = 0.7; });
-  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_height = 1e-7; });
-  add([](Parameters& p) { p.rows = knit::RowSource::contours, p.stitch_width = 9.0; });
+  add([](Parameters& p) { p.timing.start = 7, p.timing.end = 7; });
+  add([](Parameters& p) { knit::give_epsilon(p, 0.01); });
+  add([](Parameters& p) { knit::give_epsilon(p, 0.01), p.rows.on_stall = knit::OnStall::stop; });
+  add([](Parameters& p) { knit::give_width(p, 9.0); });
+  add([](Parameters& p) { p.rows.cast_on = 3, p.rows.last_anchor = knit::LastAnchor::drop; });
+  add([](Parameters& p) { p.rows.cast_on = 3, p.rows.resample = knit::Resample::off; });
+  add([](Parameters& p) { p.stitches.placement = knit::PlacementPolicy::even, p.rows.cast_on = 13; });
+  add([](Parameters& p) { p.stitches.placement = knit::PlacementPolicy::nearest; });
+  add([](Parameters& p) { p.rows.source = knit::RowSource::contours; });
+  add([](Parameters& p) { p.rows.source = knit::RowSource::contours, p.rows.cast_on = 4; });
+  add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 0.7); });
+  add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 1e-7); });
+  add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_width(p, 9.0); });
   runs.push_back(example_with("torus"));
   runs.push_back(example_with("thesis-sphere"));
   knit::Parameters contours = runs.back().document->timeline.parameters();
-  contours.rows = knit::RowSource::contours;
-  contours.stitch_width = 0.15;
-  contours.stitch_height = 0.09;
+  contours.rows.source = knit::RowSource::contours;
+  knit::give_width(contours, 0.15);
+  knit::give_height(contours, 0.09);
   runs.back().document->timeline.tune(contours);
   runs.back().document->timeline.extend_to_end();
   runs.push_back(example_with("thesis-sphere"));
@@ -104,7 +107,7 @@ struct Reached {
 void take_crowded_rows(Reached& reached) {
   for (const auto placement : {knit::PlacementPolicy::thesis, knit::PlacementPolicy::even}) {
     knit::Parameters parameters;
-    parameters.placement = placement;
+    parameters.stitches.placement = placement;
     const knit::SpacingChosen dense{knit::Rule::dense, knit::Rule::remainder_last, true, 0, 0, 5};
     reached.take({{knit::Stage::stitches, 3, 1}, dense}, parameters);
   }
@@ -264,7 +267,7 @@ TEST_CASE("the variables of a measured candidate are those of its step, by the t
 }
 
 TEST_CASE("before the first step the listing is that of what comes, and no line is lit") {
-  Session session = run_changed([](knit::Parameters& p) { p.timing = knit::TimingKind::harmonic; });
+  Session session = run_changed([](knit::Parameters& p) { p.timing.kind = knit::TimingKind::harmonic; });
   session.document->timeline.seek(0);
   const auto at = explained(session);
   REQUIRE(at);
@@ -287,8 +290,8 @@ TEST_CASE("the option explain prints the code with one mark, the values and the 
   CHECK(contains(answer.out, "\nepsilon\t\xCE\xB5\t0.15\t"));
   CHECK(explain_answer(Session{}).exit_code == exit_usage);
 
-  Session stopped =
-      run_changed([](knit::Parameters& p) { p.epsilon = 0.01, p.on_stall = knit::OnStall::stop; });
+  Session stopped = run_changed(
+      [](knit::Parameters& p) { knit::give_epsilon(p, 0.01), p.rows.on_stall = knit::OnStall::stop; });
   apply(stopped, ToLast{});
   CHECK(contains(explain_answer(stopped).out, "\tstopped\t"));
   CHECK_FALSE(fault_of_point("epsilon"));

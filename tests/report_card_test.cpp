@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/view.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -314,10 +315,10 @@ TEST_CASE("quality follows the parameters") {
   CardCache cache;
   cache.refresh(timeline);
   REQUIRE(cache.quality() != nullptr);
-  CHECK(cache.quality()->stitch_width == wide_band().stitch_width);
-  CHECK(cache.quality()->stitch_height == stitch_height_of(wide_band()));
+  CHECK(cache.quality()->stitch_width == wide_band().stitch.width);
+  CHECK(cache.quality()->stitch_height == wide_band().stitch.height);
   knit::Parameters wider = wide_band();
-  wider.stitch_width = 0.5;
+  knit::give_width(wider, 0.5);
   timeline.tune(wider);
   timeline.extend_to_end();
   timeline.seek(timeline.known());

@@ -25,8 +25,8 @@ Timed timed(const Mesh& mesh, const Axis& axis = {}) {
   Timed t;
   t.input = make_input(mesh);
   Parameters parameters;
-  parameters.axis = axis;
-  const auto found = find_ends(*t.input, parameters);
+  parameters.timing.axis = axis;
+  const auto found = find_ends(*t.input, parameters.timing);
   REQUIRE(std::holds_alternative<Ends>(found));
   t.ends = std::get<Ends>(found);
   for (const auto& position : t.input->mesh.positions) t.times.push_back(time_of(t.ends, position));

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "knit/model/stitch_size.h"
 #include "knit/rows/ring.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
@@ -15,24 +16,24 @@ namespace {
 
 // The whole of Algorithm 2 with its closing, for one ring, as the machine's steps do it; nothing when it stalls and
 // on_stall is stop.
-std::optional<std::vector<Stitch>> build_row(const Ring& ring, const Input& input,
-                                             const Parameters& parameters, std::int32_t below) {
-  const bool robust = parameters.on_stall == OnStall::continue_;
+std::optional<std::vector<Stitch>> build_row(const Ring& ring, const Input& input, const RowsSettings& rows,
+                                             const StitchSize& stitch, std::int32_t below) {
+  const bool robust = rows.on_stall == OnStall::continue_;
   Walk walk;
   while (walk.next < static_cast<std::int32_t>(ring.vertices.size())) {
-    const CandidateMeasured measured = measure_next(walk, ring, input, parameters);
-    if (robust && measured.verdict == Verdict::too_far) take_nearest(walk, ring, input, parameters);
+    const CandidateMeasured measured = measure_next(walk, ring, input, rows, stitch);
+    if (robust && measured.verdict == Verdict::too_far) take_nearest(walk, ring, input, rows, stitch);
   }
   if (!robust && stalled(walk)) return std::nullopt;
-  if (robust) take_before_end(walk, ring, input, parameters);
-  ClosedRow row = close_row(walk, ring, input, parameters);
+  if (robust) take_before_end(walk, ring, input, rows, stitch);
+  ClosedRow row = close_row(walk, ring, input, rows, stitch);
   const auto picked = static_cast<std::int32_t>(row.stitches.size());
-  if (const auto needed = needed_count(picked, below, ring.length, parameters.stitch_width)) {
+  if (const auto needed = needed_count(picked, below, ring.length, stitch.width)) {
     row.stitches = spread_evenly(ring, needed->count);
     row.resampled = true;
     row.gap = glm::distance(row.stitches.back().position, row.stitches.front().position);
   }
-  return share_gap(row, ring, parameters).stitches;
+  return share_gap(row, ring, rows, stitch).stitches;
 }
 
 struct RingMesh {
@@ -63,15 +64,15 @@ RingMesh even_ring(int count) {
 
 Parameters with(double width, double epsilon) {
   Parameters parameters;
-  parameters.stitch_width = width;
-  parameters.epsilon = epsilon;
+  give_width(parameters, width);
+  give_epsilon(parameters, epsilon);
   return parameters;
 }
 
 std::vector<Verdict> walk_verdicts(Walk& walk, const RingMesh& r, const Parameters& parameters) {
   std::vector<Verdict> verdicts;
   while (walk.next < static_cast<std::int32_t>(r.ring.vertices.size())) {
-    verdicts.push_back(measure_next(walk, r.ring, r.input, parameters).verdict);
+    verdicts.push_back(measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch).verdict);
   }
   return verdicts;
 }
@@ -95,10 +96,13 @@ TEST_CASE("both edges of the band belong to it") {
   r.ring.points = {{0, 0, 0}, {0.75, 0, 0}, {2.0, 0, 0}, {2.5, 0, 0}, {3.0, 0, 0}, {4.0, 0, 0}};
   Walk walk;
   Parameters parameters = with(1.0, 0.25);
-  measure_next(walk, r.ring, r.input, parameters);
-  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::accepted);  // 0.75
-  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::accepted);  // 1.25
-  CHECK(measure_next(walk, r.ring, r.input, parameters).verdict == Verdict::too_near);  // 0.5
+  measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch);
+  CHECK(measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch).verdict ==
+        Verdict::accepted);  // 0.75
+  CHECK(measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch).verdict ==
+        Verdict::accepted);  // 1.25
+  CHECK(measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch).verdict ==
+        Verdict::too_near);  // 0.5
 }
 
 TEST_CASE("the last anchor is kept, or dropped when it is nearer than half a width to the first") {
@@ -106,10 +110,10 @@ TEST_CASE("the last anchor is kept, or dropped when it is nearer than half a wid
   Parameters parameters = with(1.1, 0.2);  // 0.479, 0.929: every second vertex; 12 is one segment from 0
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  CHECK(close_row(walk, r.ring, r.input, parameters).orders.back() == 12);
-  CHECK(close_row(walk, r.ring, r.input, parameters).orders.size() == 7);
-  parameters.last_anchor = LastAnchor::drop;
-  const ClosedRow dropped = close_row(walk, r.ring, r.input, parameters);
+  CHECK(close_row(walk, r.ring, r.input, parameters.rows, parameters.stitch).orders.back() == 12);
+  CHECK(close_row(walk, r.ring, r.input, parameters.rows, parameters.stitch).orders.size() == 7);
+  parameters.rows.last_anchor = LastAnchor::drop;
+  const ClosedRow dropped = close_row(walk, r.ring, r.input, parameters.rows, parameters.stitch);
   CHECK(dropped.dropped_last);
   CHECK(dropped.orders.back() == 10);
   CHECK(dropped.gap == Approx(2 * std::sin(3 * std::numbers::pi / 13)));
@@ -126,10 +130,10 @@ TEST_CASE(
   CHECK(stalled(printed));
   CHECK(printed.nearest_distance == Approx(0.5176).margin(1e-3));
   Parameters stop = parameters;
-  stop.on_stall = OnStall::stop;
-  CHECK_FALSE(build_row(r.ring, r.input, stop, 12));
+  stop.rows.on_stall = OnStall::stop;
+  CHECK_FALSE(build_row(r.ring, r.input, stop.rows, stop.stitch, 12));
 
-  const auto robust = build_row(r.ring, r.input, parameters, 12);
+  const auto robust = build_row(r.ring, r.input, parameters.rows, parameters.stitch, 12);
   REQUIRE(robust);
   CHECK(robust->size() == 12);  // 0.518 is nearer to 0.7 than 1.0 is
 }
@@ -139,8 +143,8 @@ TEST_CASE(
   const Parameters parameters = with(0.9, 0.05);
   const RingMesh r = even_ring(12);
   Walk walk;
-  for (int i = 0; i < 3; ++i) measure_next(walk, r.ring, r.input, parameters);
-  const BandMissed missed = take_nearest(walk, r.ring, r.input, parameters);
+  for (int i = 0; i < 3; ++i) measure_next(walk, r.ring, r.input, parameters.rows, parameters.stitch);
+  const BandMissed missed = take_nearest(walk, r.ring, r.input, parameters.rows, parameters.stitch);
   CHECK(missed.taken_order == 2);
   CHECK(missed.distance == Approx(1.0));
   CHECK(missed.skipped_distance == Approx(0.5176).margin(1e-3));
@@ -149,16 +153,17 @@ TEST_CASE(
 
   const RingMesh coarse = even_ring(3);  // chord 1.732
   Walk alone;
-  measure_next(alone, coarse.ring, coarse.input, parameters);
-  measure_next(alone, coarse.ring, coarse.input, parameters);
-  const BandMissed only = take_nearest(alone, coarse.ring, coarse.input, parameters);
+  measure_next(alone, coarse.ring, coarse.input, parameters.rows, parameters.stitch);
+  measure_next(alone, coarse.ring, coarse.input, parameters.rows, parameters.stitch);
+  const BandMissed only = take_nearest(alone, coarse.ring, coarse.input, parameters.rows, parameters.stitch);
   CHECK(only.taken_order == 1);
   CHECK(only.skipped_distance < 0.0);
 
   const RingMesh uneven = ring_at({0.0, 0.05, 0.75, 0.9});
   Walk far;
-  for (int i = 0; i < 3; ++i) measure_next(far, uneven.ring, uneven.input, with(1.1, 0.05));
-  CHECK(take_nearest(far, uneven.ring, uneven.input, with(1.1, 0.05)).taken_order == 1);
+  const Parameters wide = with(1.1, 0.05);
+  for (int i = 0; i < 3; ++i) measure_next(far, uneven.ring, uneven.input, wide.rows, wide.stitch);
+  CHECK(take_nearest(far, uneven.ring, uneven.input, wide.rows, wide.stitch).taken_order == 1);
 }
 
 TEST_CASE("how many stitches a row must have") {
@@ -179,25 +184,25 @@ TEST_CASE("the gap, shared out three ways") {
   Parameters parameters = with(0.3, 0.1);  // steps of 5 segments (0.245), 26 stitches, a gap of 3 (0.147)
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  const ClosedRow row = close_row(walk, r.ring, r.input, parameters);
+  const ClosedRow row = close_row(walk, r.ring, r.input, parameters.rows, parameters.stitch);
   REQUIRE(row.stitches.size() == 26);
   REQUIRE(row.gap == Approx(0.1472).margin(1e-3));
 
-  parameters.close = Closing::none;
-  const SharedGap none = share_gap(row, r.ring, parameters);
+  parameters.rows.close = Closing::none;
+  const SharedGap none = share_gap(row, r.ring, parameters.rows, parameters.stitch);
   CHECK_FALSE(none.shared);
   CHECK(none.stitches == row.stitches);
 
-  parameters.close = Closing::thesis;
-  const SharedGap thesis = share_gap(row, r.ring, parameters);
+  parameters.rows.close = Closing::thesis;
+  const SharedGap thesis = share_gap(row, r.ring, parameters.rows, parameters.stitch);
   CHECK(thesis.shared);
   CHECK(thesis.per_stitch == Approx((row.gap - 0.3) / 26));
   CHECK(thesis.stitches.front() == row.stitches.front());
   CHECK(thesis.gap == Approx(0.3).margin(0.01));  // stitch 25 moved back by 25/26 of what lacks
   CHECK(thesis.gap > row.gap);
 
-  parameters.close = Closing::arc;
-  const SharedGap arc = share_gap(row, r.ring, parameters);
+  parameters.rows.close = Closing::arc;
+  const SharedGap arc = share_gap(row, r.ring, parameters.rows, parameters.stitch);
   const double expected = r.ring.length / 26;
   for (std::size_t i = 0; i < 26; ++i) {
     CHECK(glm::distance(arc.stitches[i].position, arc.stitches[(i + 1) % 26].position) ==
@@ -208,26 +213,26 @@ TEST_CASE("the gap, shared out three ways") {
 TEST_CASE("the thesis's shift leaves a gap inside the band alone") {
   const RingMesh r = even_ring(12);
   Parameters parameters = with(1.0, 0.1);
-  parameters.close = Closing::thesis;
+  parameters.rows.close = Closing::thesis;
   Walk walk;
   walk_verdicts(walk, r, parameters);
-  const ClosedRow row = close_row(walk, r.ring, r.input, parameters);
+  const ClosedRow row = close_row(walk, r.ring, r.input, parameters.rows, parameters.stitch);
   CHECK(row.gap == Approx(1.0));
-  CHECK_FALSE(share_gap(row, r.ring, parameters).shared);
+  CHECK_FALSE(share_gap(row, r.ring, parameters.rows, parameters.stitch).shared);
 }
 
 TEST_CASE("the machine's rows are those of the plain function") {
   const auto input = test_support::small_sphere();
   Parameters parameters = test_support::small_parameters();
-  parameters.epsilon = GENERATE(0.15, 0.08, 0.04);
-  parameters.close = GENERATE(Closing::none, Closing::thesis, Closing::arc);
+  give_epsilon(parameters, GENERATE(0.15, 0.08, 0.04));
+  parameters.rows.close = GENERATE(Closing::none, Closing::thesis, Closing::arc);
   Timeline timeline(input, parameters);
   timeline.extend_to_end();
   const State& state = timeline.furthest();
   REQUIRE(state.fabric.rows().size() > 5);
   for (std::size_t i = 1; i < state.fabric.rows().size(); ++i) {
     const auto below = static_cast<std::int32_t>(state.fabric.rows()[i - 1]->stitches.size());
-    CHECK(build_row(*state.fabric.rows()[i]->ring, *input, parameters, below) ==
+    CHECK(build_row(*state.fabric.rows()[i]->ring, *input, parameters.rows, parameters.stitch, below) ==
           state.fabric.rows()[i]->stitches);
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/explain/step_table.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -30,7 +31,7 @@ TEST_CASE("what is cached of a run equals what a walk through all steps finds") 
   cache.refresh(timeline);
   check(cache, timeline);
   knit::Parameters narrow = wide_band();
-  narrow.epsilon = 0.001;
+  knit::give_epsilon(narrow, 0.001);
   timeline.tune(narrow);
   cache.refresh(timeline);
   timeline.extend_to_end();

@@ -9,6 +9,7 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -285,9 +286,9 @@ TEST_CASE("a welded run and a pinned one come back with the session") {
   Session session = example_session("sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 9, 2}});
   const knit::Parameters base = session.document->timeline.base_parameters();
-  const bool welded = base.weld == knit::Weld::on;
+  const bool welded = base.mesh.weld == knit::Weld::on;
   apply(session, Tune{with(base, "weld", welded ? "off" : "on")});
-  REQUIRE(session.document->timeline.base_parameters().weld != base.weld);
+  REQUIRE(session.document->timeline.base_parameters().mesh.weld != base.mesh.weld);
   session.document->timeline.extend_to_end();  // and back to the place
   knit::Timeline other(session.document->timeline.input_pointer(),
                        with(session.document->timeline.base_parameters(), "close", "thesis"));

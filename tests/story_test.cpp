@@ -8,6 +8,7 @@
 #include "app/session/run_figures.h"
 #include "knit/insight/candidates.h"
 #include "knit/insight/problems.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -39,7 +40,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   Session session = test_support::example_session("thesis-sphere");
   const auto act = [&](const Action& action) { app::apply(session, action); };
   knit::Parameters narrow = session.document->timeline.parameters();
-  narrow.epsilon = 0.012;
+  knit::give_epsilon(narrow, 0.012);
   act(Tune{narrow});
   act(ToLast{});
 
@@ -99,7 +100,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   // Take it: the same place is shown, and no problem is left.
   act(TakeSweepValue{sound});
   act(PassTime{});
-  CHECK(session.document->timeline.parameters().epsilon == Approx(epsilon));
+  CHECK(session.document->timeline.parameters().epsilon() == Approx(epsilon));
   CHECK(session.document->timeline.place().row == place.row);
   CHECK(session.document->timeline.place().stage == place.stage);
   act(ToLast{});
@@ -109,5 +110,5 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
 
   // And back: undo leads to the run with the stall.
   act(Undo{});
-  CHECK(session.document->timeline.parameters().epsilon == 0.012);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.012);
 }

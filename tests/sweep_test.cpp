@@ -9,6 +9,7 @@
 #include "app/script/queries.h"
 #include "app/session/document.h"
 #include "app/session/outbox.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -79,8 +80,8 @@ TEST_CASE("sweep: edits on the way are kept and changed as tuning would", "[swee
   Session session = small_session();
   apply(session, SeekPlace{{knit::Stage::rows, 5, 0}});
   knit::Parameters edited = session.document->timeline.parameters();
-  edited.epsilon = 0.1;
-  edited.close = knit::Closing::none;
+  knit::give_epsilon(edited, 0.1);
+  edited.rows.close = knit::Closing::none;
   apply(session, EditFromHere{edited});
   check_all(session, plan_of("epsilon", 0.02, 0.29, 9), 2);
 }
@@ -88,7 +89,7 @@ TEST_CASE("sweep: edits on the way are kept and changed as tuning would", "[swee
 TEST_CASE("sweep: a value that is refused is a result, and one that stops tells why", "[sweep]") {
   Session session = small_session();
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.on_stall = knit::OnStall::stop;
+  parameters.rows.on_stall = knit::OnStall::stop;
   apply(session, Tune{parameters});
   apply(session, StartSweep{plan_of("epsilon", 0.001, 0.4, 9)});
   const SweepWork& work = *session.document->sweep->work;
@@ -177,15 +178,15 @@ TEST_CASE("sweep: a value is taken like a turned knob, and a fault is a notice",
   REQUIRE(session.document->sweep);
   CHECK_FALSE(swept_otherwise(*session.document->sweep->work, session.document->timeline));
   apply(session, TakeSweepValue{1});
-  CHECK(session.document->timeline.parameters().epsilon == 0.1);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.1);
   CHECK_FALSE(swept_otherwise(*session.document->sweep->work, session.document->timeline));
   session.document->timeline.extend_to_end();
   check_same(session.document->sweep->work->run(1)->figures,
              figures_of(tally_of(session.document->timeline), knobs_of(session.document->timeline)));
   apply(session, TakeSweepValue{99});
-  CHECK(session.document->timeline.parameters().epsilon == 0.1);
+  CHECK(session.document->timeline.parameters().epsilon() == 0.1);
   knit::Parameters other = session.document->timeline.parameters();
-  other.close = knit::Closing::none;
+  other.rows.close = knit::Closing::none;
   apply(session, Tune{other});
   CHECK(swept_otherwise(*session.document->sweep->work, session.document->timeline));
   apply(session, OpenExample{"thesis-sphere"});

@@ -36,7 +36,7 @@ TEST_CASE("thesis sphere: the golden counts, and nothing unusual") {
 TEST_CASE("thesis sphere: courses as the study measured them, for each way to share the gap") {
   const auto figures = [](Closing close) {
     Parameters parameters = test_support::thesis_parameters();
-    parameters.close = close;
+    parameters.rows.close = close;
     Timeline timeline(test_support::thesis_sphere(), parameters);
     timeline.extend_to_end();
     return course_figures(timeline.furthest());
@@ -57,7 +57,7 @@ TEST_CASE("thesis sphere: courses as the study measured them, for each way to sh
 
 TEST_CASE("thesis sphere: a gap left open outside the band is a problem to see") {
   Parameters parameters = test_support::thesis_parameters();
-  parameters.close = Closing::none;
+  parameters.rows.close = Closing::none;
   Timeline timeline(test_support::thesis_sphere(), parameters);
   timeline.extend_to_end();
   int problems = 0;

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/session/presets.h"
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/rough_sphere.h"
 #include "tests/support/run.h"
@@ -90,7 +90,7 @@ void check_moved(const Shape& shape, const std::string& how, const std::function
   const auto input = make_input(shape.mesh);
   Parameters parameters = default_parameters(input->bounds);
   set(parameters);
-  parameters = agreed(parameters, *input);
+  parameters = resolved(parameters, *input);
   const State still = knitted(input, parameters);
   const double size = input->bounds.diagonal();
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -120,19 +120,19 @@ TEST_CASE("ties: the same where ties are many: other timings, nearest from rings
     for (const TimingKind timing : {TimingKind::linear, TimingKind::geodesic, TimingKind::harmonic}) {
       check_moved(shape, "timing " + std::to_string(static_cast<int>(timing)), [&](Parameters& parameters) {
         parameters = app::with_preset(best, parameters);
-        parameters.timing = timing;
+        parameters.timing.kind = timing;
       });
     }
     check_moved(shape, "beside mains", [&](Parameters& parameters) {
       parameters = app::with_preset(best, parameters);
-      parameters.follow_mains = FollowMains::on;
-      parameters.stacking_penalty = 0.5;
+      parameters.stitches.follow_mains = FollowMains::on;
+      parameters.stitches.stacking_penalty = 0.5;
     });
     check_moved(shape, "nearest from rings",
-                [&](Parameters& parameters) { parameters.placement = PlacementPolicy::nearest; });
+                [&](Parameters& parameters) { parameters.stitches.placement = PlacementPolicy::nearest; });
     check_moved(shape, "across", [&](Parameters& parameters) {
       parameters = app::with_preset(best, parameters);
-      parameters.axis = {AxisKind::x, {1.0, 0.0, 0.0}};
+      parameters.timing.axis = {AxisKind::x, {1.0, 0.0, 0.0}};
     });
   }
 }

@@ -1,7 +1,8 @@
 // The rewind contract for rows from contours and for times solved for on the surface.
 #include "knit/import/check.h"
 #include "knit/insight/narrate.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/timing/heights.h"
 #include "tests/support/scrub.h"
 
@@ -12,9 +13,9 @@ namespace {
 
 Parameters contours(TimingKind timing) {
   Parameters p = small_parameters();
-  p.timing = timing;
-  p.rows = RowSource::contours;
-  p.placement = PlacementPolicy::nearest;
+  p.timing.kind = timing;
+  p.rows.source = RowSource::contours;
+  p.stitches.placement = PlacementPolicy::nearest;
   return p;
 }
 
@@ -95,7 +96,7 @@ TEST_CASE("every position of a run from contours has one hash: forward, back, at
 
 TEST_CASE("a run from contours that stops has one hash a position, too") {
   Parameters p = contours(TimingKind::arc_length);
-  p.stitch_width = 100.0;  // no cut is long enough
+  give_width(p, 100.0);  // no cut is long enough
   const auto stops =
       GENERATE_COPY(std::pair(small_sphere(), p),
                     std::pair(make_input(torus(24, 12, 0.7, 0.3)), contours(TimingKind::linear)));
@@ -164,7 +165,7 @@ TEST_CASE(
     "follows") {
   Parameters base = contours(TimingKind::arc_length);
   for (const double height : {0.216, 0.0}) {
-    base.stitch_height = height;
+    give_height(base, height);
     Edited run = edited(base, "stitch-width", "0.2");
     check_past(run);
     const auto plans = steps_of<RowsPlanned>(run.timeline);
@@ -205,12 +206,12 @@ TEST_CASE("contours: where the surface is pinched to a needle the run stops and 
   }
   REQUIRE(check(mesh).fit());
   Parameters parameters;
-  parameters.rows = RowSource::contours;
-  parameters.timing = TimingKind::linear;
-  parameters.stitch_width = 0.2;
+  parameters.rows.source = RowSource::contours;
+  parameters.timing.kind = TimingKind::linear;
+  give_width(parameters, 0.2);
   for (const double height : {0.5, 0.2, 0.1, 0.05}) {
     CAPTURE(height);
-    parameters.stitch_height = height;
+    give_height(parameters, height);
     Timeline timeline(make_input(mesh), parameters);
     timeline.extend_to_end();
     REQUIRE(timeline.stop() != nullptr);
@@ -227,12 +228,12 @@ TEST_CASE("contours: a tube pressed flat is knitted there and back") {
   mesh.triangles = {{2, 1, 0}, {0, 2, 3}, {0, 3, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 1}};
   REQUIRE(check(mesh).fit());
   Parameters parameters;
-  parameters.rows = RowSource::contours;
-  parameters.timing = TimingKind::arc_length;
-  parameters.start = 2;
-  parameters.stitch_width = 0.1;
+  parameters.rows.source = RowSource::contours;
+  parameters.timing.kind = TimingKind::arc_length;
+  parameters.timing.start = 2;
+  give_width(parameters, 0.1);
   for (const double height : {0.05, 0.03, 0.02}) {
-    parameters.stitch_height = height;
+    give_height(parameters, height);
     Timeline timeline(make_input(mesh), parameters);
     timeline.extend_to_end();
     CAPTURE(height);

@@ -1,4 +1,5 @@
 // Setting a run's parameters and edits exactly: what undo, redo and opened sessions stand on.
+#include "knit/model/settings_table.h"
 #include "tests/support/scrub.h"
 
 using namespace test_support;

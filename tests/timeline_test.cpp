@@ -1,5 +1,7 @@
 // The rewind contract, proved by scrubbing: the state at a position never depends on the way there.
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
+#include "tests/support/samples.h"
 #include "tests/support/scrub.h"
 
 using namespace knit;
@@ -71,6 +73,20 @@ TEST_CASE("tuning any parameter anywhere gives the run as if it had been so from
   }
 }
 
+TEST_CASE("tuning any parameter of the table equals a run from the start with it") {
+  for (const ParameterInfo& info : parameter_table()) {
+    CAPTURE(info.key);
+    Parameters tuned = small_parameters();
+    REQUIRE_FALSE(set_value(info, tuned, test_support::sample_of(info)));
+    if (info.first_reader == Stage::import || fault_of(tuned, *small_sphere())) continue;
+    Timeline timeline(small_sphere(), small_parameters(), 20000);
+    timeline.extend_to_end();
+    timeline.seek(timeline.known() / 2);
+    timeline.tune(tuned);
+    check_equals_fresh(timeline, tuned);
+  }
+}
+
 TEST_CASE("tuning keeps the place: stage, row and item, or the nearest before it") {
   Timeline timeline(small_sphere(), small_parameters());
   timeline.extend_to_end();
@@ -79,7 +95,7 @@ TEST_CASE("tuning keeps the place: stage, row and item, or the nearest before it
   REQUIRE(timeline.place() == place);
 
   Parameters wider = small_parameters();
-  wider.epsilon = 0.2;
+  give_epsilon(wider, 0.2);
   timeline.tune(wider);
   timeline.extend_to_end();
   CHECK(timeline.place() == place);
@@ -87,7 +103,7 @@ TEST_CASE("tuning keeps the place: stage, row and item, or the nearest before it
 
   // Along z this sphere has no rings: the run stops long before row 6.
   Parameters other_axis = wider;
-  other_axis.axis = Axis{AxisKind::z, {0.0, 1.0, 0.0}};
+  other_axis.timing.axis = Axis{AxisKind::z, {0.0, 1.0, 0.0}};
   timeline.tune(other_axis);
   timeline.extend_to_end();
   CHECK(timeline.place() <= place);
@@ -97,14 +113,14 @@ TEST_CASE("tuning keeps the place: stage, row and item, or the nearest before it
 TEST_CASE("tuning at the start stays at the start, a place not reached yet is sought") {
   Timeline timeline(small_sphere(), small_parameters());
   Parameters tuned = small_parameters();
-  tuned.cast_on = 7;
+  tuned.rows.cast_on = 7;
   timeline.tune(tuned);
   timeline.extend_to_end();
   CHECK(timeline.position() == 0);
 
   timeline.seek(timeline.known());
   const Place end = timeline.place();
-  tuned.epsilon = 0.12;
+  give_epsilon(tuned, 0.12);
   timeline.tune(tuned);
   CHECK(timeline.sought());
   while (timeline.extend(100)) {
@@ -122,11 +138,11 @@ TEST_CASE("edit from here: the past stays to the bit, what follows is run with t
   timeline.extend_to_end();
   timeline.seek(at);
   Parameters later = small_parameters();
-  later.epsilon = 0.28;
+  give_epsilon(later, 0.28);
   timeline.edit_from_here(later);
   timeline.extend_to_end();
   CHECK(timeline.position() == at);
-  CHECK(timeline.parameters() == agreed(later, timeline.input()));
+  CHECK(timeline.parameters() == resolved(later, timeline.input()));
   CHECK(std::equal(plain.steps().begin(), plain.steps().begin() + static_cast<std::ptrdiff_t>(at),
                    timeline.steps().begin()));
   CHECK(plain.furthest().fabric.rows()[4] != timeline.furthest().fabric.rows()[4]);
@@ -146,18 +162,18 @@ TEST_CASE("tuning counts in edits too, and edits keep their own change") {
   timeline.extend_to_end();
   timeline.seek(timeline.position_of({Stage::rows, 5, 4}));
   Parameters edited = timeline.parameters();
-  edited.epsilon = 0.1;
+  give_epsilon(edited, 0.1);
   timeline.edit_from_here(edited);
   timeline.extend_to_end();
   timeline.seek(timeline.known());
   Parameters tuned = timeline.parameters();
-  tuned.cast_on = 9;
+  tuned.rows.cast_on = 9;
   timeline.tune(tuned);
   timeline.extend_to_end();
-  CHECK(timeline.base_parameters().cast_on == 9);
-  CHECK(timeline.base_parameters().epsilon == 0.15);
-  CHECK(timeline.parameters().cast_on == 9);
-  CHECK(timeline.parameters().epsilon == 0.1);
+  CHECK(timeline.base_parameters().rows.cast_on == 9);
+  CHECK(timeline.base_parameters().epsilon() == 0.15);
+  CHECK(timeline.parameters().rows.cast_on == 9);
+  CHECK(timeline.parameters().epsilon() == 0.1);
   CHECK(timeline.furthest().fabric.rows()[0]->stitches.size() == 9);
 }
 

@@ -2,6 +2,7 @@
 #include "knit/timing/timing.h"
 
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "knit/rows/cast_on.h"
 #include "knit/timing/critical.h"
 #include "knit/timing/levels.h"
@@ -13,13 +14,13 @@ using namespace knit;
 namespace {
 
 Ends ends_of(const Mesh& mesh, const Parameters& parameters) {
-  const auto found = find_ends(*make_input(mesh), parameters);
+  const auto found = find_ends(*make_input(mesh), parameters.timing);
   REQUIRE(std::holds_alternative<Ends>(found));
   return std::get<Ends>(found);
 }
 
 std::vector<double> times_of(const Input& input, const Parameters& parameters = {}) {
-  const Ends ends = std::get<Ends>(find_ends(input, parameters));
+  const Ends ends = std::get<Ends>(find_ends(input, parameters.timing));
   std::vector<double> times;
   for (const auto& position : input.mesh.positions) times.push_back(time_of(ends, position));
   return times;
@@ -50,7 +51,7 @@ TEST_CASE("the time is the normalised projection from start to end") {
 
 TEST_CASE("the axis may be any direction, its length does not matter") {
   Parameters parameters;
-  parameters.axis = {AxisKind::custom, {0.0, -7.0, 0.0}};
+  parameters.timing.axis = {AxisKind::custom, {0.0, -7.0, 0.0}};
   const Mesh mesh = sphere(16, 8);
   const Ends ends = ends_of(mesh, parameters);
   CHECK(mesh.positions[ends.start].y == 1.0);
@@ -68,9 +69,9 @@ TEST_CASE("a tie among extreme vertices goes to the one nearest to the centroid'
 
 TEST_CASE("picked vertices: the time runs along their line, and what lies beyond is clamped and reported") {
   Parameters parameters = test_support::small_parameters();
-  parameters.start = 41;  // on the second ring
+  parameters.timing.start = 41;  // on the second ring
   const auto input = test_support::small_sphere();
-  const Ends ends = std::get<Ends>(find_ends(*input, parameters));
+  const Ends ends = std::get<Ends>(find_ends(*input, parameters.timing));
   CHECK(ends.start == 41);
   CHECK(time_of(ends, input->mesh.positions[41]) == 0.0);
   Timeline timeline(input, parameters);
@@ -130,7 +131,7 @@ TEST_CASE("loops of a level set are counted, a torus splits, a sphere along any 
   CHECK(count_loops(*ball, times, 0.41234) == 1);
   for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(1, 2, 3), glm::dvec3(-1, 0.3, 0)}) {
     Parameters parameters;
-    parameters.axis = {AxisKind::custom, axis};
+    parameters.timing.axis = {AxisKind::custom, axis};
     const std::vector<double> along = times_of(*ball, parameters);
     CHECK_FALSE(levels_of(*ball, along, 1e-5).split);
   }
@@ -143,7 +144,7 @@ TEST_CASE("loops of a level set are counted, a torus splits, a sphere along any 
 
   // Standing, the first saddle is the inner circle's lowest place: at 0.8 of the height 2.8 from below.
   Parameters standing;
-  standing.axis = {AxisKind::x, {0, 1, 0}};
+  standing.timing.axis = {AxisKind::x, {0, 1, 0}};
   const std::vector<double> times_x = times_of(*ring, standing);
   const Levels upright = levels_of(*ring, times_x, 1e-5);
   REQUIRE(upright.split);
@@ -177,13 +178,13 @@ TEST_CASE("cast on: polar levels too short for stitches are passed over at both 
   CHECK(found->level == 1);  // 2 pi sin(pi / 128) = 0.154
   CHECK(found->last_level == 127);
 
-  parameters.stitch_width = 0.3;
+  give_width(parameters, 0.3);
   const std::vector<double> times = times_of(*input);
   Timing timing;
-  timing.ends = std::get<Ends>(find_ends(*input, parameters));
+  timing.ends = std::get<Ends>(find_ends(*input, parameters.timing));
   timing.times = times;
   timing.levels = levels_of(*input, times, 1e-5);
-  const auto cycle = find_first_cycle(*input, timing, parameters);
+  const auto cycle = find_first_cycle(*input, timing, parameters.rows, parameters.stitch);
   REQUIRE(std::holds_alternative<FirstCycle>(cycle));
   CHECK(std::get<FirstCycle>(cycle).level == 3);
   CHECK(std::get<FirstCycle>(cycle).passed_over == 2);
@@ -192,7 +193,7 @@ TEST_CASE("cast on: polar levels too short for stitches are passed over at both 
 
 TEST_CASE("cast on places k stitches at equal arcs") {
   Parameters parameters = test_support::small_parameters();
-  parameters.cast_on = 7;
+  parameters.rows.cast_on = 7;
   const Timeline timeline = run(test_support::small_sphere(), parameters);
   const Row& row = *timeline.furthest().fabric.rows().front();
   CHECK(row.id == 1);

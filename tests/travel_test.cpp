@@ -4,6 +4,7 @@
 #include "app/session/break_hits.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -103,7 +104,7 @@ TEST_CASE("hits carried on piece by piece are those of the whole run, and a chan
   CHECK_FALSE(whole.before(*whole.from(0)));
 
   knit::Parameters other = test_support::small_parameters();
-  other.cast_on = 9;
+  other.rows.cast_on = 9;
   timeline.tune(other);
   pieces.refresh(timeline, conditions, BreakHits::all);
   timeline.extend_to_end();
@@ -114,8 +115,8 @@ TEST_CASE("hits carried on piece by piece are those of the whole run, and a chan
   CHECK(fresh.hits() != whole.hits());
 
   knit::Parameters finer = other;  // a longer run, seen only when it is whole again
-  finer.stitch_width = 0.2;
-  finer.epsilon = 0.1;
+  knit::give_width(finer, 0.2);
+  knit::give_epsilon(finer, 0.1);
   timeline.tune(finer);
   timeline.extend_to_end();
   REQUIRE(timeline.known() > pieces.reach());

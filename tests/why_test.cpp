@@ -6,6 +6,7 @@
 
 #include "app/session/document.h"
 #include "knit/insight/candidates.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -98,17 +99,17 @@ TEST_CASE("why: a thing is there after the step that made it and not before, in 
 TEST_CASE("why: the same with rows from contours and labels at the nearest stitches") {
   Timeline timeline = example("vase");
   Parameters parameters = timeline.parameters();
-  parameters.rows = RowSource::contours;
-  parameters.placement = PlacementPolicy::nearest;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
   timeline.tune(parameters);
   check_whys(timeline);
 }
 
 TEST_CASE("why: the same where rows are resampled, stall and share their gap in other ways") {
   Parameters parameters = test_support::small_parameters();
-  parameters.epsilon = 0.02;
-  parameters.close = GENERATE(Closing::arc, Closing::none, Closing::thesis);
-  parameters.last_anchor = GENERATE(LastAnchor::keep, LastAnchor::drop);
+  give_epsilon(parameters, 0.02);
+  parameters.rows.close = GENERATE(Closing::arc, Closing::none, Closing::thesis);
+  parameters.rows.last_anchor = GENERATE(LastAnchor::keep, LastAnchor::drop);
   Timeline timeline(test_support::small_sphere(), parameters);
   timeline.extend_to_end();
   REQUIRE(timeline.stop() == nullptr);
@@ -189,7 +190,7 @@ TEST_CASE("why: every vertex of the mesh has a story that its steps bear out") {
 
 TEST_CASE("why: rows from contours have no candidates, and a vertex says so") {
   Parameters parameters = test_support::small_parameters();
-  parameters.rows = RowSource::contours;
+  parameters.rows.source = RowSource::contours;
   const Timeline timeline = small_run(parameters);
   CHECK(story_of(timeline, 100).fate == Fate::cut_rows);
   CHECK(candidates_of(timeline, 3).none == NoCandidates::cut);

@@ -33,7 +33,7 @@ Session finished_beside(TimingKind timing = TimingKind::linear) {
 
 void tune_timing(Session& session, TimingKind timing) {
   knit::Parameters parameters = session.document->timeline.parameters();
-  parameters.timing = timing;
+  parameters.timing.kind = timing;
   apply(session, Tune{parameters});
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("where each step is dear, a tick works out fewer") {
   Session session = small_session();
   session.jobs->beside = true;
   knit::Parameters geodesic = session.document->timeline.parameters();
-  geodesic.metric = knit::Metric::geodesic;
+  geodesic.rows.metric = knit::Metric::geodesic;
   apply(session, Tune{geodesic});
   CHECK(steps_of_slice(session.document->timeline) < 200);
   apply(session, PassTime{});
@@ -159,7 +159,7 @@ TEST_CASE("work that is cancelled before anything was changed leaves the solves 
   Session session = beside_session(large_parameters(TimingKind::geodesic));
   tick_until(session, is_working);
   apply(session, CancelWork{});
-  CHECK(session.document->timeline.parameters().timing == TimingKind::linear);
+  CHECK(session.document->timeline.parameters().timing.kind == TimingKind::linear);
   tick_until(session, run_is_complete);
   CHECK(knit::hash_of(session.document->timeline.furthest()) ==
         plain_hash(large_parameters(TimingKind::linear)));
@@ -172,7 +172,7 @@ TEST_CASE("work that an edit asked for is cancelled back to before the edit") {
   apply(session, SeekPlace{{Stage::timing, 0, 1}});
   const knit::Parameters before = session.document->timeline.parameters();
   knit::Parameters edited = before;
-  edited.end = 17;
+  edited.timing.end = 17;
   apply(session, SeekTo{0});
   apply(session, EditFromHere{edited});
   tick_until(session, is_working);

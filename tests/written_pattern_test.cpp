@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "knit/pattern/pattern_words.h"
 #include "knit/run/timeline.h"
 #include "tests/support/catch.h"
@@ -64,12 +65,12 @@ std::vector<int> told_after(const WrittenPattern& pattern) {
 
 Rounds ball_of(double height_cm, const Gauge& gauge) {
   Parameters parameters;
-  parameters.timing = TimingKind::arc_length;
-  parameters.rows = RowSource::contours;
-  parameters.placement = PlacementPolicy::nearest;
-  parameters.sizes = SizesFrom::gauge;
-  parameters.gauge = gauge;
-  parameters.height_cm = height_cm;
+  parameters.timing.kind = TimingKind::arc_length;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  give_sizes(parameters, SizesFrom::gauge);
+  give_gauge(parameters, gauge);
+  parameters.size.height_cm = height_cm;
   Timeline run(make_input(sphere(96, 64)), parameters);
   run.extend_to_end();
   return rounds_of(run.furthest());

@@ -13,7 +13,7 @@
 #include "app/session/learning.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -185,14 +185,12 @@ namespace {
 using Read = std::variant<Action, std::string>;
 
 std::optional<std::string> fault_in(const Session& session, const knit::Parameters& changed) {
-  const knit::Input& input = session.document->timeline.input();
-  return knit::fault_of(knit::agreed(changed, input), input.mesh);
+  return knit::fault_of(changed, session.document->timeline.input());
 }
 
 Read tuned(const Session& session, const knit::ParameterInfo& info, const std::string& typed) {
   knit::Parameters changed = session.document->timeline.parameters();
   if (const auto error = knit::set_value(info, changed, typed)) return without_dashes(*error);
-  knit::give_size_by(info.key, changed);
   if (const auto fault = fault_in(session, changed)) return without_dashes(*fault);
   return Tune{changed};
 }

@@ -24,7 +24,7 @@
 #include "app/session/presets.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -156,7 +156,7 @@ struct Apply {
     if (refuse(a.parameters)) return;
     remember_knobs(session);
     if (!session.jobs->run.long_step) session.document->before_change = timeline().parameters();
-    if (a.parameters.weld != timeline().parameters().weld) {
+    if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
       reload(a);
     } else {
       timeline().tune(a.parameters);
@@ -173,7 +173,7 @@ struct Apply {
       return;
     }
     const auto& loaded = std::get<Loaded>(*result);
-    if (const auto fault = knit::fault_of(parameters, loaded.input->mesh)) {
+    if (const auto fault = knit::fault_of(parameters, *loaded.input)) {
       notify(session, Notice::Kind::error, *fault);
       return;
     }
@@ -181,17 +181,8 @@ struct Apply {
   }
   void operator()(const EditFromHere& a) {
     if (!open() || refuse(a.parameters)) return;
-    if (a.parameters.weld != timeline().parameters().weld) {
-      notify(session, Notice::Kind::error,
-             "Welding changes the mesh itself; set it for the whole run, not from here.");
-      return;
-    }
-    const knit::Place next = timeline().state().next;
-    if (a.parameters.rows != timeline().parameters().rows && next > knit::Place{knit::Stage::cast_on, 1, 0}) {
-      notify(session, Notice::Kind::error,
-             "Rows have begun from " +
-                 knit::value_text(*knit::find_parameter("rows"), timeline().parameters()) +
-                 " already; set where they come from for the whole run, not from here.");
+    if (auto why = knit::why_not_from_here(timeline().parameters(), a.parameters, timeline().state().next)) {
+      notify(session, Notice::Kind::error, std::move(*why));
       return;
     }
     remember_knobs(session);
@@ -211,7 +202,7 @@ struct Apply {
     if (session.jobs->opening) return cancel_opening(session);
     if (!open() || !session.jobs->run.long_step) return;
     knit::Parameters linear = timeline().parameters();
-    linear.timing = knit::TimingKind::linear;
+    linear.timing.kind = knit::TimingKind::linear;
     const knit::Parameters back = session.document->before_change.value_or(linear);
     session.jobs->run.long_step.reset();
     remember_knobs(session);
@@ -224,8 +215,7 @@ struct Apply {
     }
   }
   bool refuse(const knit::Parameters& wished) {
-    const knit::Parameters parameters = knit::agreed(wished, timeline().input());
-    const auto fault = knit::fault_of(parameters, timeline().input().mesh);
+    const auto fault = knit::fault_of(wished, timeline().input());
     if (fault) notify(session, Notice::Kind::error, *fault);
     return fault.has_value();
   }
@@ -238,7 +228,8 @@ struct Apply {
   void operator()(const PickVertex& a) {
     if (!open() || session.view->gaze.picking == Picking::nothing) return;
     knit::Parameters parameters = timeline().parameters();
-    (session.view->gaze.picking == Picking::start ? parameters.start : parameters.end) = a.vertex;
+    (session.view->gaze.picking == Picking::start ? parameters.timing.start : parameters.timing.end) =
+        a.vertex;
     session.view->gaze.picking = Picking::nothing;
     (*this)(Tune{parameters});
   }

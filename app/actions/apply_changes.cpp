@@ -17,7 +17,7 @@ namespace {
 bool restore(Session& session, const Action& action, const Knobs& knobs) {
   knit::Timeline& timeline = session.document->timeline;
   std::shared_ptr<const knit::Input> input;
-  if (knobs.base.weld != timeline.base_parameters().weld) {
+  if (knobs.base.mesh.weld != timeline.base_parameters().mesh.weld) {
     const auto loaded = welded_for(session, action, knobs.base);
     if (!loaded) return false;
     if (const auto* error = std::get_if<std::string>(&*loaded)) {

@@ -12,6 +12,7 @@
 #include "app/session/program.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -93,8 +93,8 @@ std::size_t steps_of_slice(const knit::Timeline& timeline) {
   // The shortest way over the surface, for each candidate measured: a good tenth of a millisecond.
   constexpr std::size_t dear_steps = 64;
   const knit::Parameters& parameters = timeline.parameters_of_stop();
-  const bool dear = parameters.rows == knit::RowSource::rings &&
-                    parameters.metric == knit::Metric::geodesic &&
+  const bool dear = parameters.rows.source == knit::RowSource::rings &&
+                    parameters.rows.metric == knit::Metric::geodesic &&
                     timeline.furthest().stage() <= knit::Stage::rows;
   if (dear) return dear_steps;
   // On a very large mesh the keyframes on the way are dear: the times of its vertices so far, in blocks.

@@ -8,7 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/outbox.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -32,7 +32,7 @@ struct DoDeed {
   void operator()(const OpenAsItComes& deed) const {
     const Document* open = session.document ? &*session.document : nullptr;
     if (open == nullptr || open->source.example != deed.example ||
-        open->timeline.base_parameters().weld != open->defaults.weld)
+        open->timeline.base_parameters().mesh.weld != open->defaults.mesh.weld)
       apply(session, OpenExample{deed.example});
     // What could not be opened has said so.
     if (!session.document || session.document->source.example != deed.example) return;
@@ -51,11 +51,8 @@ struct DoDeed {
   void operator()(const SetParameters& deed) const {
     if (!session.document) return;
     knit::Parameters parameters = session.document->timeline.parameters();
-    for (const auto& [info, text] : deed.settings) {
-      knit::set_value(*info, parameters, text);
-      knit::give_size_by(info->key, parameters);
-    }
-    apply(session, Tune{knit::agreed(parameters, session.document->timeline.input())});
+    knit::set_values(deed.settings, parameters);
+    apply(session, Tune{parameters});
   }
   void operator()(const SeekAt& deed) const {
     if (session.document) go_to(session, deed.at);

@@ -108,7 +108,7 @@ std::optional<Made> welded_for(Session& session, const Action& again, const knit
                                                               : session.document->source.file;
   return made_for(
       session, again,
-      {path, mesh, parameters.weld, mesh->triangles.size(),
+      {path, mesh, parameters.mesh.weld, mesh->triangles.size(),
        [mesh, parameters](knit::Progress* progress) { return load_again(mesh, parameters, progress); }});
 }
 

@@ -4,7 +4,6 @@
 
 #include "app/base/text.h"
 #include "knit/import/quoting.h"
-#include "knit/model/gauge.h"
 
 namespace app {
 
@@ -20,11 +19,11 @@ std::string_view trimmed(std::string_view text) {
 // Somebody else's text may be anything and of any length.
 std::string quoted(std::string_view text) { return "\"" + knit::printable_start(text, 40) + "\""; }
 
-// Reads line by line into parameters of its own.
+// Reads line by line; nothing is set before all lines are right.
 struct Reading {
   knit::Parameters parameters;
   std::set<std::string_view> seen;
-  std::string_view size_key;  // the last one that gave the stitch size
+  std::vector<knit::Setting> settings;
 
   std::optional<std::string> fault_in(std::string_view line) {
     line = trimmed(line.substr(0, line.find('#')));
@@ -40,23 +39,19 @@ struct Reading {
              "; remove the line, or see knit-mesh --list-parameters.";
     if (!seen.insert(info->key).second)
       return std::string(info->key) + " is given a second time; keep one of the two lines.";
-    if (knit::set_value(*info, parameters, value)) {
+    if (knit::Parameters scratch; knit::set_value(*info, scratch, value)) {
       return std::string(info->key) + " cannot be " + quoted(value) + "; give " + knit::range_text(*info) +
              ".";
     }
-    const bool of_mesh = key == "stitch-width" || key == "stitch-height";
-    if (of_mesh || key == "gauge") size_key = info->key;
+    settings.emplace_back(info, value);
     return std::nullopt;
   }
 
   // Sizes of one view alone make that view the given one; of both, only `sizes` can say which counts.
   std::optional<std::string> fault_at_end() {
-    if (seen.count("sizes") > 0 || size_key.empty()) return std::nullopt;
-    const bool both =
-        seen.count("gauge") > 0 && (seen.count("stitch-width") > 0 || seen.count("stitch-height") > 0);
-    if (both)
+    if (knit::clash_of_views(settings))
       return "the gauge and a stitch size are both given; add a line \"sizes = mesh\" or \"sizes = gauge\".";
-    knit::give_size_by(size_key, parameters);
+    knit::set_values(settings, parameters);
     return std::nullopt;
   }
 };

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

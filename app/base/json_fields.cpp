@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "knit/import/quoting.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/base/text.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -48,10 +49,10 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
           count("most", "Most in a row", &RunFigures::most_in_a_row),
           count("problems", "Problems", &RunFigures::problems),
           spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,
-                      pa.stitch_width, pb.stitch_width),
+                      pa.stitch.width, pb.stitch.width),
           spread_line("course-cv", "Course CV", fa.course, fb.course, &knit::LengthFigures::cv, 3),
           spread_line("wale-mean", "Wale / h", fa.wale, fb.wale, &knit::LengthFigures::mean, 3,
-                      knit::stitch_height_of(pa), knit::stitch_height_of(pb)),
+                      pa.stitch.height, pb.stitch.height),
           spread_line("wale-cv", "Wale CV", fa.wale, fb.wale, &knit::LengthFigures::cv, 3),
           count("steps", "Steps", &RunFigures::steps)};
 }
@@ -105,10 +106,9 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
     std::string in_b = knit::value_text(info, b.knobs.base);
     if (in_a == in_b) continue;
     // The view of the stitch size that only follows would say everything twice.
-    const bool gauge = a.knobs.base.sizes == knit::SizesFrom::gauge;
-    const bool follows =
-        gauge ? info.key == "stitch-width" || info.key == "stitch-height" : info.key == "gauge";
-    if (follows && a.knobs.base.sizes == b.knobs.base.sizes) continue;
+    const auto view = knit::view_of(info);
+    const knit::SizesFrom given = a.knobs.base.size.from();
+    if (view && *view != given && given == b.knobs.base.size.from()) continue;
     result.parameters.push_back(
         {std::string(info.key), std::string(info.label), std::move(in_a), std::move(in_b)});
   }

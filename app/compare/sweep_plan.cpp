@@ -5,7 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/session/sweep.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -121,7 +121,6 @@ knit::Parameters with_values(const knit::Parameters& at_hand, const SweepPlan& p
   const auto set = [&](const std::string& key, double value) {
     const knit::ParameterInfo& info = *knit::find_parameter(key);
     knit::set_value(info, wanted, value_words(info, value));
-    knit::give_size_by(key, wanted);
   };
   set(plan.axis.key, values.at(0));
   if (plan.second) set(plan.second->key, values.at(1));
@@ -131,14 +130,8 @@ knit::Parameters with_values(const knit::Parameters& at_hand, const SweepPlan& p
 std::variant<Knobs, std::string> swept_knobs(const SweepBase& base, const SweepPlan& plan,
                                              const std::vector<double>& values) {
   const knit::Parameters wanted = with_values(base.at_hand, plan, values);
-  if (auto fault = knit::fault_of(knit::agreed(wanted, *base.input), base.input->mesh)) return *fault;
-  Knobs knobs = base.knobs;
-  const auto change = [&](knit::Parameters& kept) {
-    kept = knit::agreed(knit::with_change(kept, base.at_hand, wanted), *base.input);
-  };
-  change(knobs.base);
-  for (knit::Edit& edit : knobs.edits) change(edit.parameters);
-  return knobs;
+  if (auto fault = knit::fault_of(wanted, *base.input)) return *fault;
+  return tuned(base.knobs, base.at_hand, wanted, *base.input);
 }
 
 knit::Stage first_reader_of(const SweepPlan& plan) {

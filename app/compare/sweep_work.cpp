@@ -1,5 +1,7 @@
 #include "app/compare/sweep_work.h"
 
+#include "knit/model/settings_table.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -148,14 +150,15 @@ bool swept_otherwise(const SweepWork& work, const knit::Timeline& now) {
     return key == plan.axis.key || (plan.second && key == plan.second->key);
   };
   const auto table = knit::parameter_table();
-  const std::string_view sizes = knit::find_parameter("sizes")->group;
+  const std::string_view sizes = knit::find_parameter(knit::keys::sizes)->group;
   // Stitch sizes follow each other.
   const bool sizes_swept = std::any_of(table.begin(), table.end(), [&](const knit::ParameterInfo& info) {
     return info.group == sizes && is_swept(info.key);
   });
   return std::any_of(table.begin(), table.end(), [&](const knit::ParameterInfo& info) {
     if (is_swept(info.key) || (sizes_swept && info.group == sizes)) return false;
-    return knit::value_text(info, now.parameters()) != knit::value_text(info, base.at_hand);
+    if (sizes_swept && knit::only_follows(info, base.at_hand, now.parameters())) return false;
+    return !knit::same_value(info, now.parameters(), base.at_hand);
   });
 }
 

@@ -75,7 +75,7 @@ int coarseness(const Session& session, double height_px) {
       std::max(session.view->gaze.camera.distance - 0.5 * radius, 0.25 * session.view->gaze.camera.distance);
   const double unit_px =
       height_px / (2.0 * distance * std::tan(0.5 * session.view->gaze.camera.field_of_view));
-  const double stitch_px = timeline.parameters().stitch_width * unit_px;
+  const double stitch_px = timeline.parameters().stitch.width * unit_px;
   const auto wide_enough = std::find_if(strides.begin(), strides.end(),
                                         [&](int stride) { return stride * stitch_px >= coarse_stitch_px; });
   return wide_enough != strides.end() ? *wide_enough : strides.back();

@@ -76,7 +76,8 @@ void describe_gap(const Session& session, Scene& scene) {
   const Colour colour = with_alpha(scene.theme->anchor, soft);
   if (session.view->shows(Layer::row_edges)) add_arc(ring, *gap, colour, 2.0F, scene);
   if (session.view->shows(Layer::band)) {
-    const knit::Band band = knit::band_of(parameters_of_last_step(session));
+    const knit::Parameters& parameters = parameters_of_last_step(session);
+    const knit::Band band = knit::band_of(parameters.rows, parameters.stitch);
     add_band_ticks(ring, *gap, band, colour, scene);
   }
 }

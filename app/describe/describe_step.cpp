@@ -256,11 +256,11 @@ void describe_step(const Session& session, Scene& scene) {
 
 Band band_around(const Session& session, knit::VertexId anchor, const knit::Parameters& parameters,
                  const Scene& scene) {
-  const knit::Band reach = knit::band_of(parameters);
+  const knit::Band reach = knit::band_of(parameters.rows, parameters.stitch);
   Band band;
   band.centre = glm::vec3(session.document->timeline.input().mesh.positions[anchor]);
   band.inner = static_cast<float>(reach.low);
-  band.middle = static_cast<float>(parameters.stitch_width);
+  band.middle = static_cast<float>(parameters.stitch.width);
   band.outer = static_cast<float>(reach.high);
   band.colour = scene.theme->band;
   if (scene.mesh && anchor < scene.mesh->normals.size()) band.normal = scene.mesh->normals[anchor];

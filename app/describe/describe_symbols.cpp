@@ -93,7 +93,7 @@ double stitch_px(const Session& session, double height_px) {
   const Camera& camera = session.view->gaze.camera;
   const double radius = session.document->timeline.input().bounds.radius;
   const double distance = std::max(camera.distance - radius, 0.2 * camera.distance);
-  return session.document->timeline.parameters().stitch_width * height_px /
+  return session.document->timeline.parameters().stitch.width * height_px /
          (2.0 * distance * std::tan(0.5 * camera.field_of_view));
 }
 

@@ -196,7 +196,7 @@ void VariableLight::distance() {
 void VariableLight::band() {
   const knit::VertexId anchor = measured().anchor;
   if (anchor == knit::no_vertex) return;
-  const knit::Band band = knit::band_of(parameters());
+  const knit::Band band = knit::band_of(parameters().rows, parameters().stitch);
   scene_.band = band_around(session_, anchor, parameters(), scene_);
   scene_.band->colour = with_alpha(colour_, 140);
   point(place(anchor), "[" + knit::short_number(band.low) + ", " + knit::short_number(band.high) + "]");
@@ -283,7 +283,7 @@ void VariableLight::contour() {
   }
   if (row_.ring == nullptr) return;
   const knit::Ring& loop = *row_.ring;
-  const double w = parameters().stitch_width;
+  const double w = parameters().stitch.width;
   if (placed != nullptr && is(var::arc, var::item)) {
     add_arc(loop, RingArc{0.0, placed->arc}, colour_, 5.0F, scene_);
     return point(glm::vec3(knit::point_at(loop, placed->arc)), "s = " + knit::short_number(placed->arc));

@@ -272,7 +272,7 @@ std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& 
   const auto surface = hit_surface(session, aim.ray());
   const FaceHit face = first_face(session, aim.ray());
   // Edges cut a little below the surface, and faces stand off it.
-  const double room = 0.75 * session.document->timeline.parameters().stitch_width;
+  const double room = 0.75 * session.document->timeline.parameters().stitch.width;
   if (surface && session.view->shows(Layer::surface)) aim.hide_behind(surface->depth + room);
   if (face.thing) aim.hide_behind(face.depth + room);
 

@@ -9,6 +9,7 @@
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/rows/row_variables.h"
 #include "knit/stitches/stitch_variables.h"
@@ -62,11 +63,11 @@ std::string parameter_text(const knit::Parameters& parameters, std::string_view 
 }
 
 void add_parameters(const knit::Parameters& parameters, Values& values) {
-  values.set(var::width, parameters.stitch_width);
-  values.set(var::epsilon, parameters.epsilon);
-  values.set(var::stitch_height, knit::stitch_height_of(parameters));
-  values.set(var::metric, parameter_text(parameters, "metric"));
-  values.set(var::tolerance, parameters.level_tolerance);
+  values.set(var::width, parameters.stitch.width);
+  values.set(var::epsilon, parameters.epsilon());
+  values.set(var::stitch_height, parameters.stitch.height);
+  values.set(var::metric, parameter_text(parameters, knit::keys::metric));
+  values.set(var::tolerance, parameters.timing.level_tolerance);
 }
 
 void add_timing(const knit::State& state, Values& values) {

@@ -70,7 +70,8 @@ std::string said_by(const knit::Timeline& timeline, std::size_t step) {
 std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStory& story) {
   const auto* s = knit::get_if<knit::CandidateMeasured>(timeline.step(*story.decided));
   if (s == nullptr) return "";
-  const knit::Band band = knit::band_of(timeline.parameters_of_step(*story.decided));
+  const knit::Parameters& parameters = timeline.parameters_of_step(*story.decided);
+  const knit::Band band = knit::band_of(parameters.rows, parameters.stitch);
   return "Passed over in row " + str(story.row) + ": it lies " + knit::short_number(s->distance) +
          " from stitch " + str(s->stitch) + ", too " +
          (s->verdict == knit::Verdict::too_near ? "near" : "far") + " for the band " +

@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/session/document.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -271,7 +272,7 @@ std::string card_text(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& p = timeline.parameters();
   const knit::Quality quality =
-      knit::measure_quality(timeline.input(), timeline.state(), p.stitch_width, knit::stitch_height_of(p));
+      knit::measure_quality(timeline.input(), timeline.state(), p.stitch.width, p.stitch.height);
   const auto closeness = closeness_now(*session.document);
   std::string text = "Report card of " + timeline.input().mesh.name +
                      ": stitch width w = " + knit::number_text(quality.stitch_width) +

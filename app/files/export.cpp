@@ -12,6 +12,7 @@
 #include "app/files/report.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"
+#include "knit/model/settings_table.h"
 #include "knit/stitches/pattern.h"
 
 namespace app {

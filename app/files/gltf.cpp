@@ -12,7 +12,6 @@
 #include "app/base/text.h"
 #include "app/describe/describe_step.h"
 #include "app/session/document.h"
-#include "knit/model/gauge.h"
 
 namespace app {
 
@@ -51,9 +50,7 @@ class GltfDocument {
  public:
   explicit GltfDocument(const Session& session)
       : state_(session.document->timeline.state()),
-        metres_(knit::centimetres_per_unit(session.document->timeline.parameters(),
-                                           session.document->timeline.input()) /
-                100.0) {
+        metres_(session.document->timeline.parameters().stitch.centimetres_per_unit / 100.0) {
     add_faces();
     add_lines();
   }

@@ -1,12 +1,12 @@
 #include "app/files/link.h"
 
 #include <algorithm>
-#include <array>
 
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -28,10 +28,8 @@ class Link {
   std::string text_ = "knit-mesh";
 };
 
-bool is_size(std::string_view key) {
-  constexpr std::array<std::string_view, 6> sizes{"sizes", "stitch-width", "stitch-height",
-                                                  "gauge", "height-cm",    "epsilon"};
-  return std::find(sizes.begin(), sizes.end(), key) != sizes.end();
+bool is_size(const knit::ParameterInfo& info) {
+  return info.group == knit::find_parameter(knit::keys::sizes)->group || info.tie == knit::Tie::width;
 }
 
 // What differs from the mesh's own defaults. Sizes follow each other, so all are given if any is.
@@ -41,9 +39,9 @@ void add_parameters(Link& link, const knit::Parameters& parameters, const knit::
   };
   const auto table = knit::parameter_table();
   const bool sizes = std::any_of(table.begin(), table.end(),
-                                 [&](const auto& info) { return is_size(info.key) && differs(info); });
+                                 [&](const auto& info) { return is_size(info) && differs(info); });
   for (const knit::ParameterInfo& info : table) {
-    if (differs(info) || (sizes && is_size(info.key)))
+    if (differs(info) || (sizes && is_size(info)))
       link.add("--" + std::string(info.key), knit::value_text(info, parameters));
   }
 }

@@ -8,7 +8,7 @@
 #include "app/files/session_json.h"
 #include "app/session/action.h"
 #include "knit/import/obj.h"
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 
 namespace app {
 
@@ -28,13 +28,13 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   loaded.findings = std::move(checked.findings);
   if (progress != nullptr) progress->begin(knit::Progress::Task::preparing);
   loaded.mesh_hash = hash_text(*loaded.original);
-  const bool weld = parameters != nullptr && parameters->weld == knit::Weld::on;
+  const bool weld = parameters != nullptr && parameters->mesh.weld == knit::Weld::on;
   if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
   if (progress != nullptr) progress->at(0.9);
   const knit::Parameters wished =
       parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
-  loaded.parameters = knit::agreed(wished, *loaded.input);
+  loaded.parameters = knit::resolved(wished, *loaded.input);
   return loaded;
 }
 
@@ -60,12 +60,13 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
   if (!json.is_object() || !json.contains("parameters") || !json["parameters"].is_object()) {
     return path.string() + " is not a JSON object with \"parameters\"; build the project again.";
   }
+  std::vector<knit::Setting> settings;
   for (const auto& [key, value] : json["parameters"].items()) {
     const knit::ParameterInfo* info = knit::find_parameter(key);
     if (info == nullptr) return path.string() + ": there is no parameter \"" + key + "\"; remove it.";
-    if (const auto error = knit::set_value(*info, parameters, text_of(value)))
-      return path.string() + ": " + *error;
+    settings.emplace_back(info, text_of(value));
   }
+  if (const auto error = knit::set_values(settings, parameters)) return path.string() + ": " + *error;
   return parameters;
 }
 

@@ -10,7 +10,7 @@
 #include "knit/import/check.h"
 #include "knit/import/progress.h"
 #include "knit/import/repair.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

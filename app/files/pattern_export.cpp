@@ -252,7 +252,7 @@ namespace {
 
 knit::WrittenPattern written(const Session& session, const knit::Rounds& rounds) {
   const knit::Timeline& timeline = session.document->timeline;
-  return knit::write_pattern(rounds, timeline.parameters().gauge, session.view->pattern,
+  return knit::write_pattern(rounds, timeline.parameters().stitch.gauge, session.view->pattern,
                              timeline.input().mesh.name);
 }
 

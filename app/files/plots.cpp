@@ -13,6 +13,7 @@
 #include "app/base/text.h"
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
+#include "knit/model/settings_table.h"
 #include "knit/quality/quality.h"
 
 namespace app {
@@ -264,9 +265,9 @@ HistogramFigure histogram_of(std::string key, std::string title, std::string uni
 PlotFigures figures_of(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
-  const knit::Quality quality = knit::measure_quality(
-      timeline.input(), timeline.state(), parameters.stitch_width, knit::stitch_height_of(parameters));
-  const RowFigures rows = row_figures_of(timeline.state(), parameters.stitch_width);
+  const knit::Quality quality = knit::measure_quality(timeline.input(), timeline.state(),
+                                                      parameters.stitch.width, parameters.stitch.height);
+  const RowFigures rows = row_figures_of(timeline.state(), parameters.stitch.width);
   PlotFigures figures;
   figures.title = timeline.input().mesh.name;
   RowsFigure stitches{"stitches", "Stitches a row", "stitches", {}, {}, {}};

@@ -16,14 +16,13 @@ struct ParameterValue {
   const knit::ParameterInfo& info;
   using Json = nlohmann::ordered_json;
   Json operator()(const knit::Number& number) const {
-    const bool automatic = number.zero == knit::Zero::means_auto && p.*number.field == 0.0;
-    return automatic ? Json("auto") : Json(p.*number.field);
+    return knit::is_auto(number, p) ? Json("auto") : Json(number.get(p));
   }
   Json operator()(const knit::Count& count) const {
-    return count.zero_means_auto && p.*count.field == 0 ? Json("auto") : Json(p.*count.field);
+    return count.zero_means_auto && count.get(p) == 0 ? Json("auto") : Json(count.get(p));
   }
   Json operator()(const knit::PickedVertex& picked) const {
-    return p.*picked.field == knit::no_vertex ? Json("auto") : Json(p.*picked.field);
+    return picked.get(p) == knit::no_vertex ? Json("auto") : Json(picked.get(p));
   }
   Json operator()(const knit::AxisChoice& /*axis*/) const { return knit::value_text(info, p); }
   Json operator()(const knit::DirectionChoice& /*direction*/) const { return knit::value_text(info, p); }
@@ -247,9 +246,9 @@ Json report_json(const Session& session) {
                        {"max_in_a_row", shaping.max_in_a_row}};
   const knit::Parameters& parameters = timeline.parameters();
   const auto closeness = closeness_now(*session.document);
-  report["quality"] = quality_json(knit::measure_quality(timeline.input(), state, parameters.stitch_width,
-                                                         knit::stitch_height_of(parameters)),
-                                   closeness.get());
+  report["quality"] = quality_json(
+      knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height),
+      closeness.get());
   report["problems"] = problems_json(session);
   report["pattern"] = Json::array();
   for (const auto& line : state.lines) report["pattern"].push_back(line->text);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/session/session.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 #include "knit/quality/closeness.h"
 #include "knit/quality/quality.h"
 #include "knit/run/step.h"

@@ -9,7 +9,7 @@
 #include "app/base/files.h"
 #include "app/files/session_json.h"
 #include "app/session/document.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -80,9 +80,8 @@ struct Prepared {
 std::optional<std::string> fault_of_edits(const Knobs& knobs, const knit::Input& input) {
   const knit::Parameters* before = &knobs.base;
   for (const knit::Edit& edit : knobs.edits) {
-    if (auto fault = knit::fault_of(knit::agreed(edit.parameters, input), input.mesh)) return fault;
-    const bool too_late = edit.at > knit::Place{knit::Stage::cast_on, 1, 0};
-    if (edit.parameters.weld != before->weld || (too_late && edit.parameters.rows != before->rows))
+    if (auto fault = knit::fault_of(edit.parameters, input)) return fault;
+    if (knit::why_not_from_here(*before, edit.parameters, edit.at))
       return "an edit changes weld or rows on the way, which only the whole run can; make them equal.";
     before = &edit.parameters;
   }
@@ -91,12 +90,12 @@ std::optional<std::string> fault_of_edits(const Knobs& knobs, const knit::Input&
 
 std::variant<Prepared, std::string> prepare(const Loaded& loaded, const Knobs& knobs, const fs::path& path) {
   Prepared prepared{loaded.input, loaded.findings};
-  if (knobs.base.weld != loaded.parameters.weld) {
+  if (knobs.base.mesh.weld != loaded.parameters.mesh.weld) {
     auto again = load_again(loaded.original, knobs.base);
     if (const auto* error = std::get_if<std::string>(&again)) return path.string() + ": " + *error;
     prepared = {std::get<Loaded>(again).input, std::get<Loaded>(again).findings};
   }
-  auto fault = knit::fault_of(knit::agreed(knobs.base, *prepared.input), prepared.input->mesh);
+  auto fault = knit::fault_of(knobs.base, *prepared.input);
   if (!fault) fault = fault_of_edits(knobs, *prepared.input);
   if (fault) return path.string() + ": " + *fault;
   return prepared;

@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/hash.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -150,6 +151,7 @@ knit::Place read_place(JsonFields fields) {
 // Parameters that are not there keep their value in a new program.
 knit::Parameters read_parameters(JsonFields fields) {
   knit::Parameters parameters;
+  std::vector<knit::Setting> settings;
   if (!fields.json().is_object()) return parameters;
   for (const auto& [key, value] : fields.json().items()) {
     const knit::ParameterInfo* info = knit::find_parameter(key);
@@ -159,9 +161,14 @@ knit::Parameters read_parameters(JsonFields fields) {
     }
     const bool is_value = value.is_string() || value.is_number();
     const std::string text = value.is_string() ? value.get<std::string>() : is_value ? value.dump() : "";
-    if (!is_value || knit::set_value(*info, parameters, text))
+    knit::Parameters scratch;
+    if (!is_value || knit::set_value(*info, scratch, text)) {
       fields.set_fault(key, "must be " + knit::range_text(*info) + ".");
+    } else {
+      settings.emplace_back(info, text);
+    }
   }
+  knit::set_values(settings, parameters);
   return parameters;
 }
 

@@ -17,13 +17,14 @@
 #include "app/session/action.h"
 #include "app/session/at.h"
 #include "app/session/run_key.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
 inline constexpr std::int64_t lesson_version = 1;
 inline constexpr std::string_view lesson_mark = "knit-mesh-lesson";  // the first field: the version
 
-using Settings = std::vector<std::pair<const knit::ParameterInfo*, std::string>>;  // values as text, checked
+using Settings = std::vector<knit::Setting>;  // values as text, checked
 
 // --- what a page does as it opens --------------------------------------------------------------------------
 

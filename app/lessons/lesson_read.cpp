@@ -14,6 +14,7 @@
 #include "app/session/presets.h"
 #include "app/session/view.h"
 #include "knit/insight/breaks.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -65,7 +65,7 @@ bool row_size_holds(const Wait& wait, const knit::Timeline& timeline) {
 bool number_holds(const Wait& wait, const knit::Parameters& parameters) {
   const auto* number = std::get_if<knit::Number>(&wait.parameter->kind);
   if (number == nullptr) return false;
-  const double value = parameters.*(number->field);
+  const double value = number->get(parameters);
   return value >= wait.low && value <= wait.high;
 }
 

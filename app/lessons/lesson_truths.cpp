@@ -9,7 +9,8 @@
 
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
 #include "knit/rows/verdict.h"
 
@@ -72,16 +73,17 @@ Truth next_verdict(const Session& session, const JudgeCall& /*call*/) {
 
 Truth band_edge(const Session& session, const JudgeCall& call) {
   knit::Parameters parameters = session.document->timeline.parameters();
-  for (const auto& [info, text] : call.settings) knit::set_value(*info, parameters, text);
-  const knit::Band band = knit::band_of(parameters);
+  knit::set_values(call.settings, parameters);
+  parameters = knit::resolved(parameters, session.document->timeline.input());
+  const knit::Band band = knit::band_of(parameters.rows, parameters.stitch);
   const bool low = call.word == "low";
-  const std::string w = knit::short_number(parameters.stitch_width);
-  const std::string epsilon = knit::short_number(parameters.epsilon);
+  const std::string w = knit::short_number(parameters.stitch.width);
+  const std::string epsilon = knit::short_number(parameters.epsilon());
   const std::string edge = knit::short_number(low ? band.low : band.high);
   return {{edge},
           "The band " + std::string(low ? "begins" : "ends") + " at w " + (low ? "-" : "+") +
               " epsilon = " + w + (low ? " - " : " + ") + epsilon + " = " + edge + ".",
-          0.005 * parameters.stitch_width};
+          0.005 * parameters.stitch.width};
 }
 
 // --- rows --------------------------------------------------------------------------------------------------
@@ -200,7 +202,8 @@ Truth closing_gap(const Session& session, const JudgeCall& call) {
   if (!closed)
     return timeline.complete() ? untold("Row " + str(call.row) + " closes with no gap.") : not_yet();
   const auto& what = *knit::get_if<knit::RowClosed>(timeline.step(*closed));
-  const knit::Band band = knit::band_of(timeline.parameters_of_step(*closed));
+  const knit::Parameters& parameters = timeline.parameters_of_step(*closed);
+  const knit::Band band = knit::band_of(parameters.rows, parameters.stitch);
   constexpr std::array<const char*, 3> keys{"shorter", "inside", "longer"};
   return {
       {keys.at(static_cast<std::size_t>(knit::verdict_on(what.gap, band)))}, said_by(timeline, *closed), 0.0};
@@ -225,7 +228,7 @@ Truth widest_gaps(const knit::Timeline& timeline, std::int32_t answered) {
   for (std::size_t i = 0; i < timeline.known(); ++i) {
     const auto* shared = knit::get_if<knit::GapShared>(timeline.step(i));
     if (shared == nullptr) continue;
-    rows.push_back({i, std::abs(shared->gap_after - timeline.parameters_of_step(i).stitch_width)});
+    rows.push_back({i, std::abs(shared->gap_after - timeline.parameters_of_step(i).stitch.width)});
     farthest = std::max(farthest, rows.back().off);
   }
   Truth truth;
@@ -316,15 +319,11 @@ Truth split_vertex(const Session& session, const JudgeCall& call) {
 
 namespace {
 
-// The knobs with other settings.
+// The knobs with other settings, as tuning would make them.
 Knobs changed_knobs(const knit::Timeline& timeline, const Settings& settings) {
-  Knobs knobs = knobs_of(timeline);
-  for (const auto& [info, text] : settings) {
-    knit::set_value(*info, knobs.base, text);
-    knit::give_size_by(info->key, knobs.base);
-  }
-  knobs.base = knit::agreed(knobs.base, timeline.input());
-  return knobs;
+  knit::Parameters wanted = timeline.parameters();
+  knit::set_values(settings, wanted);
+  return tuned(knobs_of(timeline), timeline.parameters(), wanted, timeline.input());
 }
 
 // The run as it would be, without recording it.

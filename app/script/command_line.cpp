@@ -41,10 +41,8 @@ struct Words {
 std::string list_parameters_text() {
   std::string text;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
-    std::string fallback = knit::value_text(info, knit::Parameters{});
-    if (info.key == "gauge") fallback = "follows the stitch size";
-    if (info.key == "stitch-width") fallback = "3 % of the bounding box's diagonal";
-    if (info.key == "epsilon") fallback = "half the stitch width";
+    const std::string fallback =
+        info.fallback.empty() ? knit::value_text(info, knit::Parameters{}) : std::string(info.fallback);
     text += "--" + std::string(info.key) + "\t" + knit::range_text(info);
     if (!info.unit.empty()) text += " (" + std::string(info.unit) + ")";
     text += "; default " + fallback + "\t" + std::string(info.help) + "\n";
@@ -167,15 +165,9 @@ std::optional<std::string> read_saves(const Words& words, CommandLine& line) {
 
 // Stitch sizes may be given in one view only, unless --sizes says which one counts.
 std::optional<std::string> clash_of_sizes(const CommandLine& line) {
-  std::string mesh_key;
-  bool gauge = false;
-  for (const auto& [info, text] : line.settings) {
-    if (info->key == "sizes") return std::nullopt;
-    if (info->key == "stitch-width" || info->key == "stitch-height") mesh_key = info->key;
-    gauge = gauge || info->key == "gauge";
-  }
-  if (!gauge || mesh_key.empty()) return std::nullopt;
-  return "--gauge and --" + mesh_key +
+  const auto clash = knit::clash_of_views(line.settings);
+  if (!clash) return std::nullopt;
+  return "--" + std::string(clash->gauge->key) + " and --" + std::string(clash->mesh->key) +
          " both give the stitch size; give one of them, or --sizes mesh or gauge to say which counts.";
 }
 

@@ -12,6 +12,7 @@
 #include "app/session/action.h"
 #include "app/session/at.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

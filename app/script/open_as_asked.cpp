@@ -15,7 +15,7 @@
 #include "app/session/outbox.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -36,21 +36,7 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;
   knit::Parameters parameters = session.document->timeline.parameters();
   if (const Preset* preset = find_preset(line.preset)) parameters = with_preset(*preset, parameters);
-  const double width = parameters.stitch_width;
-  const double band_share = parameters.epsilon / width;
-  bool epsilon_given = false;
-  for (const auto& [info, text] : line.settings) {
-    knit::set_value(*info, parameters, text);
-    knit::give_size_by(info->key, parameters);
-    epsilon_given = epsilon_given || info->key == "epsilon";
-  }
-  // A width alone takes epsilon along in proportion.
-  for (const auto& [info, text] : line.settings) {
-    if (info->key == "sizes") knit::set_value(*info, parameters, text);  // it has the last word
-  }
-  parameters = knit::agreed(parameters, session.document->timeline.input());
-  if (!epsilon_given && parameters.stitch_width != width)
-    parameters.epsilon = band_share * parameters.stitch_width;
+  knit::set_values(line.settings, parameters);
   const std::size_t notices = session.outbox->notices.size();
   apply(session, Tune{parameters});
   if (session.outbox->notices.size() > notices &&

@@ -14,7 +14,7 @@
 #include "app/session/jobs.h"
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -66,8 +66,8 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const auto loaded = load_source(session, saved);
   if (const auto* error = std::get_if<std::string>(&loaded)) return {exit_usage, "", *error};
   const auto& input = *std::get<Loaded>(loaded).input;
-  const Knobs knobs{knit::agreed(saved.base, input), saved.edits};
-  if (const auto fault = knit::fault_of(knobs.base, input.mesh))
+  const Knobs knobs = resolved(Knobs{saved.base, saved.edits}, input);
+  if (const auto fault = knit::fault_of(knobs.base, input))
     return {exit_usage, "", other.string() + ": " + *fault};
   const RunTally run = whole_run(input, knobs);
   const RunFigures figures = figures_of(run, knobs);

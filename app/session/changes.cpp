@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
+
 namespace app {
 
 namespace {
@@ -17,7 +20,7 @@ const knit::Parameters& in_force_at(const Knobs& knobs, const knit::Place& place
 
 void add_changed_keys(ParameterKeys& keys, const knit::Parameters& a, const knit::Parameters& b) {
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
-    if (knit::value_text(info, a) != knit::value_text(info, b)) keys.insert(info.key);
+    if (!knit::same_value(info, a, b)) keys.insert(info.key);
   }
 }
 
@@ -30,6 +33,19 @@ bool is_the_same_hand(const ParameterKeys& a, const ParameterKeys& b) {
 }  // namespace
 
 Knobs knobs_of(const knit::Timeline& timeline) { return {timeline.base_parameters(), timeline.edits()}; }
+
+Knobs resolved(const Knobs& knobs, const knit::Input& input) {
+  Knobs result{knit::resolved(knobs.base, input), knobs.edits};
+  for (knit::Edit& edit : result.edits) edit.parameters = knit::resolved(edit.parameters, input);
+  return result;
+}
+
+Knobs tuned(const Knobs& knobs, const knit::Parameters& now, const knit::Parameters& wanted,
+            const knit::Input& input) {
+  Knobs result{knit::with_change(knobs.base, now, wanted), knobs.edits};
+  for (knit::Edit& edit : result.edits) edit.parameters = knit::with_change(edit.parameters, now, wanted);
+  return resolved(result, input);
+}
 
 ParameterKeys changed_keys(const Knobs& a, const Knobs& b) {
   ParameterKeys keys;

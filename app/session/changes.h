@@ -31,6 +31,12 @@ struct Changes {
 
 Knobs knobs_of(const knit::Timeline& timeline);
 
+// As the knobs are on this mesh.
+Knobs resolved(const Knobs& knobs, const knit::Input& input);
+// As tuning from `now` to `wanted` leaves them: what is wished counts in the edits too.
+Knobs tuned(const Knobs& knobs, const knit::Parameters& now, const knit::Parameters& wanted,
+            const knit::Input& input);
+
 // What has another value anywhere in the run.
 ParameterKeys changed_keys(const Knobs& a, const Knobs& b);
 

@@ -41,7 +41,8 @@ bool is_of_this_mesh(const Session& session, const Pin& pin) {
     return a.positions == b.positions && a.triangles == b.triangles;
   };
   if (same(here.mesh, pin.input->mesh)) return true;
-  const bool welded_differs = session.document->timeline.base_parameters().weld != pin.knobs.base.weld;
+  const bool welded_differs =
+      session.document->timeline.base_parameters().mesh.weld != pin.knobs.base.mesh.weld;
   return welded_differs && same(knit::weld(here.mesh), knit::weld(pin.input->mesh));
 }
 

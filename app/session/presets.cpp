@@ -60,10 +60,12 @@ std::string preset_keys() {
 }
 
 knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters) {
+  std::vector<knit::Setting> settings;
   for (const PresetSetting& setting : preset.settings) {
     if (const knit::ParameterInfo* info = knit::find_parameter(setting.key))
-      knit::set_value(*info, parameters, setting.value);
+      settings.emplace_back(info, setting.value);
   }
+  knit::set_values(settings, parameters);
   return parameters;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -10,6 +10,7 @@
 
 #include "app/session/changes.h"
 #include "app/session/run_figures.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

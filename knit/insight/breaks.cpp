@@ -280,7 +280,7 @@ void BreakScanner::take(const Step& step, const Parameters& parameters, const Fa
     const auto size = finished_row_size(step);
     const Row* row = fabric.find_row(step.place.row);
     if (size && row_below_) sight.growth = *size - *row_below_;
-    if (size && measures_ && row != nullptr) sight.widths = widths_of(*row, parameters.stitch_width);
+    if (size && measures_ && row != nullptr) sight.widths = widths_of(*row, parameters.stitch.width);
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
       if (holds(conditions_[i], step, sight)) hit(i);
     }

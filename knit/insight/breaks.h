@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 #include "knit/run/state.h"
 #include "knit/run/step.h"
 

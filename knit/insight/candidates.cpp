@@ -92,8 +92,8 @@ CandidateTable candidates_of(const Timeline& timeline, std::int32_t row) {
     }
   }
   const Parameters& parameters = timeline.parameters_of_step(steps.end - 1);
-  table.band = band_of(parameters);
-  table.stitch_width = parameters.stitch_width;
+  table.band = band_of(parameters.rows, parameters.stitch);
+  table.stitch_width = parameters.stitch.width;
   return table;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 #include "knit/run/state.h"
 #include "knit/run/step.h"
 

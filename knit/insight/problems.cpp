@@ -17,7 +17,7 @@ double ratio(std::int32_t a, std::int32_t b) {
 
 std::optional<Problem> problem_of(const Step& step, std::size_t index, const Parameters& parameters) {
   if (!is_unusual(step, parameters)) return std::nullopt;
-  const double width = parameters.stitch_width;
+  const double width = parameters.stitch.width;
   if (const auto* resampled = get_if<RowResampled>(step))
     return Problem{index, ProblemKind::row_resampled, ratio(resampled->from, resampled->to)};
   if (const auto* shared = get_if<GapShared>(step))

@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 #include "knit/model/stage.h"
 #include "knit/model/stopped.h"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "knit/model/settings_table.h"
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/yarn.h"
 

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "knit/model/gauge.h"
+#include "knit/model/settings.h"
 #include "knit/pattern/fold.h"
 #include "knit/pattern/rounds.h"
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "knit/model/settings_table.h"
+
 namespace knit {
 
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 
 namespace knit {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 #include "knit/run/state.h"
 #include "knit/run/step.h"
 

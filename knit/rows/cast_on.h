@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/parameters.h"
 #include "knit/model/products.h"
+#include "knit/model/settings.h"
 #include "knit/model/stopped.h"
 
 namespace knit {
@@ -20,6 +20,6 @@ struct FirstCycle {
 // The first level after the start, and the last before the end, whose ring is at least 3 half stitch widths
 // long. Stops with splits, not_a_ring or no_row_levels.
 std::variant<FirstCycle, Stopped> find_first_cycle(const Input& input, const Timing& timing,
-                                                   const Parameters& parameters);
+                                                   const RowsSettings& rows, const StitchSize& stitch);
 
 }  // namespace knit

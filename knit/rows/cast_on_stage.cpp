@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::int32_t default_cast_on = 6;
 
-Advanced<CastOnEvent> find_cycle(const Input& input, const Parameters& parameters, const Timing& timing,
-                                 CastOnWork& work, std::int32_t& last_level) {
-  auto found = find_first_cycle(input, timing, parameters);
+Advanced<CastOnEvent> find_cycle(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                                 const Timing& timing, CastOnWork& work, std::int32_t& last_level) {
+  auto found = find_first_cycle(input, timing, rows, stitch);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   auto& cycle = std::get<FirstCycle>(found);
   const CycleFound step{cycle.level,
@@ -35,12 +35,12 @@ Row finished_row(const Timing& timing, CastOnWork& work) {
 
 }  // namespace
 
-Advanced<CastOnEvent> advance_cast_on(const Input& input, const Parameters& parameters, const Timing& timing,
-                                      CastOnWork& work, CastOnMade made) {
-  if (!work.ring) return find_cycle(input, parameters, timing, work, made.last_level);
+Advanced<CastOnEvent> advance_cast_on(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                                      const Timing& timing, CastOnWork& work, CastOnMade made) {
+  if (!work.ring) return find_cycle(input, rows, stitch, timing, work, made.last_level);
   // The count may be edited half way; a stitch already cast on stays.
   const auto placed = static_cast<std::int32_t>(work.stitches.size());
-  const std::int32_t wanted = parameters.cast_on > 0 ? parameters.cast_on : default_cast_on;
+  const std::int32_t wanted = rows.cast_on > 0 ? rows.cast_on : default_cast_on;
   const std::int32_t count = std::max(wanted, placed + 1);
   const double arc = work.ring->length * placed / count;
   work.stitches.push_back({point_at(*work.ring, arc), no_vertex});

@@ -29,7 +29,7 @@ struct CastOnMade {
   std::int32_t& last_level;
   std::optional<Row>& row;
 };
-Advanced<CastOnEvent> advance_cast_on(const Input& input, const Parameters& parameters, const Timing& timing,
-                                      CastOnWork& work, CastOnMade made);
+Advanced<CastOnEvent> advance_cast_on(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                                      const Timing& timing, CastOnWork& work, CastOnMade made);
 
 }  // namespace knit

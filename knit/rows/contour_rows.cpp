@@ -130,11 +130,11 @@ class CountSearch {
 
 }  // namespace
 
-std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timing,
-                                         const Parameters& parameters, double from_time) {
+std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timing, const RowsSettings& rows,
+                                         const StitchSize& stitch, double from_time) {
   CutPlan plan;
   plan.from_time = from_time;
-  plan.stitch_height = stitch_height_of(parameters);
+  plan.stitch_height = stitch.height;
   const HeightScale scale = scale_of(input, timing);
   plan.height = scale.total() - height_of_time(timing, scale, from_time);
   const double wanted = std::clamp(rounded(plan.height / plan.stitch_height), 1.0, 1e9);
@@ -145,33 +145,31 @@ std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timin
   std::vector<double> values;
   values.reserve(times.size());
   for (const double time : times) values.push_back(value_of_time(timing, time));
-  const RowFrame frame = row_frame(timing.ends.direction, parameters.start_direction);
+  const RowFrame frame = row_frame(timing.ends.direction, rows.start_direction);
   plan.cuts = cut_surface(input, timing.cut_field(), values, times, frame);
-  keep_rows(plan, parameters.stitch_width);
+  keep_rows(plan, stitch.width);
   explain_end(input, timing, plan);
-  if (const double stitches = stitches_in(plan, parameters.stitch_width); stitches > most_contour_stitches)
+  if (const double stitches = stitches_in(plan, stitch.width); stitches > most_contour_stitches)
     return too_many_stitches(timing, stitches);
   if (plan.cuts.empty() && from_time == 0.0) {
-    return Stopped{StopReason::no_row_levels, {}, steps - 1, plan.passed_over, 0, timing.ends.start,
-                   parameters.stitch_width,   0.0};
+    return Stopped{StopReason::no_row_levels, {},           steps - 1, plan.passed_over, 0,
+                   timing.ends.start,         stitch.width, 0.0};
   }
   return plan;
 }
 
-ChosenCount choose_count(const CutPlan& plan, std::int32_t cut, std::int32_t below,
-                         const Parameters& parameters) {
+ChosenCount choose_count(const CutPlan& plan, std::int32_t cut, std::int32_t below, const RowsSettings& rows,
+                         const StitchSize& stitch) {
   const Ring& ring = *plan.cuts[static_cast<std::size_t>(cut)].loops.front();
   ChosenCount chosen;
-  chosen.ideal = ring.length / parameters.stitch_width;
-  if (below == 0 && parameters.cast_on > 0)
-    return {parameters.cast_on, CountReason::as_cast_on, chosen.ideal};
-  chosen.count = rounded_stitches(ring, parameters.stitch_width);
+  chosen.ideal = ring.length / stitch.width;
+  if (below == 0 && rows.cast_on > 0) return {rows.cast_on, CountReason::as_cast_on, chosen.ideal};
+  chosen.count = rounded_stitches(ring, stitch.width);
   if (chosen.ideal < 2.5) chosen.reason = CountReason::at_least_three;
   constexpr int rows_ahead = 4;
   const std::int32_t rounded = chosen.count;
-  chosen.count = CountSearch(plan, parameters.stitch_width)
-                     .best_for(static_cast<std::size_t>(cut), below, rows_ahead)
-                     .count;
+  chosen.count =
+      CountSearch(plan, stitch.width).best_for(static_cast<std::size_t>(cut), below, rows_ahead).count;
   if (chosen.count == rounded) return chosen;
   chosen.reason = CountReason::room_ahead;
   if (chosen.count < rounded && chosen.count == 2 * below) chosen.reason = CountReason::at_most_double;

@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/parameters.h"
 #include "knit/model/products.h"
+#include "knit/model/settings.h"
 #include "knit/rows/contour_events.h"
 #include "knit/rows/frame.h"
 
@@ -22,8 +22,8 @@ inline constexpr std::int32_t most_contour_stitches = 2000000;
 
 // From `from_time` (0 for the whole surface) on. Stops with no_row_levels when no cut makes a row, with
 // too_fine when there would be more than can be held.
-std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timing,
-                                         const Parameters& parameters, double from_time);
+std::variant<CutPlan, Stopped> plan_cuts(const Input& input, const Timing& timing, const RowsSettings& rows,
+                                         const StitchSize& stitch, double from_time);
 
 struct ChosenCount {
   std::int32_t count = 0;
@@ -31,7 +31,7 @@ struct ChosenCount {
   double ideal = 0.0;  // length / w
 };
 // For plan.cuts[cut], which must be a single loop; `below`: stitches of the row below, 0 for the first row.
-ChosenCount choose_count(const CutPlan& plan, std::int32_t cut, std::int32_t below,
-                         const Parameters& parameters);
+ChosenCount choose_count(const CutPlan& plan, std::int32_t cut, std::int32_t below, const RowsSettings& rows,
+                         const StitchSize& stitch);
 
 }  // namespace knit

@@ -15,9 +15,9 @@ const Cut& cut_at_hand(const ContourWork& work) {
 }
 const Ring& ring_at_hand(const ContourWork& work) { return *cut_at_hand(work).loops.front(); }
 
-Advanced<ContourEvent> plan(const Input& input, const Parameters& parameters, const ContourRow& at,
-                            ContourWork& work) {
-  auto planned = plan_cuts(input, at.timing, parameters, at.from);
+Advanced<ContourEvent> plan(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                            const ContourRow& at, ContourWork& work) {
+  auto planned = plan_cuts(input, at.timing, rows, stitch, at.from);
   if (const auto* stopped = std::get_if<Stopped>(&planned)) return *stopped;
   work.plan = Shared(std::get<CutPlan>(std::move(planned)));
   work.cut = 0;
@@ -47,14 +47,14 @@ Advanced<ContourEvent> close_loop(std::int32_t row, ContourWork& work) {
   return LoopClosed{static_cast<std::int32_t>(ring_at_hand(work).points.size())};
 }
 
-LengthMeasured measure(const Parameters& parameters, ContourWork& work) {
+LengthMeasured measure(const StitchSize& stitch, ContourWork& work) {
   work.phase = ContourPhase::count;
   const double length = ring_at_hand(work).length;
-  return {length, length / parameters.stitch_width};
+  return {length, length / stitch.width};
 }
 
-CountChosen count(const Parameters& parameters, std::int32_t below, ContourWork& work) {
-  const ChosenCount chosen = choose_count(*work.plan, work.cut, below, parameters);
+CountChosen count(const RowsSettings& rows, const StitchSize& stitch, std::int32_t below, ContourWork& work) {
+  const ChosenCount chosen = choose_count(*work.plan, work.cut, below, rows, stitch);
   work.count = chosen.count;
   work.phase = ContourPhase::place;
   return {chosen.count, below, chosen.reason, chosen.ideal, ring_at_hand(work).length / chosen.count};
@@ -83,30 +83,31 @@ Advanced<ContourEvent> place(const ContourRow& at, ContourWork& work, std::optio
 
 }  // namespace
 
-Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& parameters,
-                                        const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
+Advanced<ContourEvent> advance_contours(const Input& input, const RowsSettings& rows,
+                                        const StitchSize& stitch, const ContourRow& at, ContourWork& work,
+                                        std::optional<Row>& row) {
   switch (work.phase) {
     case ContourPhase::plan:
-      return plan(input, parameters, at, work);
+      return plan(input, rows, stitch, at, work);
     case ContourPhase::cut:
       // The stitch height may be edited on the way; then the rest of the surface is planned anew.
-      if (next_plans_cuts(parameters, work)) return plan(input, parameters, at, work);
+      if (next_plans_cuts(stitch, work)) return plan(input, rows, stitch, at, work);
       return find_cut(work);
     case ContourPhase::loop:
       return close_loop(at.number, work);
     case ContourPhase::measure:
-      return measure(parameters, work);
+      return measure(stitch, work);
     case ContourPhase::count:
-      return count(parameters, at.on.size(), work);
+      return count(rows, stitch, at.on.size(), work);
     case ContourPhase::place:
       break;
   }
   return place(at, work, row);
 }
 
-bool next_plans_cuts(const Parameters& parameters, const ContourWork& work) {
+bool next_plans_cuts(const StitchSize& stitch, const ContourWork& work) {
   return work.phase == ContourPhase::plan ||
-         (work.phase == ContourPhase::cut && work.plan->stitch_height != stitch_height_of(parameters));
+         (work.phase == ContourPhase::cut && work.plan->stitch_height != stitch.height);
 }
 
 }  // namespace knit

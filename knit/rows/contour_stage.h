@@ -36,10 +36,11 @@ struct ContourRow {
   double from;             // the time of the row below, or 0
 };
 // `row`: the product, once the row has ended; then `work` is that of the next row.
-Advanced<ContourEvent> advance_contours(const Input& input, const Parameters& parameters,
-                                        const ContourRow& at, ContourWork& work, std::optional<Row>& row);
+Advanced<ContourEvent> advance_contours(const Input& input, const RowsSettings& rows,
+                                        const StitchSize& stitch, const ContourRow& at, ContourWork& work,
+                                        std::optional<Row>& row);
 
 // Whether the step to come plans cuts.
-bool next_plans_cuts(const Parameters& parameters, const ContourWork& work);
+bool next_plans_cuts(const StitchSize& stitch, const ContourWork& work);
 
 }  // namespace knit

@@ -63,7 +63,7 @@ StepFields LoopClosed::numbers() const { return {{var::points, points}}; }
 
 std::string LengthMeasured::sentence(const Telling& at) const {
   return at.row() + ": the loop is " + short_number(length) + " long, " + short_number(ideal) +
-         " stitch widths of " + short_number(at.parameters.stitch_width) + ".";
+         " stitch widths of " + short_number(at.parameters.stitch.width) + ".";
 }
 StepFields LengthMeasured::numbers() const { return {{var::length, length}, {var::ideal, ideal}}; }
 

@@ -22,15 +22,14 @@ CycleGathered gather(const Timing& timing, RowWork& work) {
                        time_of_level(timing, work.level)};
 }
 
-Advanced<RingEvent> order(const Input& input, const Parameters& parameters, const RingRow& at,
-                          RowWork& work) {
+Advanced<RingEvent> order(const Input& input, const RowsSettings& rows, const RingRow& at, RowWork& work) {
   const Levels& levels = at.timing.levels;
   const double time = time_of_level(at.timing, work.level);
   if (levels.split && work.level >= levels.split->level) {
     return Stopped{StopReason::splits, levels.split->cause,  work.level,         levels.split->loops,
                    at.number,          levels.split->vertex, levels.split->time, time};
   }
-  auto ordered = order_ring(input, at.timing.ends, levels.level(work.level), parameters.start_direction);
+  auto ordered = order_ring(input, at.timing.ends, levels.level(work.level), rows.start_direction);
   if (const auto* problem = std::get_if<NotARing>(&ordered)) {
     const bool several = problem->loops > 1;
     return Stopped{several ? StopReason::splits : StopReason::not_a_ring,
@@ -60,29 +59,29 @@ Stopped stall(const Timing& timing, const RowWork& work) {
                  time_of_level(timing, work.level)};
 }
 
-Advanced<RingEvent> close(const Input& input, const Parameters& parameters, const RingRow& at,
-                          RowWork& work) {
-  const bool stop_on_stall = parameters.on_stall == OnStall::stop;
+Advanced<RingEvent> close(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                          const RingRow& at, RowWork& work) {
+  const bool stop_on_stall = rows.on_stall == OnStall::stop;
   if (stop_on_stall && stalled(work.walk)) return stall(at.timing, work);
-  ClosedRow closed = close_row(work.walk, *work.ring, input, parameters);
+  ClosedRow closed = close_row(work.walk, *work.ring, input, rows, stitch);
   const auto picked = static_cast<std::int32_t>(closed.stitches.size());
-  const auto needed = needed_count(picked, at.on.size(), work.ring->length, parameters.stitch_width);
+  const auto needed = needed_count(picked, at.on.size(), work.ring->length, stitch.width);
   const bool changes_too_much = needed && needed->reason != ResampleReason::too_few;
-  if (changes_too_much && parameters.resample == Resample::off) {
+  if (changes_too_much && rows.resample == Resample::off) {
     return Stopped{StopReason::changes_too_much,        {}, work.level, picked, at.on.size(), no_vertex, 0.0,
                    time_of_level(at.timing, work.level)};
   }
-  const bool gap_fits = verdict_on(closed.gap, band_of(parameters)) == Verdict::accepted;
+  const bool gap_fits = verdict_on(closed.gap, band_of(rows, stitch)) == Verdict::accepted;
   const RowClosed step{picked, gap_fits, closed.dropped_last, closed.gap};
   work.closed = std::move(closed);
   work.phase = needed ? RowPhase::resample : RowPhase::share;
   return step;
 }
 
-RowResampled resample(const Parameters& parameters, std::int32_t below, RowWork& work) {
+RowResampled resample(const StitchSize& stitch, std::int32_t below, RowWork& work) {
   const auto picked = static_cast<std::int32_t>(work.closed.stitches.size());
   // Parameters may have been edited since the row closed; a row that now fits is still spread evenly.
-  const auto needed = needed_count(picked, below, work.ring->length, parameters.stitch_width)
+  const auto needed = needed_count(picked, below, work.ring->length, stitch.width)
                           .value_or(NeededCount{picked, ResampleReason::too_few});
   work.closed.stitches = spread_evenly(*work.ring, needed.count);
   work.closed.gap =
@@ -92,11 +91,11 @@ RowResampled resample(const Parameters& parameters, std::int32_t below, RowWork&
   return {picked, needed.count, below, needed.reason, work.ring->length};
 }
 
-Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWork& work,
-                          std::optional<Row>& row) {
-  SharedGap shared = share_gap(work.closed, *work.ring, parameters);
+Advanced<RingEvent> share(const RowsSettings& rows, const StitchSize& stitch, const RingRow& at,
+                          RowWork& work, std::optional<Row>& row) {
+  SharedGap shared = share_gap(work.closed, *work.ring, rows, stitch);
   const GapShared step{static_cast<std::int32_t>(shared.stitches.size()),
-                       parameters.close,
+                       rows.close,
                        shared.shared,
                        work.closed.resampled,
                        shared.per_stitch,
@@ -111,31 +110,31 @@ Advanced<RingEvent> share(const Parameters& parameters, const RingRow& at, RowWo
 
 }  // namespace
 
-Advanced<RingEvent> advance_rings(const Input& input, const Parameters& parameters, const RingRow& at,
-                                  RowWork& work, std::optional<Row>& row) {
+Advanced<RingEvent> advance_rings(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                                  const RingRow& at, RowWork& work, std::optional<Row>& row) {
   switch (work.phase) {
     case RowPhase::gather:
       return gather(at.timing, work);
     case RowPhase::order:
-      return order(input, parameters, at, work);
+      return order(input, rows, at, work);
     case RowPhase::missed: {
       work.phase = RowPhase::measure;
-      return take_nearest(work.walk, *work.ring, input, parameters);
+      return take_nearest(work.walk, *work.ring, input, rows, stitch);
     }
     case RowPhase::resample:
-      return resample(parameters, at.on.size(), work);
+      return resample(stitch, at.on.size(), work);
     case RowPhase::share:
-      return share(parameters, at, work, row);
+      return share(rows, stitch, at, work, row);
     case RowPhase::measure:
       break;
   }
-  const bool robust = parameters.on_stall == OnStall::continue_;
+  const bool robust = rows.on_stall == OnStall::continue_;
   if (work.walk.next == static_cast<std::int32_t>(work.ring->vertices.size())) {
     const auto missed =
-        robust ? take_before_end(work.walk, *work.ring, input, parameters) : std::optional<BandMissed>();
-    return missed ? Advanced<RingEvent>(*missed) : close(input, parameters, at, work);
+        robust ? take_before_end(work.walk, *work.ring, input, rows, stitch) : std::optional<BandMissed>();
+    return missed ? Advanced<RingEvent>(*missed) : close(input, rows, stitch, at, work);
   }
-  const CandidateMeasured measured = measure_next(work.walk, *work.ring, input, parameters);
+  const CandidateMeasured measured = measure_next(work.walk, *work.ring, input, rows, stitch);
   if (robust && measured.verdict == Verdict::too_far) work.phase = RowPhase::missed;
   return measured;
 }

@@ -44,7 +44,7 @@ struct RingRow {
   const LiveStitches& on;   // what it is worked on
 };
 // `row`: the product, once the row has ended; then `work` is that of the next row.
-Advanced<RingEvent> advance_rings(const Input& input, const Parameters& parameters, const RingRow& at,
-                                  RowWork& work, std::optional<Row>& row);
+Advanced<RingEvent> advance_rings(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                                  const RingRow& at, RowWork& work, std::optional<Row>& row);
 
 }  // namespace knit

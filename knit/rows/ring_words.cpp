@@ -63,9 +63,11 @@ std::string CandidateMeasured::sentence(const Telling& at) const {
     case Verdict::accepted:
       return text + "accepted, it lies in the band " + band_text(at.parameters) + ".";
     case Verdict::too_near:
-      return text + "too near, the band begins at " + short_number(band_of(at.parameters).low) + ".";
+      return text + "too near, the band begins at " +
+             short_number(band_of(at.parameters.rows, at.parameters.stitch).low) + ".";
     case Verdict::too_far:
-      return text + "too far, the band ends at " + short_number(band_of(at.parameters).high) + ".";
+      return text + "too far, the band ends at " +
+             short_number(band_of(at.parameters.rows, at.parameters.stitch).high) + ".";
   }
   return text;
 }
@@ -154,7 +156,7 @@ StepFields GapShared::numbers() const {
 }
 
 bool GapShared::unusual(const Parameters& parameters) const {
-  const Band band = band_of(parameters);
+  const Band band = band_of(parameters.rows, parameters.stitch);
   // A row spread evenly instead was reported by the step that spread it.
   return !shared && !resampled && (gap_after < band.low || gap_after > band.high);
 }

@@ -14,7 +14,7 @@ namespace {
 
 template <RowSource source>
 bool made_from(const Parameters& parameters) {
-  return parameters.rows == source;
+  return parameters.rows.source == source;
 }
 
 constexpr std::array cast_on_lines{

@@ -55,10 +55,10 @@ Reach reach_from(const Ring& ring, const Input& input, std::int32_t anchor, doub
 }
 
 // From the anchor to a place after it, by the metric. To the first place, across the closing gap: order 0.
-double measured(Walk& walk, const Ring& ring, const Input& input, const Parameters& parameters,
-                std::int32_t order) {
+double measured(Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                const StitchSize& stitch, std::int32_t order) {
   const bool across_gap = order == 0 && walk.anchor != 0;
-  switch (parameters.metric) {
+  switch (rows.metric) {
     case Metric::euclidean:
       return glm::distance(position(ring, walk.anchor), position(ring, order));
     case Metric::arc:
@@ -67,7 +67,7 @@ double measured(Walk& walk, const Ring& ring, const Input& input, const Paramete
       break;
   }
   if (!walk.reach) {
-    const double far = 1.5 * band_of(parameters).high;
+    const double far = 1.5 * band_of(rows, stitch).high;
     walk.reach = Shared(reach_from(ring, input, walk.anchor, far));
   }
   const auto reach = walk.reach.pointer();
@@ -80,19 +80,20 @@ double measured(Walk& walk, const Ring& ring, const Input& input, const Paramete
 }
 
 // The closing gap, from the place `last` to the first, by the metric.
-double closing_gap(const Ring& ring, const Input& input, const Parameters& parameters, std::int32_t last) {
+double closing_gap(const Ring& ring, const Input& input, const RowsSettings& rows, const StitchSize& stitch,
+                   std::int32_t last) {
   Walk at_last;
   at_last.anchor = last;
-  return last == 0 ? 0.0 : measured(at_last, ring, input, parameters, 0);
+  return last == 0 ? 0.0 : measured(at_last, ring, input, rows, stitch, 0);
 }
 
 }  // namespace
 
-CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
-                               const Parameters& parameters) {
-  const Band band = band_of(parameters);
+CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                               const StitchSize& stitch) {
+  const Band band = band_of(rows, stitch);
   const std::int32_t candidate = walk.next++;
-  const double d = candidate == walk.anchor ? 0.0 : measured(walk, ring, input, parameters, candidate);
+  const double d = candidate == walk.anchor ? 0.0 : measured(walk, ring, input, rows, stitch, candidate);
   const Verdict verdict = verdict_on(d, band);
   const CandidateMeasured step{vertex(ring, walk.anchor),
                                vertex(ring, candidate),
@@ -105,7 +106,7 @@ CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
     move_anchor(walk, candidate);
     return step;
   }
-  const double w = parameters.stitch_width;
+  const double w = stitch.width;
   const bool nearer =
       walk.nearest_order < 0 || clearly_less(std::abs(d - w), std::abs(walk.nearest_distance - w), w);
   if (d > 0.0 && nearer) {
@@ -116,14 +117,15 @@ CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
   return step;
 }
 
-BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const Parameters& parameters) {
+BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                        const StitchSize& stitch) {
   // Only the candidate just measured was too far. It and the one before stand on either side of the band.
   const std::int32_t far = walk.next - 1;
-  const double w = parameters.stitch_width;
+  const double w = stitch.width;
   std::int32_t near = far - 1;
   while (near > walk.anchor && arc(ring, near) <= arc(ring, walk.anchor)) --near;
-  const double far_distance = measured(walk, ring, input, parameters, far);
-  const double near_distance = near > walk.anchor ? measured(walk, ring, input, parameters, near) : -1.0;
+  const double far_distance = measured(walk, ring, input, rows, stitch, far);
+  const double near_distance = near > walk.anchor ? measured(walk, ring, input, rows, stitch, near) : -1.0;
 
   const bool far_too_long = arc(ring, far) - arc(ring, walk.anchor) > 0.5 * ring.length;
   const bool take_near =
@@ -141,14 +143,14 @@ BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const 
 }
 
 std::optional<BandMissed> take_before_end(Walk& walk, const Ring& ring, const Input& input,
-                                          const Parameters& parameters) {
+                                          const RowsSettings& rows, const StitchSize& stitch) {
   auto last = static_cast<std::int32_t>(ring.vertices.size()) - 1;
   while (last > walk.anchor && position(ring, last) == position(ring, 0)) --last;  // copies of the first
   Walk looking = walk;  // what is measured on the way must not stay behind when nothing is taken
-  const double gap = walk.anchor == 0 ? 0.0 : measured(looking, ring, input, parameters, 0);
-  const double near = last == walk.anchor ? 0.0 : measured(looking, ring, input, parameters, last);
-  const double w = parameters.stitch_width;
-  if (near == 0.0 || verdict_on(gap, band_of(parameters)) != Verdict::too_far) return std::nullopt;
+  const double gap = walk.anchor == 0 ? 0.0 : measured(looking, ring, input, rows, stitch, 0);
+  const double near = last == walk.anchor ? 0.0 : measured(looking, ring, input, rows, stitch, last);
+  const double w = stitch.width;
+  if (near == 0.0 || verdict_on(gap, band_of(rows, stitch)) != Verdict::too_far) return std::nullopt;
   if (clearly_less(gap - w, std::abs(near - w), w)) return std::nullopt;
   const BandMissed missed{vertex(ring, walk.anchor),
                           vertex(ring, last),
@@ -162,13 +164,13 @@ std::optional<BandMissed> take_before_end(Walk& walk, const Ring& ring, const In
 
 bool stalled(const Walk& walk) { return walk.jumped || walk.kept.size() + 1 < 3; }
 
-ClosedRow close_row(const Walk& walk, const Ring& ring, const Input& input, const Parameters& parameters) {
+ClosedRow close_row(const Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                    const StitchSize& stitch) {
   ClosedRow row;
   row.orders = walk.kept;
   row.orders.push_back(walk.anchor);
-  const auto gap = [&] { return closing_gap(ring, input, parameters, row.orders.back()); };
-  if (parameters.last_anchor == LastAnchor::drop && row.orders.size() > 3 &&
-      gap() < 0.5 * parameters.stitch_width) {
+  const auto gap = [&] { return closing_gap(ring, input, rows, stitch, row.orders.back()); };
+  if (rows.last_anchor == LastAnchor::drop && row.orders.size() > 3 && gap() < 0.5 * stitch.width) {
     row.orders.pop_back();
     row.dropped_last = true;
   }
@@ -192,17 +194,18 @@ std::optional<NeededCount> needed_count(std::int32_t picked, std::int32_t below,
   return std::nullopt;
 }
 
-SharedGap share_gap(const ClosedRow& row, const Ring& ring, const Parameters& parameters) {
+SharedGap share_gap(const ClosedRow& row, const Ring& ring, const RowsSettings& rows,
+                    const StitchSize& stitch) {
   SharedGap result{row.stitches, false, 0.0, row.gap};
   if (row.resampled) return result;
   const auto n = static_cast<std::int32_t>(row.stitches.size());
-  if (parameters.close == Closing::arc) {
+  if (rows.close == Closing::arc) {
     result.stitches = spread_evenly(ring, n);
     result.per_stitch = ring.length / n;
     result.shared = true;
-  } else if (parameters.close == Closing::thesis) {
-    if (verdict_on(row.gap, band_of(parameters)) == Verdict::accepted) return result;
-    result.per_stitch = (row.gap - parameters.stitch_width) / n;
+  } else if (rows.close == Closing::thesis) {
+    if (verdict_on(row.gap, band_of(rows, stitch)) == Verdict::accepted) return result;
+    result.per_stitch = (row.gap - stitch.width) / n;
     for (std::int32_t i = 1; i < n; ++i) {
       const double from = arc(ring, row.orders[static_cast<std::size_t>(i)]);
       result.stitches[static_cast<std::size_t>(i)] = {point_at(ring, from + i * result.per_stitch),

@@ -11,8 +11,8 @@
 
 #include "knit/fabric/stitch.h"
 #include "knit/mesh/mesh.h"
-#include "knit/model/parameters.h"
 #include "knit/model/products.h"
+#include "knit/model/settings.h"
 #include "knit/rows/ring_events.h"
 
 namespace knit {
@@ -20,8 +20,9 @@ namespace knit {
 struct Band {
   double low, high;
 };
-inline Band band_of(const Parameters& parameters) {
-  return {parameters.stitch_width - parameters.epsilon, parameters.stitch_width + parameters.epsilon};
+inline Band band_of(const RowsSettings& rows, const StitchSize& stitch) {
+  const double epsilon = rows.epsilon.of(stitch.width);
+  return {stitch.width - epsilon, stitch.width + epsilon};
 }
 
 // Distances along the surface from an anchor to the places that follow it in the ring, the anchor first, and
@@ -50,17 +51,18 @@ struct Walk {
 };
 
 // Measures walk.next against the anchor and moves on; requires walk.next to be in the ring.
-CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input,
-                               const Parameters& parameters);
+CandidateMeasured measure_next(Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                               const StitchSize& stitch);
 
 // The robust continuation after a candidate that was too far: takes the one nearest to the stitch width since
 // the anchor, within half the ring, and measures on from there.
-BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const Parameters& parameters);
+BandMissed take_nearest(Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                        const StitchSize& stitch);
 
 // The same where the ring ends: its last vertex is too near the anchor, the way on to the first stitch too
 // far. Nothing when the gap is no longer than the band, or nearer to the stitch width than that vertex.
 std::optional<BandMissed> take_before_end(Walk& walk, const Ring& ring, const Input& input,
-                                          const Parameters& parameters);
+                                          const RowsSettings& rows, const StitchSize& stitch);
 
 // What Algorithm 2 left: stitches as places in the ring.
 struct ClosedRow {
@@ -72,7 +74,8 @@ struct ClosedRow {
   [[nodiscard]] auto fields() const { return std::tie(orders, stitches, gap, dropped_last, resampled); }
   friend bool operator==(const ClosedRow&, const ClosedRow&) = default;
 };
-ClosedRow close_row(const Walk& walk, const Ring& ring, const Input& input, const Parameters& parameters);
+ClosedRow close_row(const Walk& walk, const Ring& ring, const Input& input, const RowsSettings& rows,
+                    const StitchSize& stitch);
 
 // How many stitches the row must have instead: at least 3, at most twice and at least half the row below.
 // Nothing when it may stay as it is.
@@ -92,7 +95,8 @@ struct SharedGap {
   double per_stitch = 0.0;
   double gap = 0.0;  // afterwards
 };
-SharedGap share_gap(const ClosedRow& row, const Ring& ring, const Parameters& parameters);
+SharedGap share_gap(const ClosedRow& row, const Ring& ring, const RowsSettings& rows,
+                    const StitchSize& stitch);
 
 // Whether the walk ended with its anchor stuck: the rest of the ring skipped the band.
 bool stalled(const Walk& walk);

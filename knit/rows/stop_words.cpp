@@ -26,7 +26,7 @@ std::string split_text(const std::string& where, const Stopped& s) {
 }  // namespace
 
 std::string band_text(const Parameters& parameters) {
-  const Band band = band_of(parameters);
+  const Band band = band_of(parameters.rows, parameters.stitch);
   return "[" + short_number(band.low) + ", " + short_number(band.high) + "]";
 }
 
@@ -37,7 +37,7 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
     case StopReason::no_extent:
       break;
     case StopReason::no_row_levels:
-      if (at.parameters.rows == RowSource::contours) {
+      if (at.parameters.rows.source == RowSource::contours) {
         return "Cast on: none of " + plural(s.level, "cut", "cuts") +
                " is long enough for three half stitches; make the stitches narrower than " +
                short_number(s.value) + " or lower.";

@@ -15,7 +15,7 @@
 //   bool finished(state), Place next(state), Place place_of(step), bool is_stop(step)
 //   bool is_long(input, parameters, state)       the step to come may take longer than a frame
 //   Place first_reader(before, after)            no step before this place reads what differs between the two
-//   Parameters agreed(parameters, input)         what follows from the ones wished, made so
+//   Parameters resolved(parameters, input)         what follows from the ones wished, made so
 //   Parameters with_change(parameters, before, after)
 //   size_t copy_bytes(state)                     what a keyframe costs
 //   bool enters(from, to)                        a keyframe stands where the place steps from one to the other

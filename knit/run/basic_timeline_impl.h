@@ -26,7 +26,7 @@ template <class Machine>
 BasicTimeline<Machine>::BasicTimeline(std::shared_ptr<const Input> input, const Parameters& parameters,
                                       std::size_t keyframe_budget_bytes)
     : input_(std::move(input)),
-      base_(Machine::agreed(parameters, *input_)),
+      base_(Machine::resolved(parameters, *input_)),
       budget_bytes_(keyframe_budget_bytes),
       spacing_(first_keyframe_spacing) {
   steps_.reserve(Machine::steps_expected(*input_));
@@ -195,7 +195,7 @@ auto BasicTimeline<Machine>::change_everywhere(const Parameters& before, const P
     -> Place {
   const auto change = [&](Parameters& kept) {
     const Parameters old = kept;
-    kept = Machine::agreed(Machine::with_change(old, before, parameters), *input_);
+    kept = Machine::resolved(Machine::with_change(old, before, parameters), *input_);
     return Machine::first_reader(old, kept);
   };
   Place first = change(base_);
@@ -206,7 +206,7 @@ auto BasicTimeline<Machine>::change_everywhere(const Parameters& before, const P
 template <class Machine>
 void BasicTimeline<Machine>::tune(const Parameters& parameters) {
   const Parameters before = this->parameters();
-  if (before == Machine::agreed(parameters, *input_)) return;
+  if (before == Machine::resolved(parameters, *input_)) return;
   const Place reader = change_everywhere(before, parameters);
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
@@ -220,7 +220,7 @@ void BasicTimeline<Machine>::tune(const Parameters& parameters) {
 
 template <class Machine>
 void BasicTimeline<Machine>::edit_from_here(const Parameters& parameters) {
-  const Parameters changed = Machine::agreed(parameters, *input_);
+  const Parameters changed = Machine::resolved(parameters, *input_);
   if (this->parameters() == changed) return;
   const Parameters before = this->parameters();
   const Place here = Machine::next(state_);
@@ -228,7 +228,7 @@ void BasicTimeline<Machine>::edit_from_here(const Parameters& parameters) {
   auto next = std::find_if(edits_.begin(), edits_.end(), [&](const Edit& edit) { return edit.at >= here; });
   if (next != edits_.end() && next->at == here) next = edits_.erase(next);
   for (auto later = next; later != edits_.end(); ++later) {
-    later->parameters = Machine::agreed(Machine::with_change(later->parameters, before, changed), *input_);
+    later->parameters = Machine::resolved(Machine::with_change(later->parameters, before, changed), *input_);
   }
   edits_.insert(next, {here, changed});
   rerun_from(position);
@@ -281,9 +281,9 @@ void BasicTimeline<Machine>::set_knobs(const Parameters& base, const std::vector
   const bool at_start = position_ == 0 && !sought_;
   const bool other_mesh = input != nullptr && input != input_;
   if (other_mesh) input_ = std::move(input);
-  const Parameters new_base = Machine::agreed(base, *input_);
+  const Parameters new_base = Machine::resolved(base, *input_);
   std::vector<Edit> new_edits = edits;
-  for (Edit& edit : new_edits) edit.parameters = Machine::agreed(edit.parameters, *input_);
+  for (Edit& edit : new_edits) edit.parameters = Machine::resolved(edit.parameters, *input_);
   if (!other_mesh && new_base == base_ && new_edits == edits_) return;
   const std::size_t first = other_mesh ? 0 : first_step_to_differ(new_base, new_edits);
   base_ = new_base;

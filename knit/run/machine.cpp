@@ -36,14 +36,15 @@ Taken take_contours(const Input& input, const Parameters& parameters, State& sta
   const Row* below = state.fabric.row_below(state.fabric.next_row());
   const ContourRow at{*state.timing, state.next.row, on, below != nullptr ? below->time : 0.0};
   std::optional<Row> row;
-  Taken taken = advance_contours(input, parameters, at, work, row);
+  Taken taken = advance_contours(input, parameters.rows, parameters.stitch, at, work, row);
   keep(state.fabric, std::move(row));
   return taken;
 }
 
 Taken take_cast_on(const Input& input, const Parameters& parameters, State& state, CastOnWork& work) {
   std::optional<Row> row;
-  Taken taken = advance_cast_on(input, parameters, *state.timing, work, {state.last_level, row});
+  Taken taken = advance_cast_on(input, parameters.rows, parameters.stitch, *state.timing, work,
+                                {state.last_level, row});
   keep(state.fabric, std::move(row));
   return taken;
 }
@@ -51,7 +52,7 @@ Taken take_cast_on(const Input& input, const Parameters& parameters, State& stat
 // The first step of the cast on decides where rows come from.
 Taken take_first_row(const Input& input, const Parameters& parameters, State& state) {
   if (state.next.item == 0) {
-    const bool contours = parameters.rows == RowSource::contours;
+    const bool contours = parameters.rows.source == RowSource::contours;
     state.work = contours ? Work(ContourWork{}) : Work(CastOnWork{});
   }
   if (auto* rings = std::get_if<CastOnWork>(&state.work)) {
@@ -69,7 +70,8 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   const LiveStitches on = state.fabric.live();
   const RingRow at{*state.timing, state.last_level, state.next.row, on};
   std::optional<Row> row;
-  Taken taken = advance_rings(input, parameters, at, std::get<RowWork>(state.work), row);
+  Taken taken =
+      advance_rings(input, parameters.rows, parameters.stitch, at, std::get<RowWork>(state.work), row);
   keep(state.fabric, std::move(row));
   return taken;
 }
@@ -86,7 +88,8 @@ Taken take_join(const Parameters& parameters, State& state) {
                   fabric.join_into(below->id),
                   !fabric.has_row(row + 1)};
   Shared<Join> join;
-  Taken taken = advance_index(parameters, at, std::get<IndexWork>(state.work), join);
+  Taken taken =
+      advance_index(parameters.stitches, parameters.stitch, at, std::get<IndexWork>(state.work), join);
   keep(state.fabric, std::move(join));
   return taken;
 }
@@ -113,7 +116,7 @@ Taken take_line(State& state) {
 Taken take(const Input& input, const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
-      return advance_timing(input, parameters, std::get<TimingWork>(state.work), state.timing);
+      return advance_timing(input, parameters.timing, std::get<TimingWork>(state.work), state.timing);
     case Stage::cast_on:
       return take_first_row(input, parameters, state);
     case Stage::rows:
@@ -144,8 +147,9 @@ void begin_next_stage(State& state) {
       return begin(state, Stage::cast_on, 1, CastOnWork{});
     case Stage::cast_on:
       // From contours the stage cast on ends only where no row follows; rings may have levels left.
-      if (const Row* cast_on = state.fabric.find_row(1);
-          cast_on != nullptr && std::holds_alternative<CastOnWork>(state.work) && cast_on->level < state.last_level) {
+      if (const Row* cast_on = state.fabric.find_row(1); cast_on != nullptr &&
+                                                         std::holds_alternative<CastOnWork>(state.work) &&
+                                                         cast_on->level < state.last_level) {
         return begin(state, Stage::rows, 2, row_work_at(cast_on->level + 1));
       }
       return begin(state, Stage::stitches, 2, IndexWork{});
@@ -195,7 +199,7 @@ constexpr double many_crossings = 20000.0;  // of cuts and edges: some milliseco
 // The cuts of all rows, each of which goes through about as many triangles as lie side by side.
 bool planning_is_long(const Input& input, const Parameters& parameters) {
   const auto triangles = static_cast<double>(input.mesh.triangles.size());
-  const double cuts = input.bounds.diagonal() / stitch_height_of(parameters);
+  const double cuts = input.bounds.diagonal() / parameters.stitch.height;
   return input.mesh.triangles.size() >= many_triangles || cuts * std::sqrt(triangles) > many_crossings;
 }
 
@@ -203,12 +207,12 @@ bool planning_is_long(const Input& input, const Parameters& parameters) {
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (const auto* contours = std::get_if<ContourWork>(&state.work))
-    return next_plans_cuts(parameters, *contours) && planning_is_long(input, parameters);
+    return next_plans_cuts(parameters.stitch, *contours) && planning_is_long(input, parameters);
   if (state.next == Place{Stage::cast_on, 1, 0})
-    return parameters.rows == RowSource::contours && planning_is_long(input, parameters);
+    return parameters.rows.source == RowSource::contours && planning_is_long(input, parameters);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr && input.mesh.triangles.size() >= many_triangles &&
-         next_is_a_solve(input, parameters, *timing);
+         next_is_a_solve(input, parameters.timing, *timing);
 }
 
 const Join* planned_join(const State& state, RowId into) {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 #include "knit/run/state.h"
 #include "knit/run/step.h"
 

@@ -1,6 +1,7 @@
 #include "knit/run/timeline.h"
 
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/basic_timeline_impl.h"
 
 namespace knit {
@@ -20,8 +21,8 @@ Place KnitMachine::first_reader(const Parameters& before, const Parameters& afte
   return {first_reader_of_change(before, after), 0, 0};
 }
 
-Parameters KnitMachine::agreed(const Parameters& parameters, const Input& input) {
-  return knit::agreed(parameters, input);
+Parameters KnitMachine::resolved(const Parameters& parameters, const Input& input) {
+  return knit::resolved(parameters, input);
 }
 
 Parameters KnitMachine::with_change(const Parameters& parameters, const Parameters& before,

@@ -20,7 +20,7 @@ struct KnitMachine {
   static bool is_stop(const Step& step) { return knit::is_stop(step); }
   static bool is_long(const Input& input, const Parameters& parameters, const State& state);
   static Place first_reader(const Parameters& before, const Parameters& after);
-  static Parameters agreed(const Parameters& parameters, const Input& input);
+  static Parameters resolved(const Parameters& parameters, const Input& input);
   static Parameters with_change(const Parameters& parameters, const Parameters& before,
                                 const Parameters& after);
   static std::size_t copy_bytes(const State& state) { return knit::copy_bytes(state); }

@@ -23,32 +23,32 @@ Ended finish_join(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
   return at.last ? Ended::stage : Ended::row;
 }
 
-TransitionCounted count(const Parameters& parameters, const JoinAt& at, IndexWork& work) {
+TransitionCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& work) {
   const RowBelow below = row_below(at);
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
   const auto carried = static_cast<std::int32_t>(below.mains.size());
-  const bool by_place = placement_of(parameters.placement).by_place;
+  const bool by_place = placement_of(settings.placement).by_place;
   return {below.size, above, above - below.size, by_place ? carried : mains_wanted(below.size, above),
           carried};
 }
 
-Join plan(const Parameters& parameters, const JoinAt& at) {
-  const Placement& placement = placement_of(parameters.placement);
+Join plan(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
+  const Placement& placement = placement_of(settings.placement);
   const RowBelow below = row_below(at);
   if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});
   const std::vector<std::uint8_t> shaped =
       at.before != nullptr ? shaped_by(*at.before) : std::vector<std::uint8_t>{};
-  const double square = parameters.stitch_width * parameters.stitch_width;
-  const NearestPenalties penalties{parameters.stacking_penalty * square,
-                                   parameters.follow_mains == FollowMains::on ? square : 0.0};
+  const double square = stitch.width * stitch.width;
+  const NearestPenalties penalties{settings.stacking_penalty * square,
+                                   settings.follow_mains == FollowMains::on ? square : 0.0};
   return placement.plan(
       {below, size_of(*at.above), at.row, at.below.stitches, at.above->stitches, shaped, penalties});
 }
 
-Advanced<IndexEvent> space(const Parameters& parameters, const JoinAt& at, IndexWork& work,
-                           Shared<Join>& join) {
-  Join made = plan(parameters, at);
+Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
+                           IndexWork& work, Shared<Join>& join) {
+  Join made = plan(settings, stitch, at);
   made.from = at.from;
   work.plan = Shared(std::move(made));
   work.phase = IndexPhase::place;
@@ -56,7 +56,7 @@ Advanced<IndexEvent> space(const Parameters& parameters, const JoinAt& at, Index
   std::int32_t mains = 0;
   for (const PlacedLabel& p : planned.placed) mains += p.label == Label::main ? 1 : 0;
   const IndexEvent step =
-      placement_of(parameters.placement).by_place
+      placement_of(settings.placement).by_place
           ? IndexEvent(RowsMatched{static_cast<std::int32_t>(planned.link.size()), std::abs(planned.change()),
                                    planned.sum_of_squares, std::sqrt(planned.longest_square)})
           : IndexEvent(SpacingChosen{planned.rule, planned.tried.value_or(planned.rule),
@@ -84,17 +84,17 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
 
 }  // namespace
 
-Advanced<IndexEvent> advance_index(const Parameters& parameters, const JoinAt& at, IndexWork& work,
-                                   Shared<Join>& join) {
+Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
+                                   IndexWork& work, Shared<Join>& join) {
   if (at.above == nullptr) {
     const std::int32_t only = size_of(at.below);
     return {TransitionCounted{only, only, 0, 0, 0}, Ended::stage};
   }
   switch (work.phase) {
     case IndexPhase::count:
-      return count(parameters, at, work);
+      return count(settings, at, work);
     case IndexPhase::space:
-      return space(parameters, at, work, join);
+      return space(settings, stitch, at, work, join);
     case IndexPhase::place:
       break;
   }

@@ -16,7 +16,7 @@ namespace {
 
 template <PlacementPolicy policy>
 bool placed_by(const Parameters& parameters) {
-  return placement_of(parameters.placement).told_as == policy;
+  return placement_of(parameters.stitches.placement).told_as == policy;
 }
 
 bool is_line(const AnyEvent& event) { return event.get_if<LineWritten>() != nullptr; }

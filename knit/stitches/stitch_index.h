@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "knit/fabric/join.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings.h"
 
 namespace knit {
 

@@ -38,12 +38,12 @@ VertexId extreme_vertex(const Input& input, const glm::dvec3& axis) {
 
 }  // namespace
 
-std::variant<Ends, Stopped> find_ends(const Input& input, const Parameters& parameters) {
-  const glm::dvec3 axis = parameters.axis.direction();
-  const bool picked = parameters.start != no_vertex || parameters.end != no_vertex;
+std::variant<Ends, Stopped> find_ends(const Input& input, const TimingSettings& timing) {
+  const glm::dvec3 axis = timing.axis.direction();
+  const bool picked = timing.start != no_vertex || timing.end != no_vertex;
   Ends ends;
-  ends.start = parameters.start != no_vertex ? parameters.start : extreme_vertex(input, -axis);
-  ends.end = parameters.end != no_vertex ? parameters.end : extreme_vertex(input, axis);
+  ends.start = timing.start != no_vertex ? timing.start : extreme_vertex(input, -axis);
+  ends.end = timing.end != no_vertex ? timing.end : extreme_vertex(input, axis);
   const Stopped flat{StopReason::no_extent, {}, -1, 0, 0, ends.start, 0.0, 0.0};
   if (ends.start == no_vertex || ends.end == no_vertex) return flat;
 

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/parameters.h"
 #include "knit/model/products.h"
+#include "knit/model/settings.h"
 #include "knit/model/stopped.h"
 
 namespace knit {
@@ -14,7 +14,7 @@ namespace knit {
 // the line through the centroid, then lowest index), and the time runs along the axis itself. With a picked
 // vertex: along the line from start to end, as Algorithm 1 is printed. Stops with no_extent when both lie at
 // one time.
-std::variant<Ends, Stopped> find_ends(const Input& input, const Parameters& parameters);
+std::variant<Ends, Stopped> find_ends(const Input& input, const TimingSettings& timing);
 
 // Algorithm 1, line 7: not clamped.
 double time_of(const Ends& ends, const glm::dvec3& position);

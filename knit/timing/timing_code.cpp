@@ -11,7 +11,7 @@ namespace {
 
 template <TimingKind kind>
 bool timed_by(const Parameters& parameters) {
-  return parameters.timing == kind;
+  return parameters.timing.kind == kind;
 }
 
 constexpr CodeLine criticals_line{

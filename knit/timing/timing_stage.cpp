@@ -20,19 +20,19 @@ double pinned(const Ends& ends, VertexId vertex, double value) {
   return vertex == ends.start ? 0.0 : vertex == ends.end ? 1.0 : value;
 }
 
-Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const Parameters& parameters,
+Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const TimingSettings& settings,
                                             TimingWork& work) {
-  auto found = find_ends(input, parameters);
+  auto found = find_ends(input, settings);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   work.ends = std::get<Ends>(found);
-  work.kind = parameters.timing;
+  work.kind = settings.kind;
   return EndsFound{work.ends->start, work.ends->end, glm::length(work.ends->direction)};
 }
 
 // Distances from the start become a field; without a picked end the farthest vertex is the end.
-Advanced<TimingEvent> take_distances(const Input& input, const Parameters& parameters, TimingWork& work) {
+Advanced<TimingEvent> take_distances(const Input& input, const TimingSettings& settings, TimingWork& work) {
   std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start);
-  if (parameters.end == no_vertex) {
+  if (settings.end == no_vertex) {
     const double reach = *std::max_element(field.begin(), field.end());
     const auto farthest = std::find_if(field.begin(), field.end(),
                                        [&](double value) { return !clearly_less(value, reach, reach); });
@@ -46,7 +46,7 @@ Advanced<TimingEvent> take_distances(const Input& input, const Parameters& param
   return step;
 }
 
-Advanced<TimingEvent> solve_next(const Input& input, const Parameters& parameters, TimingWork& work) {
+Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& settings, TimingWork& work) {
   const VertexId start = work.ends->start;
   const auto vertices = static_cast<std::int64_t>(input.mesh.positions.size());
   if (!work.net) {
@@ -65,7 +65,7 @@ Advanced<TimingEvent> solve_next(const Input& input, const Parameters& parameter
     work.slopes = Shared(unit_slopes(*work.net, *work.heat));
     return FieldSolved{FieldStep::slopes, start, static_cast<std::int64_t>(work.slopes->size()), 1.0};
   }
-  return take_distances(input, parameters, work);
+  return take_distances(input, settings, work);
 }
 
 // How far a vertex stands from the start to the end along the line, within [0, 1].
@@ -103,7 +103,7 @@ CriticalsFound find_critical_points(const Input& input, TimingWork& work) {
   return CriticalsFound{found.minima, found.saddles, found.maxima, found.euler};
 }
 
-Advanced<TimingEvent> group(const Input& input, const Parameters& parameters, const TimingWork& work,
+Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, const TimingWork& work,
                             Shared<Timing>& made) {
   Timing timing;
   timing.ends = *work.ends;
@@ -113,30 +113,30 @@ Advanced<TimingEvent> group(const Input& input, const Parameters& parameters, co
   timing.retimed = is_retimed(work.kind);
   if (timing.retimed) timing.field = *work.field;
   if (work.scale) timing.scale = *work.scale;  // else only contours ask for one, of the times: plan_cuts
-  timing.levels = group_levels(input, timing.times, timing.criticals, parameters.level_tolerance);
+  timing.levels = group_levels(input, timing.times, timing.criticals, settings.level_tolerance);
   const auto& split = timing.levels.split;
   const LevelsGrouped grouped{timing.levels.count(), timing.outside, split ? split->level : -1,
-                              split ? split->loops : 1, parameters.level_tolerance};
+                              split ? split->loops : 1, settings.level_tolerance};
   made = Shared(std::move(timing));
   return {grouped, Ended::stage};
 }
 
 }  // namespace
 
-Advanced<TimingEvent> advance_timing(const Input& input, const Parameters& parameters, TimingWork& work,
+Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& settings, TimingWork& work,
                                      Shared<Timing>& timing) {
-  if (!work.ends) return find_ends_of_knitting(input, parameters, work);
+  if (!work.ends) return find_ends_of_knitting(input, settings, work);
   const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
-  if (solved_for && !work.field) return solve_next(input, parameters, work);
+  if (solved_for && !work.field) return solve_next(input, settings, work);
   if (is_retimed(work.kind) && !work.scale) return measure(input, work);
   if (work.times.size() < input.mesh.positions.size()) return time_next_vertex(input, work);
   if (!work.criticals) return find_critical_points(input, work);
-  return group(input, parameters, work, timing);
+  return group(input, settings, work, timing);
 }
 
-bool next_is_a_solve(const Input& input, const Parameters& parameters, const TimingWork& work) {
+bool next_is_a_solve(const Input& input, const TimingSettings& settings, const TimingWork& work) {
   const bool all_timed = work.times.size() == input.mesh.positions.size();
-  const TimingKind kind = work.ends ? work.kind : parameters.timing;
+  const TimingKind kind = work.ends ? work.kind : settings.kind;
   if (kind == TimingKind::linear) return all_timed;
   return work.ends && (!work.times.empty() ? all_timed : !work.field || !work.scale);
 }

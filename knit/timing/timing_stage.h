@@ -37,11 +37,11 @@ struct TimingWork {
 };
 
 // `timing`: the product, once the stage has ended.
-Advanced<TimingEvent> advance_timing(const Input& input, const Parameters& parameters, TimingWork& work,
+Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& settings, TimingWork& work,
                                      Shared<Timing>& timing);
 
 // Whether the step to come solves something over the whole surface.
-bool next_is_a_solve(const Input& input, const Parameters& parameters, const TimingWork& work);
+bool next_is_a_solve(const Input& input, const TimingSettings& settings, const TimingWork& work);
 // What it is about, for a person who waits: "solving for the distance".
 std::string_view work_ahead(const TimingWork& work);
 

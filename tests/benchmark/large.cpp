@@ -55,8 +55,8 @@ Json opened(Desk& desk, const fs::path& path) {
 
 Json worked_out(Desk& desk) {
   knit::Parameters contours = desk.session.document->timeline.parameters();
-  contours.rows = knit::RowSource::contours;
-  contours.placement = knit::PlacementPolicy::nearest;
+  contours.rows.source = knit::RowSource::contours;
+  contours.stitches.placement = knit::PlacementPolicy::nearest;
   FrameCosts costs;
   costs.take(desk, app::Tune{contours});
   costs.take(desk, app::ToLast{});

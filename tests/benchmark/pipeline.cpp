@@ -8,6 +8,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include "knit/model/stitch_size.h"
 #include "knit/run/machine.h"
 
 namespace benchmark {
@@ -129,7 +130,7 @@ Json measure_tuning(const app::Loaded& loaded) {
   std::vector<double> times;
   for (int i = 0; i < 100; ++i) {
     knit::Parameters tuned = loaded.parameters;
-    tuned.epsilon *= 0.7 + 0.004 * i;
+    knit::give_epsilon(tuned, tuned.epsilon() * (0.7 + 0.004 * i));
     const auto start = Clock::now();
     timeline.tune(tuned);
     timeline.extend_to_end();
@@ -169,10 +170,10 @@ Json measure_history(const knit::Timeline& timeline) {
 
 app::Loaded long_run(const std::filesystem::path& assets) {
   auto loaded = std::get<app::Loaded>(app::load_example(assets, "sphere"));
-  loaded.parameters.rows = knit::RowSource::contours;
-  loaded.parameters.placement = knit::PlacementPolicy::even;
-  loaded.parameters.stitch_width = 0.0055;
-  loaded.parameters.stitch_height = 0.0055;
+  loaded.parameters.rows.source = knit::RowSource::contours;
+  loaded.parameters.stitches.placement = knit::PlacementPolicy::even;
+  knit::give_width(loaded.parameters, 0.0055);
+  knit::give_height(loaded.parameters, 0.0055);
   return loaded;
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/machine.h"
 #include "tests/benchmark/pipeline.h"
 
@@ -45,9 +46,9 @@ constexpr std::array cases{Case{"linear_with_contour_rows", knit::TimingKind::li
 
 double run_once(const knit::Input& input, const Case& what) {
   knit::Parameters parameters = knit::default_parameters(input.bounds);
-  parameters.timing = what.timing;
-  parameters.rows = knit::RowSource::contours;
-  parameters.placement = knit::PlacementPolicy::nearest;
+  parameters.timing.kind = what.timing;
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
   knit::State state;
   const auto start = Clock::now();
   while (!state.finished() && (what.whole || state.stage() == knit::Stage::timing)) {

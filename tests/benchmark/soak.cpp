@@ -24,6 +24,7 @@
 #include "app/session/program.h"
 #include "app/session/view.h"
 #include "app/window/animation.h"
+#include "knit/model/stitch_size.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/desk.h"
@@ -136,8 +137,8 @@ class Person {
     const knit::Parameters first = desk_.session.document->timeline.parameters();
     for (int i = 0; i < 6; ++i) {
       knit::Parameters tuned = first;
-      tuned.epsilon *= 0.7 + 0.6 * share();
-      tuned.rows = i % 2 == 0 ? first.rows : knit::RowSource::contours;
+      knit::give_epsilon(tuned, tuned.epsilon() * (0.7 + 0.6 * share()));
+      tuned.rows.source = i % 2 == 0 ? first.rows.source : knit::RowSource::contours;
       act(app::Tune{tuned, true});
       frame();
       finish();
@@ -145,7 +146,7 @@ class Person {
     act(app::Settle{});
     act(app::SeekTo{somewhere()});
     knit::Parameters edited = desk_.session.document->timeline.parameters();
-    edited.epsilon *= 1.05;
+    knit::give_epsilon(edited, edited.epsilon() * 1.05);
     act(app::EditFromHere{edited});
     finish();
     for (int i = 0; i < 4; ++i) act(app::Undo{});
@@ -210,7 +211,7 @@ class Person {
   void compare() {
     act(app::PinRun{});
     knit::Parameters other = desk_.session.document->timeline.parameters();
-    other.epsilon *= 1.1;
+    knit::give_epsilon(other, other.epsilon() * 1.1);
     act(app::Tune{other});
     finish();
     act(app::ShowSide{app::SidePanel::compare});
@@ -219,7 +220,7 @@ class Person {
     finish();
     act(app::Unpin{});
     act(app::ShowSide{app::SidePanel::sweep});
-    const double epsilon = other.epsilon;
+    const double epsilon = other.epsilon();
     act(app::StartSweep{{{"epsilon", 0.8 * epsilon, epsilon, 6}, std::nullopt}});
     while (desk_.session.document->sweep && desk_.session.document->sweep->work->running()) frame();
     act(app::CancelSweep{});

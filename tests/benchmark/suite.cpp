@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "knit/import/obj.h"
+#include "knit/model/stitch_size.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/large.h"
@@ -22,8 +23,8 @@ namespace fs = std::filesystem;
 void say(const char* words) { std::fprintf(stderr, "benchmark: %s ...\n", words); }
 
 app::Loaded with_contours(app::Loaded loaded) {
-  loaded.parameters.rows = knit::RowSource::contours;
-  loaded.parameters.placement = knit::PlacementPolicy::nearest;
+  loaded.parameters.rows.source = knit::RowSource::contours;
+  loaded.parameters.stitches.placement = knit::PlacementPolicy::nearest;
   return loaded;
 }
 

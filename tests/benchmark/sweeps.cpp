@@ -27,7 +27,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 nlohmann::ordered_json benchmark::measure_sweep(const app::Loaded& loaded) {
-  const double epsilon = loaded.parameters.epsilon;
+  const double epsilon = loaded.parameters.epsilon();
   const app::SweepPlan plan{{"epsilon", 0.5 * epsilon, 1.5 * epsilon, 200}, std::nullopt};
   const knit::Timeline timeline(loaded.input, loaded.parameters);
   std::vector<double> single;

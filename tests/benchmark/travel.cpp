@@ -7,6 +7,7 @@
 #include "app/session/document.h"
 #include "app/window/frame.h"
 #include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/desk.h"
 
@@ -40,7 +41,7 @@ Json measure_tuning_to_picture(const std::filesystem::path& assets) {
     const knit::Parameters first = desk.session.document->timeline.parameters();
     for (int i = 0; i < 200; ++i) {
       knit::Parameters tuned = first;
-      tuned.epsilon *= 0.7 + 0.002 * i;
+      knit::give_epsilon(tuned, tuned.epsilon() * (0.7 + 0.002 * i));
       change.push_back(cost_of([&] {
         desk.act(app::Tune{tuned, true});
         desk.act(app::PassTime{1.0 / 60.0});
@@ -66,7 +67,7 @@ Json measure_tuning_to_picture(const std::filesystem::path& assets) {
   std::vector<Cost> drawn;
   for (int i = 0; i < 100 + unmeasured; ++i) {
     knit::Parameters tuned = first;
-    tuned.epsilon *= 0.8 + 0.002 * i;
+    knit::give_epsilon(tuned, tuned.epsilon() * (0.8 + 0.002 * i));
     const Cost cost = cost_of([&] {
       app::apply(finished, app::Tune{tuned, true});
       app::apply(finished, app::PassTime{1.0 / 60.0});
@@ -84,10 +85,10 @@ app::Session scrub_without_drawing(Json& json, const std::filesystem::path& asse
   Desk desk(assets);
   desk.act(app::OpenExample{"sphere"});
   knit::Parameters fine = desk.session.document->timeline.parameters();
-  fine.rows = knit::RowSource::contours;
-  fine.placement = knit::PlacementPolicy::even;
-  fine.stitch_width = 0.0055;
-  fine.stitch_height = 0.0055;
+  fine.rows.source = knit::RowSource::contours;
+  fine.stitches.placement = knit::PlacementPolicy::even;
+  knit::give_width(fine, 0.0055);
+  knit::give_height(fine, 0.0055);
   desk.act(app::Tune{fine});
   std::vector<Cost> slices;
   while (!desk.session.document->timeline.complete()) {

@@ -1,5 +1,5 @@
 // The pattern reader: any text is read to its end, and what reads without a mistake is written and read again.
-#include "knit/model/gauge.h"
+#include "knit/model/stitch_size.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/reader/pattern_reader.h"

@@ -4,7 +4,8 @@
 #include "knit/import/check.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/timeline.h"
 #include "tests/fuzz/small_run.h"
 #include "tests/support/promises.h"
@@ -48,7 +49,7 @@ void promise_changes(knit::Timeline& timeline, fuzz::Bytes& bytes) {
   const knit::Parameters changed =
       fuzz::parameters_of(bytes, input.bounds.diagonal(),
                           static_cast<unsigned>(std::min<std::size_t>(input.mesh.positions.size(), 255)));
-  if (knit::fault_of(knit::agreed(changed, input), input.mesh)) return;
+  if (knit::fault_of(changed, input)) return;
   if (bytes.below(2) == 0) {
     timeline.edit_from_here(changed);
     timeline.extend(most_steps);
@@ -75,11 +76,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto input = knit::make_input(std::move(mesh));
   const auto vertices = static_cast<unsigned>(std::min<std::size_t>(input->mesh.positions.size(), 255));
   const knit::Parameters parameters = fuzz::parameters_of(bytes, input->bounds.diagonal(), vertices);
-  if (const auto fault = knit::fault_of(parameters, input->mesh)) {
+  if (const auto fault = knit::fault_of(parameters, *input)) {
     fuzz::promise_sentence(*fault);
     return 0;
   }
-  if (knit::fault_of(knit::agreed(parameters, *input), input->mesh)) return 0;
+  if (knit::fault_of(parameters, *input)) return 0;
 
   knit::Timeline timeline(input, parameters, then % 4 == 0 ? 4000 : knit::Timeline::default_budget_bytes);
   timeline.extend(most_steps);

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "knit/mesh/shapes.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "tests/fuzz/bytes.h"
 
 namespace fuzz {
@@ -99,23 +100,25 @@ inline knit::Parameters parameters_of(Bytes& bytes, double size, unsigned vertic
     if (const auto* choice = std::get_if<knit::Choice>(&info.kind))
       choice->set(p, static_cast<int>(bytes.below(static_cast<unsigned>(choice->names.size()))));
   }
-  p.axis.kind = static_cast<knit::AxisKind>(bytes.below(4));
-  if (p.axis.kind == knit::AxisKind::custom) p.axis.custom = direction_of(bytes);
+  const knit::SizesFrom given = p.size.from();
+  p.timing.axis.kind = static_cast<knit::AxisKind>(bytes.below(4));
+  if (p.timing.axis.kind == knit::AxisKind::custom) p.timing.axis.custom = direction_of(bytes);
   const unsigned picks = bytes.byte();
-  if ((picks & 1U) != 0) p.start = bytes.below(vertices + 1);
-  if ((picks & 2U) != 0) p.end = bytes.below(vertices + 1);
-  if ((picks & 4U) != 0) p.start_direction = direction_of(bytes);
+  if ((picks & 1U) != 0) p.timing.start = bytes.below(vertices + 1);
+  if ((picks & 2U) != 0) p.timing.end = bytes.below(vertices + 1);
+  if ((picks & 4U) != 0) p.rows.start_direction = direction_of(bytes);
   if ((picks & 8U) != 0)
-    p.cast_on =
+    p.rows.cast_on =
         (picks & 16U) != 0 ? static_cast<int>(4 * bytes.byte()) : 3 + static_cast<int>(bytes.below(16));
-  if ((picks & 32U) != 0) p.level_tolerance = bytes.between(0.0, 0.1);
-  if ((picks & 64U) != 0) p.stitch_height = length_of(bytes, size);
-  if ((picks & 128U) != 0) p.gauge = {bytes.between(0.5, 60.0), bytes.between(0.5, 60.0)};
-  p.stitch_width = length_of(bytes, size);
+  if ((picks & 32U) != 0) p.timing.level_tolerance = bytes.between(0.0, 0.1);
+  if ((picks & 64U) != 0) knit::give_height(p, length_of(bytes, size));
+  if ((picks & 128U) != 0) knit::give_gauge(p, {bytes.between(0.5, 60.0), bytes.between(0.5, 60.0)});
+  knit::give_width(p, length_of(bytes, size));
   const unsigned band = bytes.byte();
-  p.epsilon = band == 255 ? length_of(bytes, size) : p.stitch_width * (band + 1) / 256.0;
-  p.height_cm = p.sizes == knit::SizesFrom::gauge ? bytes.between(0.1, 4.0) : 12.0;
-  p.stacking_penalty = bytes.below(2) == 1 ? bytes.between(0.0, 10.0) : 0.0;
+  knit::give_epsilon(p, band == 255 ? length_of(bytes, size) : p.stitch.width * (band + 1) / 256.0);
+  knit::give_sizes(p, given);
+  p.size.height_cm = p.size.from() == knit::SizesFrom::gauge ? bytes.between(0.1, 4.0) : 12.0;
+  p.stitches.stacking_penalty = bytes.below(2) == 1 ? bytes.between(0.0, 10.0) : 0.0;
   return p;
 }
 

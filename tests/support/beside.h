@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/program.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -20,11 +21,11 @@ inline std::shared_ptr<const knit::Mesh> large_ball() {
 
 inline knit::Parameters large_parameters(knit::TimingKind timing = knit::TimingKind::linear) {
   knit::Parameters parameters;
-  parameters.timing = timing;
-  parameters.stitch_width = 0.2;
-  parameters.epsilon = 0.1;
-  parameters.rows = knit::RowSource::contours;
-  parameters.placement = knit::PlacementPolicy::nearest;
+  parameters.timing.kind = timing;
+  knit::give_width(parameters, 0.2);
+  knit::give_epsilon(parameters, 0.1);
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
   return parameters;
 }
 

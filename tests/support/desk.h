@@ -12,6 +12,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
 
 namespace desk {
@@ -24,8 +25,8 @@ inline knit::Timeline small_run(const knit::Parameters& parameters) {
 
 inline knit::Parameters wide_band() {
   knit::Parameters parameters;
-  parameters.stitch_width = 0.45;
-  parameters.epsilon = 0.2;
+  knit::give_width(parameters, 0.45);
+  knit::give_epsilon(parameters, 0.2);
   return parameters;
 }
 

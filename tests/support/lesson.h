@@ -7,6 +7,7 @@
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
+#include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 

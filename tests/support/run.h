@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "knit/run/timeline.h"
 
 namespace test_support {
@@ -20,15 +21,15 @@ inline std::shared_ptr<const knit::Input> small_sphere() {
 
 inline knit::Parameters thesis_parameters() {
   knit::Parameters parameters;
-  parameters.close = knit::Closing::thesis;
+  parameters.rows.close = knit::Closing::thesis;
   return parameters;
 }
 
 // For the small sphere: no stall.
 inline knit::Parameters small_parameters() {
   knit::Parameters parameters;
-  parameters.stitch_width = 0.3;
-  parameters.epsilon = 0.15;
+  knit::give_width(parameters, 0.3);
+  knit::give_epsilon(parameters, 0.15);
   return parameters;
 }
 

@@ -26,7 +26,7 @@ void CompareCache::refresh(const Session& session, std::size_t problems) {
   difference_ = difference_of({*pin.input, pin.knobs, pin.end, pin.figures},
                               {timeline.input(), key_.knobs, run.state, figures});
   const auto width = [](const Knobs& knobs, const knit::State& state) {
-    return parameters_at(knobs, state.next).stitch_width;
+    return parameters_at(knobs, state.next).stitch.width;
   };
   pinned_rows_ = row_figures_of(pin.end, width(pin.knobs, pin.end));
   rows_ = row_figures_of(run.state, width(key_.knobs, run.state));

@@ -37,14 +37,12 @@ std::optional<double> figure_of(SweepFigure figure, const RunFigures& f) {
 }  // namespace
 
 std::optional<double> present_value(const knit::ParameterInfo& info, const knit::Parameters& parameters) {
-  if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
-    const bool automatic = number->zero == knit::Zero::means_auto && parameters.*number->field == 0.0;
-    return automatic ? knit::stitch_height_of(parameters) : parameters.*number->field;
-  }
+  if (const auto* number = std::get_if<knit::Number>(&info.kind))
+    return knit::effective_value(*number, parameters);
   const auto& count = std::get<knit::Count>(info.kind);
-  if (parameters.*count.field > 0) return parameters.*count.field;
+  if (count.get(parameters) > 0) return count.get(parameters);
   // Rings cast on six when they are not told; contours as many as there is room for.
-  return parameters.rows == knit::RowSource::rings ? std::optional(6.0) : std::nullopt;
+  return parameters.rows.source == knit::RowSource::rings ? std::optional(6.0) : std::nullopt;
 }
 
 SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& parameters, int count) {
@@ -60,9 +58,9 @@ SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& pa
   axis.from = std::max(number.low, rounded(0.5 * value));
   axis.to = std::min(number.high, rounded(1.5 * value));
   // Beyond the stitch width nothing could be told apart.
-  if (info.key == "epsilon")
-    axis.to = std::min(rounded(1.9 * value), rounded(0.98 * parameters.stitch_width));
-  if (info.key == "epsilon") axis.from = rounded(0.1 * value);
+  if (info.key == knit::keys::epsilon)
+    axis.to = std::min(rounded(1.9 * value), rounded(0.98 * parameters.stitch.width));
+  if (info.key == knit::keys::epsilon) axis.from = rounded(0.1 * value);
   return axis;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/compare/sweep_work.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -10,6 +10,7 @@
 #include "app/panels/kit/sides.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -24,7 +25,7 @@ bool is_offered(const knit::ParameterInfo& info, const knit::Parameters& paramet
 
 const knit::ParameterInfo& first_offered(const knit::Parameters& parameters, std::string_view but) {
   const auto table = knit::parameter_table();
-  for (const std::string_view key : {"epsilon", "stitch-width"}) {
+  for (const std::string_view key : {knit::keys::epsilon, knit::keys::stitch_width}) {
     const knit::ParameterInfo* info = knit::find_parameter(key);
     if (key != but && is_offered(*info, parameters)) return *info;
   }

@@ -8,6 +8,7 @@
 #include "app/base/text.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
 namespace app {

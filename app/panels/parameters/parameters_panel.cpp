@@ -13,8 +13,7 @@
 #include "app/panels/parameters/parameters.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/model/gauge.h"
-#include "knit/model/parameters.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/rows/frame.h"
 
@@ -50,8 +49,8 @@ struct Control {
   void operator()(const knit::Number& number) const {
     const double length = frame.timeline()->input().bounds.diagonal();
     const bool is_length = number.high >= knit::no_limit;
-    const bool automatic = number.zero == knit::Zero::means_auto && parameters.*number.field == 0.0;
-    double value = automatic ? knit::stitch_height_of(parameters) : parameters.*number.field;
+    const bool automatic = knit::is_auto(number, parameters);
+    double value = knit::effective_value(number, parameters);
     const double high = is_length ? length : number.high;
     const bool zero_allowed = number.zero == knit::Zero::allowed;
     const double low = number.low > 0.0 ? number.low : zero_allowed ? 0.0 : high * 1e-7;
@@ -69,7 +68,7 @@ struct Control {
   }
 
   void operator()(const knit::Count& count) const {
-    int value = parameters.*count.field;
+    int value = count.get(parameters);
     const bool automatic = count.zero_means_auto && value == 0;
     const std::string shape = automatic ? "auto" : format("%d", std::to_string(value));
     ImGui::SetNextItemWidth(width);
@@ -87,15 +86,16 @@ struct Control {
     if (clicked >= 0) choice.set(parameters, clicked);
   }
 
-  void operator()(const knit::AxisChoice& /*axis*/) const {
+  void operator()(const knit::AxisChoice& choice) const {
     constexpr std::array<std::string_view, 4> names{"x", "y", "z", "other"};
-    knit::Axis& axis = parameters.axis;
+    knit::Axis axis = choice.get(parameters);
     const int clicked = segmented("axis", names, static_cast<int>(axis.kind), width);
     if (clicked >= 0) {
       const knit::Axis before = axis;
       axis.kind = static_cast<knit::AxisKind>(clicked);
       // Begins where the axis was, so that the picture does not jump.
       if (axis.kind == knit::AxisKind::custom) axis.custom = before.direction();
+      choice.set(parameters, axis);
     }
     if (axis.kind != knit::AxisKind::custom) return;
     direction_field(axis.custom);
@@ -103,19 +103,19 @@ struct Control {
 
   void operator()(const knit::DirectionChoice& choice) const {
     constexpr std::array<std::string_view, 2> names{"auto", "other"};
-    const auto& direction = parameters.*choice.field;
+    const auto direction = choice.get(parameters);
     const int clicked = segmented("direction", names, direction ? 1 : 0, width);
     if (clicked == 0) set("auto");
     if (clicked == 1 && !direction) {
       // Begins where rounds begin now, so that the picture does not jump.
-      const knit::RowFrame now = knit::row_frame(parameters.axis.direction(), std::nullopt);
-      parameters.*choice.field = now.right;
+      const knit::RowFrame now = knit::row_frame(parameters.timing.axis.direction(), std::nullopt);
+      choice.set(parameters, now.right);
     }
     if (direction) direction_field(*direction);
   }
 
   void operator()(const knit::GaugeChoice& choice) const {
-    const knit::Gauge& gauge = parameters.*choice.field;
+    const knit::Gauge gauge = choice.get(parameters);
     std::array<double, 2> parts{gauge.stitches, gauge.rounds};
     ImGui::SetNextItemWidth(width);
     if (ImGui::DragScalarN("##gauge", ImGuiDataType_Double, parts.data(), 2, 0.05f, nullptr, nullptr, "%.4g"))
@@ -150,9 +150,8 @@ struct Control {
 };
 
 // A number that is typed, "auto", or a click in the view.
-void Control::operator()(const knit::PickedVertex& picked) const {
-  const bool is_start = picked.field == &knit::Parameters::start;
-  const Picking kind = is_start ? Picking::start : Picking::end;
+void Control::operator()(const knit::PickedVertex& /*picked*/) const {
+  const Picking kind = info.key == knit::keys::start ? Picking::start : Picking::end;
   const bool picking = frame.session.view->gaze.picking == kind;
   VertexField& field = frame.own<VertexFields>()[std::string(info.key)];
   const std::string value = knit::value_text(info, parameters);
@@ -169,7 +168,7 @@ void Control::operator()(const knit::PickedVertex& picked) const {
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     knit::Parameters changed = parameters;
     auto trouble = knit::set_value(info, changed, field.text.text());
-    if (!trouble) trouble = knit::fault_of(changed, frame.timeline()->input().mesh);
+    if (!trouble) trouble = knit::fault_of(changed, frame.timeline()->input());
     field.trouble = trouble.value_or("");
     if (!trouble) parameters = changed;
   }
@@ -304,10 +303,11 @@ void draw_mode(PanelFrame& frame) {
           "From here: what is past stays as it is; the rest is run anew.");
 }
 
-// What a change asks for: welding makes another mesh, so it can only count from the start.
+// What a change asks for. What is read before the run begins can only count from the start.
 void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
   const bool held = ImGui::IsAnyItemActive();  // a drag goes on; a click is over
-  if (frame.own<ChangeMode>().from_here && info.first_reader != knit::Stage::import) {
+  const bool from_start_only = !knit::can_change_at(info, knit::Place{});
+  if (frame.own<ChangeMode>().from_here && !from_start_only) {
     frame.wish(EditFromHere{changed, held});
   } else {
     frame.wish(Tune{changed, held});
@@ -361,7 +361,6 @@ void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
     knit::Parameters parameters = timeline.parameters();
     draw_knob(frame, info, parameters);
     if (parameters == timeline.parameters()) continue;
-    knit::give_size_by(info.key, parameters);
     wish_change(frame, info, parameters);
   }
 }

@@ -24,7 +24,7 @@ std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
 
 void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOptions& options) {
   const knit::State& state = timeline.furthest();
-  const knit::Gauge& gauge = timeline.parameters().gauge;  // as for a file
+  const knit::Gauge& gauge = timeline.parameters().stitch.gauge;  // as for a file
   const std::uint64_t key = key_of(state, gauge, options);
   if (key == key_) return;
   key_ = key;

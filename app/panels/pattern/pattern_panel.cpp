@@ -14,6 +14,7 @@
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/pattern/pattern_parts.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 

@@ -20,8 +20,7 @@ CardCache::Key CardCache::key_of(const knit::Timeline& timeline) {
   add(state.fabric.joins());
   add(state.fabric.strips());
   const knit::Parameters& parameters = timeline.parameters();
-  return {timeline.input_pointer(), parameters.stitch_width, knit::stitch_height_of(parameters),
-          products.value()};
+  return {timeline.input_pointer(), parameters.stitch.width, parameters.stitch.height, products.value()};
 }
 
 void CardCache::refresh(const knit::Timeline& timeline) {

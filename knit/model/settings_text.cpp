@@ -1,4 +1,4 @@
-#include "knit/model/parameters.h"
+// How settings are read from text, written as text and compared, by the table.
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "knit/model/gauge.h"
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 
 namespace knit {
 
@@ -50,52 +51,52 @@ std::string refused(const ParameterInfo& info, std::string_view text) {
 
 bool set_from(const Number& number, Parameters& p, std::string_view text) {
   if (number.zero == Zero::means_auto && text == "auto") {
-    p.*number.field = 0.0;
+    number.set(p, 0.0);
     return true;
   }
   const auto value = parse_number(text);
   const bool above_zero = number.low == 0.0 && number.zero != Zero::allowed;
   const bool above = value && (above_zero ? *value > 0.0 : *value >= number.low);
   if (!above || *value > number.high) return false;
-  p.*number.field = *value;
+  number.set(p, *value);
   return true;
 }
 
 bool set_from(const Count& count, Parameters& p, std::string_view text) {
   if (count.zero_means_auto && text == "auto") {
-    p.*count.field = 0;
+    count.set(p, 0);
     return true;
   }
   int value = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || value < count.low || value > count.high) return false;
-  p.*count.field = value;
+  count.set(p, value);
   return true;
 }
 
 bool set_from(const PickedVertex& picked, Parameters& p, std::string_view text) {
   if (text == "auto") {
-    p.*picked.field = no_vertex;
+    picked.set(p, no_vertex);
     return true;
   }
   VertexId value = 0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || value == no_vertex) return false;
-  p.*picked.field = value;
+  picked.set(p, value);
   return true;
 }
 
-bool set_from(const AxisChoice& /*axis*/, Parameters& p, std::string_view text) {
+bool set_from(const AxisChoice& choice, Parameters& p, std::string_view text) {
   const auto axis = parse_axis(text);
-  if (axis) p.axis = *axis;
+  if (axis) choice.set(p, *axis);
   return axis.has_value();
 }
 
 bool set_from(const DirectionChoice& choice, Parameters& p, std::string_view text) {
   const auto direction = parse_direction(text);
-  if (direction || text == "auto") p.*choice.field = direction;
+  if (direction || text == "auto") choice.set(p, direction);
   return direction || text == "auto";
 }
 
@@ -105,7 +106,7 @@ bool set_from(const GaugeChoice& choice, Parameters& p, std::string_view text) {
   const auto stitches = parse_number(text.substr(0, comma));
   const auto rounds = parse_number(text.substr(comma + 1));
   if (!stitches || !rounds || *stitches <= 0.0 || *rounds <= 0.0) return false;
-  p.*choice.field = {*stitches, *rounds};
+  choice.set(p, {*stitches, *rounds});
   return true;
 }
 
@@ -150,17 +151,6 @@ glm::dvec3 Axis::direction() const {
   return glm::normalize(custom);
 }
 
-double stitch_height_of(const Parameters& parameters) {
-  return parameters.stitch_height > 0.0 ? parameters.stitch_height : 0.72 * parameters.stitch_width;
-}
-
-Parameters default_parameters(const Bounds& bounds) {
-  Parameters parameters;
-  parameters.stitch_width = 0.03 * bounds.diagonal();
-  parameters.epsilon = 0.5 * parameters.stitch_width;
-  return parameters;
-}
-
 const ParameterInfo* find_parameter(std::string_view key) {
   const auto table = parameter_table();
   const auto found =
@@ -171,23 +161,20 @@ const ParameterInfo* find_parameter(std::string_view key) {
 std::string value_text(const ParameterInfo& info, const Parameters& p) {
   struct Text {
     const Parameters& p;
-    std::string operator()(const Number& n) const {
-      const bool automatic = n.zero == Zero::means_auto && p.*n.field == 0.0;
-      return automatic ? "auto" : number_text(p.*n.field);
-    }
+    std::string operator()(const Number& n) const { return is_auto(n, p) ? "auto" : number_text(n.get(p)); }
     std::string operator()(const Count& c) const {
-      return c.zero_means_auto && p.*c.field == 0 ? "auto" : std::to_string(p.*c.field);
+      return c.zero_means_auto && c.get(p) == 0 ? "auto" : std::to_string(c.get(p));
     }
     std::string operator()(const PickedVertex& v) const {
-      return p.*v.field == no_vertex ? "auto" : std::to_string(p.*v.field);
+      return v.get(p) == no_vertex ? "auto" : std::to_string(v.get(p));
     }
-    std::string operator()(const AxisChoice& /*axis*/) const { return axis_text(p.axis); }
+    std::string operator()(const AxisChoice& a) const { return axis_text(a.get(p)); }
     std::string operator()(const DirectionChoice& d) const {
-      const auto& direction = p.*d.field;
+      const auto direction = d.get(p);
       return direction ? direction_text(*direction) : "auto";
     }
     std::string operator()(const GaugeChoice& g) const {
-      return number_text((p.*g.field).stitches) + "," + number_text((p.*g.field).rounds);
+      return number_text(g.get(p).stitches) + "," + number_text(g.get(p).rounds);
     }
     std::string operator()(const Choice& c) const {
       return std::string(c.names[static_cast<std::size_t>(c.get(p))]);
@@ -200,6 +187,26 @@ std::optional<std::string> set_value(const ParameterInfo& info, Parameters& para
                                      std::string_view text) {
   const bool done = std::visit([&](const auto& kind) { return set_from(kind, parameters, text); }, info.kind);
   return done ? std::nullopt : std::optional(refused(info, text));
+}
+
+std::optional<std::string> set_values(std::span<const Setting> settings, Parameters& parameters) {
+  for (const bool sizes : {false, true}) {
+    for (const auto& [info, text] : settings) {
+      if ((info->key == keys::sizes) != sizes) continue;
+      if (auto fault = set_value(*info, parameters, text)) return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<ViewClash> clash_of_views(std::span<const Setting> settings) {
+  ViewClash clash{};
+  for (const auto& [info, text] : settings) {
+    if (info->key == keys::sizes) return std::nullopt;
+    const auto view = view_of(*info);
+    if (view) (*view == SizesFrom::mesh ? clash.mesh : clash.gauge) = info;
+  }
+  return clash.mesh != nullptr && clash.gauge != nullptr ? std::optional(clash) : std::nullopt;
 }
 
 std::string range_text(const ParameterInfo& info) {
@@ -258,51 +265,98 @@ std::optional<std::string> picked_vertex_fault(std::string_view option, VertexId
   return picked + " belongs to no face of this mesh; pick a vertex of the surface, or auto.";
 }
 
-std::optional<std::string> start_direction_fault(const Parameters& p, const Mesh& mesh) {
-  if (!p.start_direction) return std::nullopt;
-  const glm::dvec3 along = knitting_direction(p, mesh);
-  const glm::dvec3 side = glm::cross(*p.start_direction, along);
-  if (glm::length(side) > 1e-6 * glm::length(*p.start_direction) * glm::length(along)) return std::nullopt;
-  return "--start-direction " + direction_text(*p.start_direction) +
+std::optional<std::string> start_direction_fault(const Settings& settings, const Mesh& mesh) {
+  const auto& start = settings.rows.start_direction;
+  if (!start) return std::nullopt;
+  const glm::dvec3 along = knitting_direction(settings.timing, mesh);
+  const glm::dvec3 side = glm::cross(*start, along);
+  if (glm::length(side) > 1e-6 * glm::length(*start) * glm::length(along)) return std::nullopt;
+  return "--start-direction " + direction_text(*start) +
          " points along the direction of knitting; give one across it.";
 }
 
-}  // namespace
-
-std::optional<std::string> fault_of(const Parameters& p, const Mesh& mesh) {
-  // Values that no text could have given: out of range, or no numbers.
+// Values that no text could have given: out of range, or no numbers.
+std::optional<std::string> range_fault(const Parameters& p) {
   for (const ParameterInfo& info : parameter_table()) {
     Parameters read_back = p;
     if (auto fault = set_value(info, read_back, value_text(info, p))) return fault;
   }
-  for (const auto& [option, vertex] : {std::pair{"--start", p.start}, std::pair{"--end", p.end}}) {
+  return std::nullopt;
+}
+
+std::optional<std::string> ends_fault(const TimingSettings& timing, const Mesh& mesh) {
+  for (const auto& [option, vertex] : {std::pair{"--start", timing.start}, std::pair{"--end", timing.end}}) {
     if (auto fault = picked_vertex_fault(option, vertex, mesh)) return fault;
   }
-  if (p.start != no_vertex && p.start == p.end) {
-    return "--start and --end are both vertex " + std::to_string(p.start) + "; pick two different ones.";
-  }
-  if (auto fault = start_direction_fault(p, mesh)) return fault;
-  if (p.rows == RowSource::rings && p.epsilon >= p.stitch_width) {
-    return "epsilon " + number_text(p.epsilon) + " is not below the stitch width " +
-           number_text(p.stitch_width) +
+  if (timing.start == no_vertex || timing.start != timing.end) return std::nullopt;
+  return "--start and --end are both vertex " + std::to_string(timing.start) + "; pick two different ones.";
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of(const Parameters& parameters, const Input& input) {
+  if (auto fault = range_fault(parameters)) return fault;
+  const Parameters p = resolved(parameters, input);
+  if (auto fault = range_fault(p)) return fault;
+  if (auto fault = ends_fault(p.timing, input.mesh)) return fault;
+  if (auto fault = start_direction_fault(p, input.mesh)) return fault;
+  if (p.rows.source == RowSource::rings && p.epsilon() >= p.stitch.width) {
+    return "epsilon " + number_text(p.epsilon()) + " is not below the stitch width " +
+           number_text(p.stitch.width) +
            ", so a vertex would be a stitch away from itself; make epsilon smaller or the stitches wider.";
   }
   return std::nullopt;
 }
 
+bool is_auto(const Number& number, const Parameters& parameters) {
+  return number.zero == Zero::means_auto && number.get(parameters) == 0.0;
+}
+
+// Only the stitch height is worked out by itself.
+double effective_value(const Number& number, const Parameters& parameters) {
+  return is_auto(number, parameters) ? parameters.stitch.height : number.get(parameters);
+}
+
+std::optional<SizesFrom> view_of(const ParameterInfo& info) {
+  if (info.tie == Tie::mesh_view) return SizesFrom::mesh;
+  if (info.tie == Tie::gauge_view) return SizesFrom::gauge;
+  return std::nullopt;
+}
+
 bool is_read(const ParameterInfo& info, const Parameters& parameters) {
-  const std::string_view key = info.key;
-  const bool of_rings = key == "level-tolerance" || key == "metric" || key == "epsilon" ||
-                        key == "on-stall" || key == "last-anchor" || key == "resample" || key == "close";
-  if (of_rings) return parameters.rows == RowSource::rings;
-  const bool of_nearest = key == "stacking-penalty" || key == "follow-mains";
-  return !of_nearest || parameters.placement == PlacementPolicy::nearest;
+  return info.read_when == nullptr || info.read_when(parameters);
+}
+
+bool can_change_at(const ParameterInfo& info, const Place& next) {
+  return info.not_from_here.empty() || next <= Place{info.first_reader, 1, 0};
+}
+
+std::optional<std::string> why_not_from_here(const Parameters& before, const Parameters& after,
+                                             const Place& next) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (can_change_at(info, next) || same_value(info, before, after)) continue;
+    std::string words(info.not_from_here);
+    const std::size_t value = words.find("{}");
+    if (value != std::string::npos) words.replace(value, 2, value_text(info, before));
+    return words;
+  }
+  return std::nullopt;
+}
+
+bool only_follows(const ParameterInfo& info, const Parameters& from, const Parameters& to) {
+  if (info.tie == Tie::width) return from.rows.epsilon == to.rows.epsilon;
+  const auto view = view_of(info);
+  return view && *view != to.size.from();
+}
+
+bool same_value(const ParameterInfo& info, const Parameters& a, const Parameters& b) {
+  return std::visit([&](const auto& kind) { return kind.get(a) == kind.get(b); }, info.kind);
 }
 
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
   Stage first = Stage::done;
   for (const ParameterInfo& info : parameter_table()) {
-    if (info.first_reader < first && value_text(info, a) != value_text(info, b)) first = info.first_reader;
+    if (info.first_reader < first && !same_value(info, a, b)) first = info.first_reader;
   }
   return first;
 }
@@ -310,8 +364,8 @@ Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
 Parameters with_change(const Parameters& base, const Parameters& from, const Parameters& to) {
   Parameters result = base;
   for (const ParameterInfo& info : parameter_table()) {
-    const std::string text = value_text(info, to);
-    if (value_text(info, from) != text) set_value(info, result, text);
+    if (same_value(info, from, to) || only_follows(info, from, to)) continue;
+    std::visit([&](const auto& kind) { kind.set(result, kind.get(to)); }, info.kind);
   }
   return result;
 }

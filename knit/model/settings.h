@@ -1,0 +1,135 @@
+// Everything that can be set, in groups by the stage that reads them; and what the stitch comes to on a mesh.
+//
+// A stage takes its own group and those before it, and the StitchSize; so nothing it does can depend on what comes
+// later. settings_table.h says of each setting what people read: key, unit, range, meaning. Lengths are in mesh units.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <variant>
+
+#include "knit/mesh/mesh.h"
+#include "knit/model/placement_policy.h"
+
+namespace knit {
+
+enum class AxisKind : std::uint8_t { x, y, z, custom };
+struct Axis {
+  AxisKind kind = AxisKind::y;
+  glm::dvec3 custom{0.0, 1.0, 0.0};            // read only when kind is custom; any length but zero
+  [[nodiscard]] glm::dvec3 direction() const;  // unit length
+  friend bool operator==(const Axis&, const Axis&) = default;
+};
+
+enum class TimingKind : std::uint8_t { linear, arc_length, geodesic, harmonic };
+enum class RowSource : std::uint8_t { rings, contours };  // the mesh's own vertices, or cuts through edges
+enum class Metric : std::uint8_t { euclidean, arc, geodesic };  // the ruler of Algorithm 2
+enum class SizesFrom : std::uint8_t { mesh, gauge };      // which view of the stitch size is the given one
+enum class Closing : std::uint8_t { none, thesis, arc };  // how the closing gap is shared out
+enum class LastAnchor : std::uint8_t { keep, drop };      // drop: when nearer than w/2 to the first stitch
+enum class OnStall : std::uint8_t { continue_, stop };    // when no vertex lies in the band
+enum class Resample : std::uint8_t { on, off };           // when a row more than doubles or halves
+enum class FollowMains : std::uint8_t { off, on };        // nearest: shaping stands beside mains
+enum class Weld : std::uint8_t { off, on };               // merge coincident vertices on import
+
+struct MeshSettings {
+  Weld weld = Weld::off;
+  friend bool operator==(const MeshSettings&, const MeshSettings&) = default;
+};
+
+struct TimingSettings {
+  Axis axis;
+  VertexId start = no_vertex;  // picked by hand; no_vertex: the extreme vertex along the axis
+  VertexId end = no_vertex;
+  TimingKind kind = TimingKind::linear;
+  double level_tolerance = 1e-5;  // vertices whose times differ by less are of one level
+  friend bool operator==(const TimingSettings&, const TimingSettings&) = default;
+};
+
+// A knitter's swatch: stitches and rounds in 10 cm.
+struct Gauge {
+  double stitches = 22.0;
+  double rounds = 32.0;
+  friend bool operator==(const Gauge&, const Gauge&) = default;
+};
+
+inline constexpr double height_of_width = 0.72;  // of a stitch whose height is left to itself
+struct MeshSize {
+  double width = 0.1;
+  double height = 0.0;  // 0: height_of_width of the width
+  friend bool operator==(const MeshSize&, const MeshSize&) = default;
+};
+struct GaugeSize {
+  Gauge gauge;
+  friend bool operator==(const GaugeSize&, const GaugeSize&) = default;
+};
+// The stitch's size is stated once, in one of two views; stitch_size.h resolves it.
+struct SizeSettings {
+  std::variant<MeshSize, GaugeSize> given;
+  double height_cm = 12.0;  // of the finished object, along the axis
+  [[nodiscard]] SizesFrom from() const { return given.index() == 0 ? SizesFrom::mesh : SizesFrom::gauge; }
+  friend bool operator==(const SizeSettings&, const SizeSettings&) = default;
+};
+
+// A length that grows with the stitch: `part` where a stitch is `whole` wide. Two numbers, because a quotient cannot
+// give back every length that people type. Whole 0: `part` is meant as it stands, whatever the width turns out to be.
+struct WidthShare {
+  double part = 0.5;
+  double whole = 1.0;
+  [[nodiscard]] double of(double width) const {
+    return whole == width || whole == 0.0 ? part : part / whole * width;
+  }
+  friend bool operator==(const WidthShare&, const WidthShare&) = default;
+};
+
+struct RowsSettings {
+  RowSource source = RowSource::rings;
+  std::optional<glm::dvec3> start_direction;  // where rounds begin, any length but zero; none: -z, or -x
+  int cast_on = 0;                            // 0: 6 for rings, as the length says for contours
+  Metric metric = Metric::euclidean;
+  WidthShare epsilon;
+  OnStall on_stall = OnStall::continue_;
+  LastAnchor last_anchor = LastAnchor::keep;
+  Resample resample = Resample::on;
+  Closing close = Closing::arc;
+  friend bool operator==(const RowsSettings&, const RowsSettings&) = default;
+};
+
+struct StitchSettings {
+  PlacementPolicy placement = PlacementPolicy::thesis;
+  double stacking_penalty = 0.0;  // nearest: in squared stitch widths, for shaping above shaping
+  FollowMains follow_mains = FollowMains::off;
+  friend bool operator==(const StitchSettings&, const StitchSettings&) = default;
+};
+
+// In the order in which they are read.
+struct Settings {
+  MeshSettings mesh;
+  TimingSettings timing;
+  SizeSettings size;
+  RowsSettings rows;
+  StitchSettings stitches;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+// The stitch on one mesh, in both views.
+struct StitchSize {
+  double width = MeshSize{}.width;
+  double height = height_of_width * MeshSize{}.width;
+  bool height_follows = true;  // the width: it was left to itself
+  Gauge gauge;
+  double centimetres_per_unit = 1.0;  // of the mesh
+  friend bool operator==(const StitchSize&, const StitchSize&) = default;
+};
+
+// The settings of a run with what they make of the stitch on its mesh: what people call the parameters.
+struct Parameters : Settings {
+  StitchSize stitch;  // as resolved() last found it; the given view is always up to date
+  [[nodiscard]] double epsilon() const { return rows.epsilon.of(stitch.width); }
+  friend bool operator==(const Parameters&, const Parameters&) = default;
+};
+
+// Stitch width 3 % of the bounding box's diagonal and half of it as epsilon.
+Parameters default_parameters(const Bounds& bounds);
+
+}  // namespace knit

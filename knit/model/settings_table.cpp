@@ -1,0 +1,179 @@
+// The table of all settings, in the order of the pipeline (settings_table.h says what an entry means).
+#include "knit/model/settings_table.h"
+
+#include <array>
+
+#include "knit/model/stitch_size.h"
+
+namespace knit {
+
+namespace {
+
+// How a field of a group is read and set.
+template <auto Group, auto Field>
+constexpr auto field() {
+  using T = std::decay_t<decltype(Settings{}.*Group.*Field)>;
+  return Access<T>{[](const Parameters& p) { return p.*Group.*Field; },
+                   [](Parameters& p, T value) { p.*Group.*Field = value; }};
+}
+
+template <auto Group, auto Field>
+constexpr Choice choice(std::span<const std::string_view> names) {
+  using Enum = std::decay_t<decltype(Settings{}.*Group.*Field)>;
+  return {{[](const Parameters& p) { return static_cast<int>(p.*Group.*Field); },
+           [](Parameters& p, int value) { p.*Group.*Field = static_cast<Enum>(value); }},
+          names};
+}
+
+bool is_of_rings(const Parameters& p) { return p.rows.source == RowSource::rings; }
+bool is_of_nearest(const Parameters& p) { return p.stitches.placement == PlacementPolicy::nearest; }
+
+// The views of the stitch size, and what goes with it.
+constexpr Access<double> stitch_width{[](const Parameters& p) { return p.stitch.width; }, give_width};
+constexpr Access<double> stitch_height{
+    [](const Parameters& p) { return p.stitch.height_follows ? 0.0 : p.stitch.height; }, give_height};
+constexpr Access<Gauge> gauge{[](const Parameters& p) { return p.stitch.gauge; }, give_gauge};
+constexpr Access<double> epsilon{[](const Parameters& p) { return p.epsilon(); }, give_epsilon};
+
+constexpr std::array<std::string_view, 4> timing_names{"linear", "arc-length", "geodesic", "harmonic"};
+constexpr std::array<std::string_view, 2> source_names{"rings", "contours"};
+constexpr std::array<std::string_view, 3> metric_names{"euclidean", "arc", "geodesic"};
+constexpr std::array<std::string_view, 2> sizes_names{"mesh", "gauge"};
+constexpr std::array<std::string_view, 2> stall_names{"continue", "stop"};
+constexpr std::array<std::string_view, 2> anchor_names{"keep", "drop"};
+constexpr std::array<std::string_view, 2> switch_names{"on", "off"};
+constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"};
+constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
+
+constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
+                        [](Parameters& p, int view) { give_sizes(p, static_cast<SizesFrom>(view)); }},
+                       sizes_names};
+
+constexpr std::array table{
+    ParameterInfo{"weld",
+                  "Weld",
+                  "",
+                  "Merge vertices at exactly the same place when the mesh is opened.",
+                  "Mesh",
+                  Stage::import,
+                  choice<&Settings::mesh, &MeshSettings::weld>(off_on_names),
+                  nullptr,
+                  Tie::none,
+                  {},
+                  "Welding changes the mesh itself; set it for the whole run, not from here."},
+    ParameterInfo{"axis", "Axis", "",
+                  "The direction of knitting: x, y, z or a direction X,Y,Z. The time rises along it.",
+                  "Timing", Stage::timing, AxisChoice{field<&Settings::timing, &TimingSettings::axis>()}},
+    ParameterInfo{
+        keys::start, "Start vertex", "vertex",
+        "Where the time is 0: a vertex of the mesh, counted from 0, or auto for the lowest along the axis.",
+        "Timing", Stage::timing, PickedVertex{field<&Settings::timing, &TimingSettings::start>()}},
+    ParameterInfo{"end", "End vertex", "vertex",
+                  "Where the time is 1: a vertex of the mesh, counted from 0, or auto for the highest along "
+                  "the axis (with geodesic timing: the farthest from the start).",
+                  "Timing", Stage::timing, PickedVertex{field<&Settings::timing, &TimingSettings::end>()}},
+    ParameterInfo{
+        "timing", "Timing", "",
+        "How the time rises. linear: along the axis, Algorithm 1. arc-length: the same levels, with "
+        "equal steps of time equally high on the surface. geodesic: with the distance from the "
+        "start along the surface. harmonic: as smoothly as can be from start to end, with equal "
+        "steps equally high.",
+        "Timing", Stage::timing, choice<&Settings::timing, &TimingSettings::kind>(timing_names)},
+    ParameterInfo{
+        "level-tolerance", "Level tolerance", "of the time, 0 to 1",
+        "Vertices whose times lie closer together than this belong to one level, one cycle to pick from.",
+        "Timing", Stage::timing,
+        Number{field<&Settings::timing, &TimingSettings::level_tolerance>(), 0.0, 0.1}, is_of_rings},
+    ParameterInfo{
+        keys::sizes, "Sizes from", "",
+        "Which view of the stitch size is the given one; the other one follows. mesh: width and "
+        "height in the mesh's units. gauge: stitches and rounds per 10 cm, with the finished height.",
+        "Stitch size", Stage::done, sizes},
+    ParameterInfo{keys::stitch_width, "Stitch width w", "mesh units",
+                  "How wide a stitch is: the distance that Algorithm 2 looks for between neighbouring "
+                  "stitches, and what the length of a contour is divided by.",
+                  "Stitch size", Stage::cast_on, Number{{stitch_width}, 0.0, no_limit}, nullptr,
+                  Tie::mesh_view, "3 % of the bounding box's diagonal"},
+    ParameterInfo{"stitch-height", "Stitch height h", "mesh units",
+                  "How high a row is: contours lie this far apart on the surface. auto: 0.72 of the width. "
+                  "Rings lie where the mesh has them; there it only judges.",
+                  "Stitch size", Stage::cast_on, Number{{stitch_height}, 0.0, no_limit, Zero::means_auto},
+                  nullptr, Tie::mesh_view},
+    ParameterInfo{keys::gauge, "Gauge", "stitches, rounds in 10 cm",
+                  "What a swatch of the yarn counts in 10 cm: stitches across and rounds up, as 22,32.",
+                  "Stitch size", Stage::done, GaugeChoice{{gauge}}, nullptr, Tie::gauge_view,
+                  "follows the stitch size"},
+    ParameterInfo{"height-cm", "Finished height", "cm",
+                  "How high the finished object shall be along the axis; it ties centimetres to mesh units.",
+                  "Stitch size", Stage::done,
+                  Number{field<&Settings::size, &SizeSettings::height_cm>(), 0.0, 10000.0}},
+    ParameterInfo{
+        keys::rows,
+        "Rows from",
+        "",
+        "rings: Algorithm 2 picks stitches from the mesh's own vertices. contours: the surface is cut "
+        "at equal steps of time, and stitches stand at equal arcs along each cut.",
+        "Rows",
+        Stage::cast_on,
+        choice<&Settings::rows, &RowsSettings::source>(source_names),
+        nullptr,
+        Tie::none,
+        {},
+        "Rows have begun from {} already; set where they come from for the whole run, not from here."},
+    ParameterInfo{
+        "start-direction", "Rounds begin at", "",
+        "The side on which every round begins: a direction X,Y,Z across the axis, or auto for -z (-x "
+        "where that is the axis).",
+        "Rows", Stage::cast_on, DirectionChoice{field<&Settings::rows, &RowsSettings::start_direction>()}},
+    ParameterInfo{
+        "cast-on", "Cast on", "stitches",
+        "Stitches of the first row, spread evenly. auto: 6 with rings; with contours as many as its "
+        "length holds.",
+        "Rows", Stage::cast_on, Count{field<&Settings::rows, &RowsSettings::cast_on>(), 3, 1000, true}},
+    ParameterInfo{
+        keys::metric, "Metric", "",
+        "The ruler of Algorithm 2. euclidean: straight through the air, as in the thesis. arc: along "
+        "the cycle. geodesic: the shortest way on the surface.",
+        "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::metric>(metric_names), is_of_rings},
+    ParameterInfo{
+        keys::epsilon, "Epsilon \xCE\xB5", "mesh units",
+        "Half the band's width: a vertex is accepted at a distance within [w - \xCE\xB5, w + \xCE\xB5]. The "
+        "first one wins, so \xCE\xB5 sets the stitch length as much as w does.",
+        "Rows", Stage::rows, Number{{epsilon}, 0.0, no_limit}, is_of_rings, Tie::width,
+        "half the stitch width"},
+    ParameterInfo{
+        "on-stall", "When nothing is in the band", "",
+        "continue: take the vertex nearest to the stitch width, and log it. stop: end the run there.", "Rows",
+        Stage::rows, choice<&Settings::rows, &RowsSettings::on_stall>(stall_names), is_of_rings},
+    ParameterInfo{
+        "last-anchor", "Last anchor", "",
+        "keep: the last vertex picked is always a stitch. drop: not when it is nearer than w/2 to the first.",
+        "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::last_anchor>(anchor_names), is_of_rings},
+    ParameterInfo{
+        "resample", "Resample jumps", "",
+        "on: a row that more than doubles or halves is spread anew within that limit, and logged. off: stop.",
+        "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::resample>(switch_names), is_of_rings},
+    ParameterInfo{
+        "close", "Closing gap", "",
+        "How the gap between last and first stitch is shared out: none, the thesis's shift, or equal arcs.",
+        "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::close>(closing_names), is_of_rings},
+    ParameterInfo{"placement", "Placement", "", placement_help, "Stitches", Stage::stitches,
+                  choice<&Settings::stitches, &StitchSettings::placement>(placement_names)},
+    ParameterInfo{
+        "stacking-penalty", "Against stacking", "squared widths",
+        "nearest: what it costs to place shaping above the shaping of the row before; 0 lets it "
+        "stack.",
+        "Stitches", Stage::stitches,
+        Number{field<&Settings::stitches, &StitchSettings::stacking_penalty>(), 0.0, 1000.0, Zero::allowed},
+        is_of_nearest},
+    ParameterInfo{"follow-mains", "Follow the mains", "",
+                  "nearest: on places all shaping beside main stitches, so that it runs in lines.",
+                  "Stitches", Stage::stitches,
+                  choice<&Settings::stitches, &StitchSettings::follow_mains>(off_on_names), is_of_nearest},
+};
+
+}  // namespace
+
+std::span<const ParameterInfo> parameter_table() { return table; }
+
+}  // namespace knit
