@@ -12,6 +12,7 @@
 #include "app/describe/describe_symbols.h"
 #include "app/scene/scene.h"
 #include "app/session/session.h"
+#include "knit/fabric/fabric.h"
 
 namespace app {
 

@@ -7,6 +7,7 @@
 
 #include "app/scene/scene.h"
 #include "app/session/session.h"
+#include "knit/fabric/fabric.h"
 
 namespace app {
 

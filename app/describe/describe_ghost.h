@@ -7,6 +7,7 @@
 #include "app/scene/scene.h"
 #include "app/session/pins.h"
 #include "app/session/session.h"
+#include "knit/fabric/stitch.h"
 
 namespace app {
 

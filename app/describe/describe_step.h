@@ -5,6 +5,7 @@
 
 #include "app/scene/scene.h"
 #include "app/session/session.h"
+#include "knit/fabric/fabric.h"
 #include "knit/run/state.h"
 
 namespace app {
