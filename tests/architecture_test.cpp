@@ -222,7 +222,8 @@ Strings reckoned_rows(const Source& source) {
              code.end());
   for (const std::string& sum : sums) {
     for (std::size_t at = code.find(sum); at != std::string::npos; at = code.find(sum, at + 1)) {
-      const bool within_word = at > 0 && (std::isalnum(static_cast<unsigned char>(code[at - 1])) != 0);
+      const bool within_word = at > 0 && std::isalnum(static_cast<unsigned char>(sum[0])) != 0 &&
+                               std::isalnum(static_cast<unsigned char>(code[at - 1])) != 0;
       if (!within_word) found.push_back(source.name() + " has " + sum);
     }
   }

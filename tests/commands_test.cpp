@@ -51,7 +51,7 @@ TEST_CASE("while a person types, keys are text and nothing else") {
   CHECK(desk.click("knob/start", 0.2f).empty());
   desk.type("17");
   const Actions entered = desk.frames({KeyPress{Key::Enter, true, {}}, KeyPress{Key::Enter, false, {}}});
-  CHECK(only<Tune>(entered).parameters.start == 17);
+  CHECK(only<Tune>(entered).parameters.timing.start == 17);
   CHECK(only<StepBy>(desk.press({Key::Right, {}, 0})).direction == 1);
 }
 

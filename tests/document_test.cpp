@@ -164,7 +164,7 @@ void fill(Document& document) {
   document.findings.emplace_back();
   document.mended.emplace_back();
   document.before_mend = std::make_shared<const Session>();
-  document.defaults.cast_on = 77;
+  document.defaults.rows.cast_on = 77;
   document.timeline.extend(300);
   document.timeline.seek(200);
   document.before_change = base;

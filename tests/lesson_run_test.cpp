@@ -196,7 +196,7 @@ TEST_CASE("a what-if question asks what tuning would make of the run, changes on
   session.document->timeline.extend_to_end();
   REQUIRE(session.document->timeline.edits().size() == 1);
   const auto stitches_of = [](const knit::Timeline& timeline) {
-    return std::to_string(knit::count_stitches(timeline.furthest()));
+    return std::to_string(timeline.furthest().fabric.stitch_count());
   };
   JudgeCall call;
   call.word = "stitches";

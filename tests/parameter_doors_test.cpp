@@ -1,6 +1,7 @@
 // The same words make the same run, whichever door they come through.
 #include <algorithm>
 
+#include "app/actions/apply_parts.h"
 #include "app/actions/parameters_text.h"
 #include "app/files/link.h"
 #include "app/files/session_json.h"
@@ -67,9 +68,7 @@ std::size_t stitches_of(const knit::Parameters& parameters) {
   const Session session = example_session("thesis-sphere");
   knit::Timeline timeline(session.document->timeline.input_pointer(), parameters);
   timeline.extend_to_end();
-  std::size_t stitches = 0;
-  for (const auto& row : timeline.furthest().rows) stitches += row->stitches.size();
-  return stitches;
+  return timeline.furthest().fabric.stitch_count();
 }
 
 }  // namespace
