@@ -18,7 +18,8 @@ if(TARGET knit_tests)
   target_compile_definitions(knit_tests PRIVATE "KNIT_LOSING_DRIVER=\"$<TARGET_FILE:losing_driver>\"")
   # Compiling the tests costs more than running them: what most of them include once, no optimiser, and no counters
   # for the fuzz targets, which do not contain them.
-  target_precompile_headers(knit_tests PRIVATE tests/support/catch.h app/session/session.h)
+  target_precompile_headers(knit_tests PRIVATE tests/support/catch.h app/session/action.h app/session/document.h
+    app/session/view.h)
   target_compile_options(knit_tests PRIVATE -O0 -g1 $<$<BOOL:${KNIT_FUZZ}>:-fno-sanitize=fuzzer-no-link>)
   add_dependencies(knit_tests assets knit-mesh losing_driver)
   include(Catch)

@@ -21,8 +21,8 @@ namespace {
 
 Session session_of(const knit::Mesh& mesh, const knit::Parameters& parameters) {
   Session session;
-  session.document->original = std::make_shared<const knit::Mesh>(mesh);
   session.document = Document(knit::Timeline(knit::make_input(mesh), parameters));
+  session.document->original = std::make_shared<const knit::Mesh>(mesh);
   apply(session, ToLast{});
   return session;
 }

@@ -15,10 +15,10 @@ namespace {
 struct Window {
   Window() {
     session.program->assets = KNIT_ASSETS_DIR;
-    session.document->original = std::make_shared<const knit::Mesh>(knit::sphere(160, 70, true));
+    const auto ball = std::make_shared<const knit::Mesh>(knit::sphere(160, 70, true));
+    session.document = Document(knit::Timeline(knit::make_input(*ball), large_parameters()));
+    session.document->original = ball;
     session.document->source.example = "ball";
-    session.document->timeline =
-        knit::Timeline(knit::make_input(*session.document->original), large_parameters());
     session.document->timeline.extend_to_end();
     session.jobs->beside = true;
     apply(session, SeekTo{5000});

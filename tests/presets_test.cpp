@@ -117,7 +117,7 @@ TEST_CASE("the knitter's gauge makes an object of 12 cm from 22 stitches and 32 
   const knit::Parameters& p = session.document->timeline.parameters();
   CHECK(p.stitch.width == Approx(10.0 / 22.0 / 6.0));
   CHECK(p.stitch.height == Approx(10.0 / 32.0 / 6.0));
-  CHECK(p.epsilon() == 0.025);
+  CHECK(p.epsilon() / p.stitch.width == Approx(0.25));  // as the example has it
 }
 
 TEST_CASE("a preset is a change for the whole run: the place is kept, and twice is once") {

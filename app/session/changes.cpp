@@ -20,7 +20,7 @@ const knit::Parameters& in_force_at(const Knobs& knobs, const knit::Place& place
 
 void add_changed_keys(ParameterKeys& keys, const knit::Parameters& a, const knit::Parameters& b) {
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
-    if (!knit::same_value(info, a, b)) keys.insert(info.key);
+    if (!knit::same_value(info, a, b) && !knit::only_follows(info, a, b)) keys.insert(info.key);
   }
 }
 

@@ -79,7 +79,12 @@ struct WidthShare {
   [[nodiscard]] double of(double width) const {
     return whole == width || whole == 0.0 ? part : part / whole * width;
   }
-  friend bool operator==(const WidthShare&, const WidthShare&) = default;
+  // As shares: 1 of 2 is 2 of 4, but for rounding.
+  friend bool operator==(const WidthShare& a, const WidthShare& b) {
+    if (a.whole == 0.0 || b.whole == 0.0) return a.part == b.part && a.whole == b.whole;
+    const double difference = a.part * b.whole - b.part * a.whole;
+    return (difference < 0.0 ? -difference : difference) <= 1e-14 * a.part * b.whole;
+  }
 };
 
 struct RowsSettings {

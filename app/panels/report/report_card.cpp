@@ -242,7 +242,7 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
     values.made.push_back(row.stitches);
     values.ideal.push_back(row.ideal);
   }
-  if (frame.session.document->pinned) {
+  if (frame.session.document && frame.session.document->pinned) {
     for (const auto& row : frame.session.document->pinned->end.fabric.rows())
       values.pinned.push_back(static_cast<double>(row->stitches.size()));
   }
