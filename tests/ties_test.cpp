@@ -43,7 +43,7 @@ Mesh nudged(const Input& input, double reach, unsigned seed) {
 State knitted(const std::shared_ptr<const Input>& input, const Parameters& parameters) {
   Timeline timeline(input, parameters);
   timeline.extend_to_end();
-  REQUIRE(timeline.furthest().finished());
+  REQUIRE(timeline.furthest().fabric.row_count() > 1);  // a shape that parts may stop it later
   return timeline.furthest();
 }
 

@@ -27,14 +27,12 @@ def syntax_only(command, path):
             skip = True
         elif not word.startswith(("-O", "-g")):
             kept.append(word)
-    return [*kept[:-1], "-fsyntax-only", "-x", "c++", path]
+    return [*kept[:-1], "-fsyntax-only", "-x", "c++-header" if path.endswith(".h") else "c++", path]
 
 
 def compile_one(arguments):
     run = subprocess.run(arguments, text=True, capture_output=True, check=False)
-    # A header is the main file here, and says so.
-    errors = [line for line in run.stderr.splitlines() if "pragma once in main file" not in line]
-    return run.returncode, "\n".join(errors) if run.returncode != 0 else ""
+    return run.returncode, run.stderr.rstrip() if run.returncode != 0 else ""
 
 
 def main():

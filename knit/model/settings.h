@@ -131,7 +131,10 @@ struct StitchSize {
 struct Parameters : Settings {
   StitchSize stitch;  // as resolved() last found it; the given view is always up to date
   [[nodiscard]] double epsilon() const { return rows.epsilon.of(stitch.width); }
-  friend bool operator==(const Parameters&, const Parameters&) = default;
+  // What is stated says all; the rest follows from it on the same mesh.
+  friend bool operator==(const Parameters& a, const Parameters& b) {
+    return static_cast<const Settings&>(a) == static_cast<const Settings&>(b);
+  }
 };
 
 // Stitch width 3 % of the bounding box's diagonal and half of it as epsilon.

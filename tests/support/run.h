@@ -29,7 +29,7 @@ inline knit::Parameters thesis_parameters() {
 inline knit::Parameters small_parameters() {
   knit::Parameters parameters;
   knit::give_width(parameters, 0.3);
-  knit::give_epsilon(parameters, 0.15);
+  parameters.rows.epsilon = {0.15, 0.3};
   return parameters;
 }
 
