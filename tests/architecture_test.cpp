@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
 struct Source {
-  std::string folder;  // "app/core"
+  std::string folder;  // "app/session"
   std::string stem;    // "describe"
   bool header = false;
   std::string text;
@@ -445,6 +445,31 @@ TEST_CASE("no source file is longer than 600 lines") {
     }
   }
   CHECK(long_files == none);
+}
+
+// Paths of sources that a page names and that are not there; what goes on with a star or a <word> stands for several.
+Strings missing_paths(const std::string& page) {
+  static const std::regex path(R"((^|[^\w/.])((knit|app|tests|tools|cmake|shaders|assets)/[\w./-]*\w)(.?))");
+  Strings missing;
+  for (std::sregex_iterator at(page.begin(), page.end(), path), end; at != end; ++at) {
+    const fs::path named = fs::path(KNIT_SOURCE_DIR) / (*at)[2].str();
+    const std::string next = (*at)[4];
+    const bool there =
+        fs::exists(named) || fs::exists(named.string() + ".h") || fs::exists(named.string() + ".cpp");
+    if (!there && next != "*" && next != "<") missing.push_back((*at)[2]);
+  }
+  return missing;
+}
+
+TEST_CASE("every path that the pages name exists") {
+  CHECK(missing_paths(test_support::read_text(fs::path(KNIT_SOURCE_DIR) / "README.md")) == none);
+  for (const auto& entry : fs::directory_iterator(fs::path(KNIT_SOURCE_DIR) / "docs")) {
+    if (entry.path().extension() != ".md") continue;
+    CAPTURE(entry.path().filename().string());
+    CHECK(missing_paths(test_support::read_text(entry.path())) == none);
+  }
+  CHECK(missing_paths("`knit/run/machine.cpp` [knit/rows] knit/none.h, tests/lesson*_test.cpp") ==
+        Strings{"knit/none.h"});
 }
 
 TEST_CASE("these rules can be broken") {

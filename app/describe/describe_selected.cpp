@@ -120,7 +120,8 @@ struct RoundLook {
 };
 
 const knit::Row* row_at(const Session& session, std::int32_t number) {
-  for (const knit::State* state : {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
+  for (const knit::State* state :
+       {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
     if (const knit::Row* row = state->fabric.find_row(number)) return row;
   }
   return nullptr;

@@ -86,6 +86,7 @@ struct Advanced {
 
   template <class What>
     requires(!std::same_as<std::remove_cvref_t<What>, Advanced>)
+  // NOLINTNEXTLINE(bugprone-forwarding-reference-overload): the constraint leaves copies to the others
   Advanced(What&& happened, Ended end = Ended::step) : what(std::forward<What>(happened)), ended(end) {}
 };
 

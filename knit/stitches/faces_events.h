@@ -5,8 +5,8 @@
 #include <string_view>
 #include <variant>
 
-#include "knit/model/label.h"
 #include "knit/model/event.h"
+#include "knit/model/label.h"
 #include "knit/model/products.h"
 
 namespace knit {

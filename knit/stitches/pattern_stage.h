@@ -19,9 +19,9 @@ struct PatternWork {
 // Which line is written.
 struct LineAt {
   RowId row;
-  std::int32_t stitches;   // of the row
-  const Join* into;        // the row; null: it is the cast on
-  bool bind_off;           // the last line, after that of the last row
+  std::int32_t stitches;  // of the row
+  const Join* into;       // the row; null: it is the cast on
+  bool bind_off;          // the last line, after that of the last row
   bool last_row;
 };
 // `line`: the product.
