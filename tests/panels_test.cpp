@@ -166,7 +166,8 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.settle();
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
-      CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
+      CHECK(knit::resolved(only<Tune>(desk.click("reset/epsilon")).parameters,
+                           desk.session.document->timeline.input()) ==
             knit::resolved(wide_band(), desk.session.document->timeline.input()));
     }
   }
@@ -175,7 +176,8 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
 TEST_CASE("choices, the axis and welding are one click") {
   Desk desk(1280, 1280);
   desk.open();
-  CHECK(only<Tune>(desk.click("knob/last-anchor", 0.9f)).parameters.rows.last_anchor == knit::LastAnchor::drop);
+  CHECK(only<Tune>(desk.click("knob/last-anchor", 0.9f)).parameters.rows.last_anchor ==
+        knit::LastAnchor::drop);
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.timing.axis.kind == knit::AxisKind::x);
   desk.ui.own<ChangeMode>().from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.mesh.weld == knit::Weld::on);
