@@ -233,8 +233,9 @@ TEST_CASE("set_knobs: exactly these parameters and edits, as a run of its own", 
   later.rows.close = knit::Closing::none;
   const std::vector<knit::Edit> edits{{{knit::Stage::rows, 8, 0}, later}};
   timeline.set_knobs(base, edits);
-  CHECK(timeline.base_parameters() == base);
-  CHECK(timeline.edits() == edits);
+  const Knobs wanted = resolved(Knobs{base, edits}, timeline.input());
+  CHECK(timeline.base_parameters() == wanted.base);
+  CHECK(timeline.edits() == wanted.edits);
   timeline.extend_to_end();
   CHECK(timeline.place() == place);
   CHECK(knit::hash_of(timeline.furthest()) ==

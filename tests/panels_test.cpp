@@ -166,7 +166,8 @@ TEST_CASE("dragging a knob tunes live, or edits from here") {
       desk.settle();
       CHECK(only<RemoveEdit>(desk.click("edit/0/remove")).index == 0);
     } else {
-      CHECK(only<Tune>(desk.click("reset/epsilon")).parameters ==
+      CHECK(knit::resolved(only<Tune>(desk.click("reset/epsilon")).parameters,
+                           desk.session.document->timeline.input()) ==
             knit::resolved(wide_band(), desk.session.document->timeline.input()));
     }
   }

@@ -315,8 +315,9 @@ TEST_CASE("a saved run can be read without opening it") {
   REQUIRE(std::holds_alternative<SavedRun>(read));
   const auto& run = std::get<SavedRun>(read);
   CHECK(run.source.example == "sphere");
-  CHECK(run.base == session.document->timeline.base_parameters());
-  CHECK(run.edits == session.document->timeline.edits());
+  const Knobs knobs = resolved(Knobs{run.base, run.edits}, session.document->timeline.input());
+  CHECK(knobs.base == session.document->timeline.base_parameters());
+  CHECK(knobs.edits == session.document->timeline.edits());
   const auto none = read_saved_run(folder.path() / "none.json");
   REQUIRE(std::holds_alternative<std::string>(none));
   CHECK(is_one_sentence(std::get<std::string>(none)));
