@@ -15,31 +15,32 @@ Label triangle_label(const Join& t, std::size_t cell, std::size_t next) {
 
 }  // namespace
 
-Strip build_strip(const Join& t, std::span<const std::uint32_t> below, std::span<const std::uint32_t> above) {
-  const bool larger_above = cells_above(t);
+Strip build_strip(const Join& join, std::span<const std::uint32_t> below,
+                  std::span<const std::uint32_t> above) {
+  const bool larger_above = cells_above(join);
   const auto larger = larger_above ? above : below;
   const auto smaller = larger_above ? below : above;
-  const auto hangs_on = [&](std::size_t cell) { return smaller[static_cast<std::size_t>(t.link[cell])]; };
+  const auto hangs_on = [&](std::size_t cell) { return smaller[static_cast<std::size_t>(join.link[cell])]; };
   Strip strip;
-  strip.to = t.to;
-  const std::size_t cells = t.labels.size();
+  strip.to = join.to;
+  const std::size_t cells = join.labels.size();
   strip.faces.reserve(cells);
   strip.column_edges.reserve(cells);
   for (std::size_t cell = 0; cell < cells; ++cell) {
     const std::uint32_t b = larger[cell], s = hangs_on(cell);
     strip.column_edges.push_back(larger_above ? std::array{s, b} : std::array{b, s});
   }
-  for (const auto& [cell, next] : Edges(cells, t.from.closed)) {
+  for (const auto& [cell, next] : Edges(cells, join.from.closed)) {
     const std::uint32_t b = larger[cell], b_next = larger[next];
     const std::uint32_t s = hangs_on(cell), s_next = hangs_on(next);
     Face face;
     face.cell = static_cast<std::int32_t>(cell);
     if (s == s_next) {
       face.corner_count = 3;
-      face.label = triangle_label(t, cell, next);
+      face.label = triangle_label(join, cell, next);
       face.corners = larger_above ? std::array{s, b, b_next, 0U} : std::array{b, s, b_next, 0U};
     } else {
-      face.label = t.labels[cell] == Label::main ? Label::main : Label::knit;
+      face.label = join.labels[cell] == Label::main ? Label::main : Label::knit;
       face.corners = larger_above ? std::array{s, b, b_next, s_next} : std::array{b, s, s_next, b_next};
     }
     strip.faces.push_back(face);

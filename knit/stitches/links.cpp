@@ -21,26 +21,27 @@ void pair_section(Join& t, std::size_t main, std::size_t end) {
 
 }  // namespace
 
-void link_cells(Join& t) {
-  const std::size_t cells = t.labels.size();
-  t.partner.resize(cells);
-  t.link.resize(cells);
-  for (std::size_t cell = 0; cell < cells; ++cell) t.partner[cell] = static_cast<std::int32_t>(cell);
+void link_cells(Join& join) {
+  const std::size_t cells = join.labels.size();
+  join.partner.resize(cells);
+  join.link.resize(cells);
+  for (std::size_t cell = 0; cell < cells; ++cell) join.partner[cell] = static_cast<std::int32_t>(cell);
 
   std::size_t main = 0;
   for (std::size_t cell = 1; cell <= cells; ++cell) {
-    if (cell < cells && t.labels[cell] != Label::main) continue;
-    pair_section(t, main, cell);
+    if (cell < cells && join.labels[cell] != Label::main) continue;
+    pair_section(join, main, cell);
     main = cell;
   }
 
   std::int32_t stitch = 0;
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    if (is_shaping(t.labels[cell])) continue;
-    t.link[cell] = stitch++;
+    if (is_shaping(join.labels[cell])) continue;
+    join.link[cell] = stitch++;
   }
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    if (is_shaping(t.labels[cell])) t.link[cell] = t.link[static_cast<std::size_t>(t.partner[cell])];
+    if (is_shaping(join.labels[cell]))
+      join.link[cell] = join.link[static_cast<std::size_t>(join.partner[cell])];
   }
 }
 

@@ -251,13 +251,14 @@ Join plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, st
   return t;
 }
 
-std::vector<std::uint8_t> shaped_by(const Join& t) {
-  std::vector<std::uint8_t> shaped(static_cast<std::size_t>(t.above), 0);
-  const bool grows = t.change() >= 0;
-  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
-    if (!is_shaping(t.labels[cell])) continue;
-    const auto partner = static_cast<std::size_t>(t.partner[cell]);
-    for (const std::size_t c : {cell, partner}) shaped[grows ? c : static_cast<std::size_t>(t.link[c])] = 1;
+std::vector<std::uint8_t> shaped_by(const Join& join) {
+  std::vector<std::uint8_t> shaped(static_cast<std::size_t>(join.above), 0);
+  const bool grows = join.change() >= 0;
+  for (std::size_t cell = 0; cell < join.labels.size(); ++cell) {
+    if (!is_shaping(join.labels[cell])) continue;
+    const auto partner = static_cast<std::size_t>(join.partner[cell]);
+    for (const std::size_t c : {cell, partner})
+      shaped[grows ? c : static_cast<std::size_t>(join.link[c])] = 1;
   }
   return shaped;
 }

@@ -84,20 +84,20 @@ PatternLine cast_on_line(std::int32_t stitches) {
           stitches};
 }
 
-PatternLine round_line(const Join& t) {
-  const std::vector<std::uint8_t> absorbed = absorbed_cells(t);
+PatternLine round_line(const Join& join) {
+  const std::vector<std::uint8_t> absorbed = absorbed_cells(join);
   LineWriter line;
   bool plain = true;
-  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
-    const Label label = t.labels[cell];
+  for (std::size_t cell = 0; cell < join.labels.size(); ++cell) {
+    const Label label = join.labels[cell];
     if (is_shaping(label)) {
       const bool at_main =
-          is_decrease(label) && t.labels[static_cast<std::size_t>(t.partner[cell])] == Label::main;
+          is_decrease(label) && join.labels[static_cast<std::size_t>(join.partner[cell])] == Label::main;
       line.say(word_of(label), at_main);
       plain = false;
     } else if (absorbed[cell] != 0) {
       continue;
-    } else if (label == Label::main && t.change() != 0) {
+    } else if (label == Label::main && join.change() != 0) {
       line.say(word_of(label), true);
     } else {
       line.knit();
@@ -105,7 +105,7 @@ PatternLine round_line(const Join& t) {
   }
   std::string words = line.finish();
   if (plain) words = "Knit";
-  return {t.to, "Rnd " + std::to_string(t.to) + ": " + words + "." + counted(line.produced()),
+  return {join.to, "Rnd " + std::to_string(join.to) + ": " + words + "." + counted(line.produced()),
           line.consumed(), line.produced()};
 }
 
