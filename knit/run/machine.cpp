@@ -188,7 +188,7 @@ Step advance(const Input& input, const Parameters& parameters, State& state) {
   const Place place = state.next;
   Taken taken = take(input, parameters, state);
   if (!is<Stopped>(taken.what)) hand_on(state, taken.ended);
-  return {place, std::move(taken.what)};
+  return {place, taken.what};
 }
 
 namespace {
