@@ -197,7 +197,7 @@ TEST_CASE("what is typed becomes the action, or is refused in one sentence") {
   CHECK(taken<EditFromHere>(session, "Change a parameter from here on...", "epsilon = 0.125")
             .parameters.epsilon() == 0.125);
   CHECK(taken<SetBreaks>(session, "Break when...", "stall").conditions.size() == 1);
-  CHECK(taken<Select>(session, "Select vertex...", "12").thing == knit::Thing(knit::VertexThing{12}));
+  CHECK(taken<Select>(session, "Select vertex...", "12").thing == knit::Element(knit::VertexElement{12}));
   CHECK(taken<SetScale>(session, "Set the size of words and lines to...", "150").scale == 1.5);
   const auto picture = taken<SavePicture>(session, "Save a picture of any size...", "my ball.png 640x480");
   CHECK(picture.path == "my ball.png");

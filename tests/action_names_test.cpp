@@ -93,7 +93,7 @@ Controls all_controls() {
   knit::Parameters changed = desk.session.document->timeline.parameters();
   knit::give_epsilon(changed, changed.epsilon() * 1.1);
   apply(desk.session, EditFromHere{changed});
-  apply(desk.session, Select{knit::VertexThing{3}});
+  apply(desk.session, Select{knit::VertexElement{3}});
   desk.session.outbox->notices.push_back({});
   desk.session.program->rescued = Rescued{"/nowhere/session.json", "thesis-sphere, row 14"};
   desk.session.jobs->run.long_step.emplace();
@@ -105,11 +105,11 @@ Controls all_controls() {
     desk.press({Key::Escape, {}, 0});
     desk.settle();
   }
-  desk.session.jobs->mend_offer =
-      MendOffer{{"", "ball.obj", {}}, "It has a hole.", std::make_shared<knit::MendPlan>()};
+  desk.session.jobs->repair_offer =
+      RepairOffer{{"", "ball.obj", {}}, "It has a hole.", std::make_shared<knit::RepairPlan>()};
   look(desk);
-  desk.session.jobs->mend_offer.reset();
-  desk.session.document->before_mend = std::make_shared<const Session>();
+  desk.session.jobs->repair_offer.reset();
+  desk.session.document->before_repair = std::make_shared<const Session>();
   look(desk);
   desk.session.view->side = SidePanel::pattern;
   desk.ui.own<PatternFields>().open = true;
@@ -178,10 +178,10 @@ TEST_CASE("every action has a name of its own, and the machine's own say why the
     CHECK(words.insert(name.words).second);
     CHECK(!name.where.empty());
     if (name.reach != Reach::control) CHECK(name.where.back() == '.');
-    machines += is_a_persons(name) ? 0 : 1;
+    machines += name.reach != Reach::machine ? 0 : 1;
   }
   CHECK(machines == 6);
-  CHECK_FALSE(is_a_persons(name_of(PassTime{})));
+  CHECK_FALSE(name_of(PassTime{}).reach != Reach::machine);
   CHECK(name_of(Quit{}).words == "Quit");
   CHECK(name_of(PinRun{}).words == "Pin this run");
 }
@@ -203,6 +203,6 @@ TEST_CASE("every action of a person's has an entry in the palette") {
   const std::set<std::size_t> reached = in_the_palette();
   for (std::size_t i = 0; i < action_names().size(); ++i) {
     INFO(action_names()[i].words);
-    CHECK((reached.count(i) == 1) == is_a_persons(action_names()[i]));
+    CHECK((reached.count(i) == 1) == (action_names()[i].reach != Reach::machine));
   }
 }

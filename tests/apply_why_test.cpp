@@ -44,12 +44,12 @@ bool faces_eye(const Session& session, const glm::dvec3& place) {
 TEST_CASE("showing why goes to the step that made it, and back again") {
   Session session = test_support::finished_small_session();
   const std::size_t end = position(session);
-  const knit::Thing face = knit::FaceThing{5, 2};
+  const knit::Element face = knit::FaceElement{5, 2};
   apply(session, ShowWhy{face});
   CHECK(session.document->travel.selected == face);
   CHECK(position(session) == *knit::made_by(session.document->timeline, face) + 1);
   const std::size_t made = position(session);
-  apply(session, ShowWhy{knit::StitchThing{3, 1}});
+  apply(session, ShowWhy{knit::StitchElement{3, 1}});
   const std::size_t kept = position(session);
   CHECK(kept < made);
   apply(session, GoBack{});
@@ -89,7 +89,7 @@ TEST_CASE("dragging along the track is one jump in the history") {
 
 TEST_CASE("a history never grows without end, and outlives tuning") {
   Session session = test_support::finished_small_session();
-  for (std::int32_t i = 0; i < 600; ++i) apply(session, ShowWhy{knit::StitchThing{2 + i % 7, i % 5}});
+  for (std::int32_t i = 0; i < 600; ++i) apply(session, ShowWhy{knit::StitchElement{2 + i % 7, i % 5}});
   CHECK(session.document->travel.history.behind.size() <= 200);
   const knit::Place there = session.document->timeline.place();
   apply(session, ToFirst{});
@@ -107,7 +107,7 @@ TEST_CASE("the steps that touched what is selected are gone through both ways") 
   apply(session, ToTouch{1});
   const std::size_t end = position(session);
   CHECK(end == session.document->timeline.known());
-  const knit::Thing stitch = knit::StitchThing{6, 2};
+  const knit::Element stitch = knit::StitchElement{6, 2};
   apply(session, Select{stitch});
   std::vector<std::size_t> seen;
   for (;;) {
@@ -130,14 +130,14 @@ TEST_CASE("the steps that touched what is selected are gone through both ways") 
 
 TEST_CASE("why: with nothing open, or a vertex that is not there, nothing happens") {
   Session empty;
-  for (const Action& action :
-       Actions{Select{knit::StitchThing{}}, ShowWhy{knit::FaceThing{}}, ToTouch{1}, GoBack{}, GoForward{}})
+  for (const Action& action : Actions{Select{knit::StitchElement{}}, ShowWhy{knit::FaceElement{}}, ToTouch{1},
+                                      GoBack{}, GoForward{}})
     apply(empty, action);
   CHECK_FALSE(empty.document);
   Session session = test_support::finished_small_session();
-  apply(session, ShowWhy{knit::VertexThing{99999999}});
+  apply(session, ShowWhy{knit::VertexElement{99999999}});
   CHECK_FALSE(session.document->travel.selected);
-  apply(session, ShowWhy{knit::StitchThing{5000, 1}});
+  apply(session, ShowWhy{knit::StitchElement{5000, 1}});
   CHECK(position(session) == session.document->timeline.known());
 }
 
@@ -146,9 +146,9 @@ TEST_CASE("why: a window whose run is not worked out yet is not held up") {
   session.jobs->beside = true;
   session.document->timeline.extend(1000);
   const std::size_t known = session.document->timeline.known();
-  apply(session, ShowWhy{knit::FaceThing{4, 1}});
+  apply(session, ShowWhy{knit::FaceElement{4, 1}});
   CHECK(session.document->timeline.known() == known);
-  apply(session, ShowWhy{knit::StitchThing{1, 2}});
+  apply(session, ShowWhy{knit::StitchElement{1, 2}});
   CHECK(session.document->timeline.known() == known);
   CHECK(position(session) > 0);
   apply(session, GoBack{});
@@ -158,11 +158,11 @@ TEST_CASE("why: a window whose run is not worked out yet is not held up") {
 TEST_CASE("a refused vertex shows its anchor, the distance and the band") {
   Session session = test_support::finished_small_session();
   const knit::VertexId vertex = refused_vertex(session.document->timeline);
-  apply(session, ShowWhy{knit::VertexThing{vertex}});
+  apply(session, ShowWhy{knit::VertexElement{vertex}});
   const auto& step = session.document->timeline.step(position(session) - 1);
   REQUIRE(knit::is<knit::CandidateMeasured>(step));
   CHECK(knit::get_if<knit::CandidateMeasured>(step)->candidate == vertex);
-  CHECK(why_words(session.document->timeline, knit::VertexThing{vertex}).find("Passed over") == 0);
+  CHECK(why_words(session.document->timeline, knit::VertexElement{vertex}).find("Passed over") == 0);
   apply(session, ToLast{});
   Describer describer;
   const Scene scene = describer.describe(session);
@@ -180,10 +180,10 @@ TEST_CASE("a refused vertex shows its anchor, the distance and the band") {
 TEST_CASE("what is selected is lit where it is, and faintly where it is still to come") {
   Session session = test_support::finished_small_session();
   Describer describer;
-  for (const knit::Thing& thing :
-       {knit::Thing(knit::StitchThing{5, 1}), knit::Thing(knit::RowEdgeThing{5, 1}),
-        knit::Thing(knit::ColumnEdgeThing{5, 1}), knit::Thing(knit::FaceThing{5, 1}),
-        knit::Thing(knit::LabelThing{5, 1}), knit::Thing(knit::VertexThing{40})}) {
+  for (const knit::Element& thing :
+       {knit::Element(knit::StitchElement{5, 1}), knit::Element(knit::RowEdgeElement{5, 1}),
+        knit::Element(knit::ColumnEdgeElement{5, 1}), knit::Element(knit::FaceElement{5, 1}),
+        knit::Element(knit::LabelElement{5, 1}), knit::Element(knit::VertexElement{40})}) {
     CAPTURE(words_of(thing));
     apply(session, Select{});
     apply(session, ToLast{});
@@ -209,7 +209,7 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
       if (!faces_eye(session, place)) continue;
       ++seen;
       right += pick_thing(session, on_screen(session, place), reach) ==
-                       std::optional<knit::Thing>(knit::StitchThing{row->id, i})
+                       std::optional<knit::Element>(knit::StitchElement{row->id, i})
                    ? 1U
                    : 0U;
     }
@@ -223,18 +223,18 @@ TEST_CASE("a click means the stitch, edge, face or vertex in front under the poi
     if (!faces_eye(session, middle)) continue;
     const auto edge = pick_thing(session, on_screen(session, middle), reach);
     REQUIRE(edge);
-    CHECK(*edge == knit::Thing(knit::RowEdgeThing{row.id, static_cast<std::int32_t>(i)}));
+    CHECK(*edge == knit::Element(knit::RowEdgeElement{row.id, static_cast<std::int32_t>(i)}));
   }
   apply(session, SetLayer{Layer::row_edges, false});
   apply(session, SetLayer{Layer::column_edges, false});
   apply(session, SetLayer{Layer::stitches, false});
   const auto face = pick_thing(session, {0.02, 0.03}, reach);
   REQUIRE(face);
-  CHECK(std::holds_alternative<knit::FaceThing>(*face));
+  CHECK(std::holds_alternative<knit::FaceElement>(*face));
   apply(session, SetLayer{Layer::faces, false});
   const auto vertex = pick_thing(session, {0.02, 0.03}, reach);
   REQUIRE(vertex);
-  CHECK(std::holds_alternative<knit::VertexThing>(*vertex));
+  CHECK(std::holds_alternative<knit::VertexElement>(*vertex));
   CHECK_FALSE(pick_thing(session, {0.99, 0.99}, reach));
   CHECK_FALSE(pick_thing(Session{}, {0.0, 0.0}, reach));
 }
@@ -255,8 +255,8 @@ TEST_CASE("candidates of the row in the making can be clicked, though edges run 
     REQUIRE(picked);
     ++seen;
     const bool stitch = std::find(kept.begin(), kept.end(), order) != kept.end();
-    CHECK(std::holds_alternative<knit::StitchThing>(*picked) == stitch);
-    if (!stitch) CHECK(std::get<knit::VertexThing>(*picked).vertex == work.ring->vertices[i]);
+    CHECK(std::holds_alternative<knit::StitchElement>(*picked) == stitch);
+    if (!stitch) CHECK(std::get<knit::VertexElement>(*picked).vertex == work.ring->vertices[i]);
   }
   CHECK(seen > 5);
 }
@@ -283,7 +283,7 @@ TEST_CASE("the option --why answers with the step, its sentence and its numbers"
   const Answer stitch = why_answer(session, "stitch:5:2");
   CHECK(stitch.exit_code == exit_done);
   CHECK(stitch.out.find("stitch 3 of row 5: ") == 0);
-  const auto made = *knit::made_by(session.document->timeline, knit::StitchThing{5, 2});
+  const auto made = *knit::made_by(session.document->timeline, knit::StitchElement{5, 2});
   CHECK(stitch.out.find("made\tstep " + std::to_string(made + 1) + "\trows:5:") != std::string::npos);
   CHECK(stitch.out.find("chosen\tstep ") != std::string::npos);
   CHECK(stitch.out.find("  distance\t") != std::string::npos);

@@ -87,7 +87,7 @@ const std::vector<Arrow> arrows{
      {"glm/"}},
     {"knit/quality", {"knit/mesh", "knit/model", "knit/run"}, {"glm/"}},
     {"knit/insight", {"knit/model", "knit/rows", "knit/run", "knit/quality"}, {"glm/"}},
-    {"knit/pattern", {"knit/model", "knit/fabric", "knit/run"}, {}},
+    {"knit/pattern", {"knit/model", "knit/fabric", "knit/stitches", "knit/run"}, {}},
     {"knit/reader", {"knit/import", "knit/pattern"}, {}},
 
     {"app/base", {"knit/import", "knit/model"}, {json[0], json[1], "unistd.h"}},

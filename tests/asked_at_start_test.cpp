@@ -1,4 +1,4 @@
-// What the command line asks of a mesh that opens only after the window came: when mends are made, or a worker is done.
+// What the command line asks of a mesh that opens only after the window came: when repairs are made, or a worker is done.
 #include "app/script/open_as_asked.h"
 
 #include <sstream>
@@ -62,14 +62,14 @@ void wait_for_worker(Start& start, AskedAtStart& asked) {
 
 }  // namespace
 
-TEST_CASE("asked at the start: options wait until mends are made") {
+TEST_CASE("asked at the start: options wait until repairs are made") {
   const Folder folder;
   Start start(bad_file(folder));
   CHECK_FALSE(start.error);
-  REQUIRE(start.session.jobs->mend_offer);
+  REQUIRE(start.session.jobs->repair_offer);
   AskedAtStart asked(start.session);
   CHECK_FALSE(asked.tend(start.session, start.line));
-  apply(start.session, MendAndOpen{});
+  apply(start.session, RepairAndOpen{});
   REQUIRE(start.session.document);
   CHECK(start.stitch_width() != 0.37);
   CHECK(asked.tend(start.session, start.line));
@@ -83,17 +83,17 @@ TEST_CASE("asked at the start: options are not for another mesh") {
   const Folder folder;
   Start start(bad_file(folder));
   AskedAtStart asked(start.session);
-  apply(start.session, DropMendOffer{});
+  apply(start.session, DropRepairOffer{});
   CHECK_FALSE(asked.tend(start.session, start.line));
   apply(start.session, OpenExample{"egg"});
   CHECK_FALSE(asked.tend(start.session, start.line));
   apply(start.session, OpenFile{bad_file(folder)});
-  apply(start.session, MendAndOpen{});
+  apply(start.session, RepairAndOpen{});
   CHECK_FALSE(asked.tend(start.session, start.line));
   CHECK(start.stitch_width() != 0.37);
 }
 
-TEST_CASE("asked at the start: options wait for the worker, and then for mends") {
+TEST_CASE("asked at the start: options wait for the worker, and then for repairs") {
   const Folder folder;
   for (const bool whole : {true, false}) {
     CAPTURE(whole);
@@ -104,8 +104,8 @@ TEST_CASE("asked at the start: options wait for the worker, and then for mends")
     wait_for_worker(start, asked);
     if (!whole) {
       CHECK_FALSE(asked.tend(start.session, start.line));
-      REQUIRE(start.session.jobs->mend_offer);
-      apply(start.session, MendAndOpen{});
+      REQUIRE(start.session.jobs->repair_offer);
+      apply(start.session, RepairAndOpen{});
       wait_for_worker(start, asked);
     }
     CHECK(asked.tend(start.session, start.line));

@@ -35,8 +35,8 @@ TEST_CASE("candidates: a line each, and a click goes to the step that decided") 
   CHECK(table.row == 4);
   REQUIRE(desk.ui.own<CandidateList>().size() == table.candidates.size());
   const knit::Candidate& fifth = table.candidates[5];
-  CHECK(only<ShowWhy>(desk.click("candidate/5")).thing == knit::Thing(knit::VertexThing{fifth.vertex}));
-  desk.act({ShowWhy{knit::VertexThing{fifth.vertex}}});
+  CHECK(only<ShowWhy>(desk.click("candidate/5")).thing == knit::Element(knit::VertexElement{fifth.vertex}));
+  desk.act({ShowWhy{knit::VertexElement{fifth.vertex}}});
   CHECK(desk.session.document->timeline.position() == fifth.step + 1);
   desk.settle();
   CHECK(desk.ui.own<CandidateList>().order_of(desk.session.document->timeline,
@@ -120,9 +120,9 @@ TEST_CASE("the line of what is selected leads on from there") {
   Desk desk;
   desk.open();
   CHECK(desk.ui.controls.count("selected") == 0);
-  desk.act({Select{knit::StitchThing{4, 2}}});
+  desk.act({Select{knit::StitchElement{4, 2}}});
   desk.settle();
-  CHECK(only<ShowWhy>(desk.click("selected/why")).thing == knit::Thing(knit::StitchThing{4, 2}));
+  CHECK(only<ShowWhy>(desk.click("selected/why")).thing == knit::Element(knit::StitchElement{4, 2}));
   CHECK(only<ToTouch>(desk.click("selected/back")).direction == -1);
   CHECK(only<ToTouch>(desk.click("selected/forward")).direction == 1);
   CHECK_FALSE(only<Select>(desk.click("selected/close")).thing);

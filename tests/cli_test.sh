@@ -162,9 +162,9 @@ refused 'words.obj' words.obj --headless
 refused 'empty.obj' empty.obj --headless
 refused 'vertex' beyond.obj --headless
 refused 'hole' holed.obj --headless --save-report -
-refused '--mend largest-piece' pieces.obj --headless
-refused 'pieces' pieces.obj --mend holes --headless
-refused 'largest-piece' pieces.obj --mend darn --headless
+refused '--repair largest-piece' pieces.obj --headless
+refused 'pieces' pieces.obj --repair holes --headless
+refused 'largest-piece' pieces.obj --repair darn --headless
 refused 'choose one of' --example teapot --headless
 refused 'not a vertex' --start 999999 --headless
 refused 'double or halve' index 6,13

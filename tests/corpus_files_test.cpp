@@ -55,7 +55,7 @@ void check_refused(const fs::path& path, const std::vector<std::string>& words) 
   CHECK(hash_of(session.document->timeline.state()) == state);
   CHECK(session.document->timeline.parameters() == parameters);
   CHECK(session.document->source.file.empty());
-  CHECK_FALSE(session.jobs->mend_offer);
+  CHECK_FALSE(session.jobs->repair_offer);
 }
 
 }  // namespace

@@ -47,14 +47,14 @@ Session session_under_way() {
 // The one sentence that a refused opening ends in, taken away again; else empty.
 std::string take_sentence(Session& session, std::size_t notices_before) {
   std::string sentence;
-  if (session.jobs->mend_offer) sentence = session.jobs->mend_offer->finding;
+  if (session.jobs->repair_offer) sentence = session.jobs->repair_offer->finding;
   if (session.outbox->notices.size() == notices_before + 1) {
     CHECK(sentence.empty());
     CHECK(session.outbox->notices.back().kind == Notice::Kind::error);
     sentence = session.outbox->notices.back().text;
     session.outbox->notices.pop_back();
   }
-  apply(session, DropMendOffer{});
+  apply(session, DropRepairOffer{});
   return sentence;
 }
 

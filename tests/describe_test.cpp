@@ -77,7 +77,7 @@ std::size_t count_triangles(const Scene& scene, std::optional<Colour> colour = s
 
 void set_all_layers(Session& session, bool on) { session.view->layers.fill(on); }
 
-// A run with stalls that are mended, so that every kind of step is there.
+// A run with stalls that are repaired, so that every kind of step is there.
 Session uneven_session() {
   Session session = small_session();
   knit::Parameters parameters = session.document->timeline.parameters();
@@ -237,7 +237,7 @@ TEST_CASE("a row that closes shows its gap with its length") {
   CHECK(scene.points.size() >= static_cast<std::size_t>(closed.stitches));
 }
 
-TEST_CASE("a stall that was mended shows as a problem, with its distance") {
+TEST_CASE("a stall that was repaired shows as a problem, with its distance") {
   Session session = uneven_session();
   apply(session, ToFirst{});
   const auto missed = seek_to_step<knit::BandMissed>(session);

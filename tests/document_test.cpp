@@ -65,15 +65,15 @@ Names different(const Changes& a, const Changes& b) {
 
 // Times are not compared: `load_ms` never is the same twice.
 Names different(const Document& a, const Document& b) {
-  [[maybe_unused]] const auto& [source, original, mesh_hash, findings, mended, before_mend, defaults,
+  [[maybe_unused]] const auto& [source, original, mesh_hash, findings, repaired, before_repair, defaults,
                                 timeline, before_change, changes, travel, place_note, pinned, sweep, saved,
                                 closeness, closeness_run, load_ms, run_ms] = a;
   return those_that_differ({{"source", source != b.source},
                             {"original", original->positions != b.original->positions},
                             {"mesh_hash", mesh_hash != b.mesh_hash},
                             {"findings", findings.size() != b.findings.size()},
-                            {"mended", mended.size() != b.mended.size()},
-                            {"before_mend", before_mend != b.before_mend},
+                            {"mended", repaired.size() != b.repaired.size()},
+                            {"before_mend", before_repair != b.before_repair},
                             {"defaults", !(defaults == b.defaults)},
                             {"timeline", !same(timeline, b.timeline)},
                             {"before_change", before_change.has_value() != b.before_change.has_value()},
@@ -133,12 +133,12 @@ Names different(const Outbox& a, const Outbox& b) {
 }
 
 Names different(const Jobs& a, const Jobs& b) {
-  const auto& [beside, opening, made_mesh, mend_offer, run, animation] = a;
+  const auto& [beside, opening, made_mesh, repair_offer, run, animation] = a;
   const auto& [long_step, measuring] = run;
   return those_that_differ({{"beside", beside != b.beside},
                             {"opening", opening != b.opening},
                             {"made_mesh", made_mesh != b.made_mesh},
-                            {"mend_offer", mend_offer.has_value() != b.mend_offer.has_value()},
+                            {"mend_offer", repair_offer.has_value() != b.repair_offer.has_value()},
                             {"long_step", long_step.has_value() != b.run.long_step.has_value()},
                             {"measuring", measuring.has_value() != b.run.measuring.has_value()},
                             {"animation", animation != b.animation}});
@@ -159,11 +159,11 @@ constexpr std::size_t document_fields = 18, travel_fields = 8, change_fields = 5
 
 void fill(Document& document) {
   const knit::Parameters base = document.timeline.base_parameters();
-  document.source.mends = {knit::MendKind::holes};
+  document.source.repairs = {knit::RepairKind::holes};
   document.mesh_hash = "elsewhere";
   document.findings.emplace_back();
-  document.mended.emplace_back();
-  document.before_mend = std::make_shared<const Session>();
+  document.repaired.emplace_back();
+  document.before_repair = std::make_shared<const Session>();
   document.defaults.rows.cast_on = 77;
   document.timeline.extend(300);
   document.timeline.seek(200);
@@ -172,7 +172,7 @@ void fill(Document& document) {
   Travel& travel = document.travel;
   travel.history = {{document.timeline.place()}, {document.timeline.place()}};
   travel.left_by_seek = 200;
-  travel.selected = knit::VertexThing{3};
+  travel.selected = knit::VertexElement{3};
   travel.hits.refresh(document.timeline, {std::get<knit::BreakCondition>(knit::parse_break("row=3"))},
                       BreakHits::all);
   travel.running_to = 1;
@@ -226,7 +226,7 @@ Session full_session() {
   session.outbox->quit = true;
   session.jobs->beside = true;
   session.jobs->made_mesh = std::make_shared<const MadeMesh>();
-  session.jobs->mend_offer = MendOffer{{"", "a.obj", {}}, "It has a hole.", nullptr};
+  session.jobs->repair_offer = RepairOffer{{"", "a.obj", {}}, "It has a hole.", nullptr};
   session.jobs->run.long_step.emplace();
   session.jobs->run.measuring.emplace();
   session.jobs->animation = std::make_shared<const AnimationRun>();

@@ -17,7 +17,7 @@ TEST_CASE("closing the mesh puts away all that belongs to it, and another can be
   Session session = example_session("sphere");
   apply(session, ToLast{});
   apply(session, PinRun{});
-  apply(session, Select{knit::VertexThing{3}});
+  apply(session, Select{knit::VertexElement{3}});
   apply(session, SetPredicting{true});
   const Preferences preferences = session.program->preferences;
   apply(session, CloseMesh{});

@@ -18,6 +18,7 @@
 #include "knit/import/obj.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
+#include "knit/reader/pattern_reader.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -302,6 +303,22 @@ TEST_CASE("thesis sphere: the report's every field") {
   CHECK(report["labels"][1] == Json({6, 1, 6, 2, 6, 1, 6, 2, 6, 1, 6, 2}));
 }
 
+TEST_CASE("the report's pattern is the page's: read back, it makes the report's rows") {
+  Session session = example_session("thesis-sphere");
+  apply(session, SeekPlace{{knit::Stage::stitches, 5, 0}});
+  CHECK(Json::parse(report_text(session))["pattern"] == Json::array());
+  apply(session, ToLast{});
+  const Json report = Json::parse(report_text(session));
+  std::string text;
+  for (const Json& line : report["pattern"]) text += line.get<std::string>() + "\n";
+  CHECK(contains(text, "\nRnd 2: [K1, m1r, K1, m1l] 3 times. (12 sts)\n"));
+  const knit::ReadPattern read = knit::read_pattern(text);
+  CHECK(read.mistakes.empty());
+  std::vector<std::int32_t> rows{read.rounds.cast_on};
+  for (const knit::Round& round : read.rounds.rounds) rows.push_back(round.after);
+  CHECK(Json(rows) == report["rows"]);
+}
+
 TEST_CASE("a report shows the position, at the start too") {
   Session session = test_support::small_session();
   const Json start = Json::parse(report_text(session));
@@ -332,7 +349,7 @@ TEST_CASE("a stop is the last problem, and the last line of the steps") {
   CHECK(last["what"] == problem["what"]);
 }
 
-TEST_CASE("a mended stall is a problem with its place") {
+TEST_CASE("a repaired stall is a problem with its place") {
   Session session = test_support::small_session();
   knit::Parameters parameters = session.document->timeline.parameters();
   knit::give_epsilon(parameters, 0.01);

@@ -127,12 +127,13 @@ TEST_CASE("a stall is logged each time it is bridged") {
 }
 
 TEST_CASE(
-    "no row more than doubles or halves, where that is forbidden to mend, the run stops and names the row") {
+    "no row more than doubles or halves, where that is forbidden to repair, the run stops and names the "
+    "row") {
   Parameters narrow = small_parameters();
   narrow.rows.cast_on = 3;
-  const Timeline mended = run(small_sphere(), narrow);
-  REQUIRE(mended.stop() == nullptr);
-  const std::vector<int> sizes = test_support::row_sizes(mended.furthest());
+  const Timeline repaired = run(small_sphere(), narrow);
+  REQUIRE(repaired.stop() == nullptr);
+  const std::vector<int> sizes = test_support::row_sizes(repaired.furthest());
   for (std::size_t i = 1; i < sizes.size(); ++i) {
     CHECK(sizes[i] <= 2 * sizes[i - 1]);
     CHECK(2 * sizes[i] >= sizes[i - 1]);
@@ -185,7 +186,7 @@ TEST_CASE("parameters edited at any step give a run that ends or says why") {
     give_epsilon(p, 0.01 + 0.2 * static_cast<double>(random() % 100) / 100);
     p.rows.close = static_cast<Closing>(random() % 3);
     p.rows.on_stall = static_cast<OnStall>(random() % 4 == 0 ? 1 : 0);
-    p.stitches.placement = static_cast<PlacementPolicy>(random() % 2);
+    p.stitches.placement = static_cast<PlacementPolicy>(random() % placement_names.size());
     timeline.edit_from_here(p);
     timeline.extend_to_end();
     CHECK((timeline.stop() != nullptr || timeline.furthest().finished()));
@@ -219,8 +220,6 @@ TEST_CASE("written lines add up: each consumes what the one before made") {
     CHECK(state.lines[i + 1]->consumed == state.lines[i]->produced);
   }
   CHECK(state.lines.back()->produced == 0);
-  CHECK(state.lines[1]->text ==
-        "Rnd 2: k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l, k1 (m), m1r, k1 (m), m1l. (12 sts)");
 }
 
 TEST_CASE("every reason to stop has its own sentence and its own word") {

@@ -137,23 +137,23 @@ class Monkey {
     return parameters;
   }
 
-  knit::Thing thing(const Session& session) {
+  knit::Element thing(const Session& session) {
     const auto row =
         static_cast<std::int32_t>(below(session.document->timeline.furthest().fabric.rows().size() + 3));
     const std::int32_t item = small(90);
     switch (below(6)) {
       case 0:
-        return knit::StitchThing{row, item};
+        return knit::StitchElement{row, item};
       case 1:
-        return knit::RowEdgeThing{row, item};
+        return knit::RowEdgeElement{row, item};
       case 2:
-        return knit::ColumnEdgeThing{row, item};
+        return knit::ColumnEdgeElement{row, item};
       case 3:
-        return knit::FaceThing{row, item};
+        return knit::FaceElement{row, item};
       case 4:
-        return knit::LabelThing{row, item};
+        return knit::LabelElement{row, item};
       default:
-        return knit::VertexThing{
+        return knit::VertexElement{
             static_cast<knit::VertexId>(below(session.document->timeline.input().mesh.positions.size() + 2))};
     }
   }

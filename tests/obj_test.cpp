@@ -251,7 +251,7 @@ TEST_CASE("obj: what is not OBJ is refused in one sentence", "[obj]") {
   CHECK(check(mesh_of(corners)).findings.at(0).kind == FindingKind::no_triangles);
 }
 
-TEST_CASE("obj: coordinates are never mended", "[obj]") {
+TEST_CASE("obj: coordinates are never repaired", "[obj]") {
   for (const char* bad : {"nan",
                           "inf",
                           "-inf",
@@ -299,7 +299,7 @@ TEST_CASE("obj: numbers beyond a double are found by the check", "[obj]") {
   }
 }
 
-TEST_CASE("obj: indices are never mended", "[obj]") {
+TEST_CASE("obj: indices are never repaired", "[obj]") {
   CHECK(mentions(error_of(corners + "f 0 1 2\n"), "line 5: a face asks for vertex 0"));
   CHECK(mentions(error_of(corners + "f 1 2 5\n"), "line 5: a face asks for vertex 5, but the file has 4"));
   CHECK(mentions(error_of(corners + "f 1 2 3\nf 1 2 9\nf 1 2 7\n"), "line 6: a face asks for vertex 9"));

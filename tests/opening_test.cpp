@@ -155,7 +155,7 @@ TEST_CASE("opening another thing cancels the first") {
   CHECK(first->progress->stopped());
 }
 
-TEST_CASE("a large file that is not fit leaves the session as it was, says why, and offers mends") {
+TEST_CASE("a large file that is not fit leaves the session as it was, says why, and offers repairs") {
   const Files files;
   Session session = window_session();
   const knit::Input* egg = &session.document->timeline.input();
@@ -163,13 +163,13 @@ TEST_CASE("a large file that is not fit leaves the session as it was, says why, 
   REQUIRE(session.jobs->opening);
   tick_to_end_of_opening(session);
   check_untouched(session, egg);
-  REQUIRE(session.jobs->mend_offer);
-  CHECK(contains(session.jobs->mend_offer->finding, "hole"));
-  apply(session, MendAndOpen{});
+  REQUIRE(session.jobs->repair_offer);
+  CHECK(contains(session.jobs->repair_offer->finding, "hole"));
+  apply(session, RepairAndOpen{});
   check_untouched(session, egg);
   tick_to_end_of_opening(session);
   CHECK(session.document->source.file == files.holed);
-  CHECK(session.document->mended.size() == 1);
+  CHECK(session.document->repaired.size() == 1);
 }
 
 TEST_CASE("a session with a large mesh is opened beside the window too") {

@@ -2,6 +2,8 @@
 #include "knit/model/settings_table.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
@@ -253,8 +255,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   for (const RowSource rows : {RowSource::rings, RowSource::contours}) {
-    for (const PlacementPolicy placement :
-         {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
+    for (std::size_t i = 0; i < placement_names.size(); ++i) {
+      const auto placement = static_cast<PlacementPolicy>(i);
       Parameters p;
       p.rows.source = rows;
       p.stitches.placement = placement;
@@ -265,6 +267,15 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
         CHECK(is_read(info, p) == !idle);
       }
     }
+  }
+}
+
+TEST_CASE("every parameter has its line in the command line's page") {
+  std::ifstream file(std::string(KNIT_SOURCE_DIR) + "/docs/command-line.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const ParameterInfo& info : parameter_table()) {
+    CAPTURE(info.key);
+    CHECK(page.find("| `--" + std::string(info.key) + "` |") != std::string::npos);
   }
 }
 

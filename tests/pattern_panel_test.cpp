@@ -243,7 +243,8 @@ TEST_CASE("options that come from elsewhere fill the fields") {
   CHECK(desk.ui.own<PatternFields>().needle.text() == "3.25");
 }
 
-TEST_CASE("a needle is a number from 0.5 to 50, another is refused with a sentence, and stays to be mended") {
+TEST_CASE(
+    "a needle is a number from 0.5 to 50, another is refused with a sentence, and stays to be repaired") {
   Desk desk;
   show_pattern(desk);
   open_fields(desk);

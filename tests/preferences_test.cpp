@@ -258,7 +258,7 @@ TEST_CASE("a file that has gone says so in one sentence when it is chosen, and i
     CHECK(is_one_sentence(session.outbox->notices.front().text));
     CHECK(session.program->preferences.recent == std::vector<std::string>{"example:thesis-sphere"});
   }
-  // One that is there and wrong stays: it may be mended.
+  // One that is there and wrong stays: it may be repaired.
   Session session = example_session("thesis-sphere");
   write_text(folder.path() / "bad.obj", "v 1 2\n");
   const std::string bad = recent_name(folder.path() / "bad.obj");

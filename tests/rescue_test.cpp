@@ -6,13 +6,13 @@
 
 #include <cstdlib>
 
-#include "app/actions/show_session.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
 #include "app/session/document.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "tests/support/catch.h"
+#include "tests/support/open_session.h"
 #include "tests/support/session.h"
 
 using namespace app;

@@ -1,7 +1,6 @@
 // Sessions as files: what is saved is shown again, and what cannot be read is said in one sentence.
 #include "app/files/session_file.h"
 #include "app/actions/background_work.h"
-#include "app/actions/show_session.h"
 
 #include "app/describe/describe.h"
 #include "app/files/session_json.h"
@@ -11,6 +10,7 @@
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
+#include "tests/support/open_session.h"
 #include "tests/support/session.h"
 
 using namespace app;

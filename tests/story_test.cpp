@@ -1,5 +1,5 @@
 // The debugging story of docs/debugging.md, played as a script of actions: an epsilon that is too small, seen,
-// understood and mended.
+// understood and repaired.
 #include <algorithm>
 
 #include "app/actions/apply_parts.h"
@@ -77,7 +77,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   const auto refused = *knit::get_if<knit::CandidateMeasured>(before);
   CHECK(refused.verdict == knit::Verdict::too_far);
   CHECK(refused.distance > table.band.high);
-  act(ShowWhy{knit::VertexThing{refused.candidate}});
+  act(ShowWhy{knit::VertexElement{refused.candidate}});
   CHECK(session.document->timeline.place() > place);
   act(ToTouch{-1});
   while (session.document->timeline.place() > before.place) act(ToTouch{-1});

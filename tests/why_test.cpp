@@ -14,22 +14,22 @@ using namespace knit;
 
 namespace {
 
-std::vector<Thing> things_of(const State& run) {
-  std::vector<Thing> things;
+std::vector<Element> things_of(const State& run) {
+  std::vector<Element> things;
   for (const auto& row : run.fabric.rows()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(row->stitches.size()); ++i) {
-      things.emplace_back(StitchThing{row->id, i});
-      things.emplace_back(RowEdgeThing{row->id, i});
+      things.emplace_back(StitchElement{row->id, i});
+      things.emplace_back(RowEdgeElement{row->id, i});
     }
   }
   for (const auto& join : run.fabric.joins()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(join->labels.size()); ++i)
-      things.emplace_back(LabelThing{join->to, i});
+      things.emplace_back(LabelElement{join->to, i});
   }
   for (const auto& strip : run.fabric.strips()) {
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(strip->faces.size()); ++i) {
-      things.emplace_back(FaceThing{strip->to, i});
-      things.emplace_back(ColumnEdgeThing{strip->to, i});
+      things.emplace_back(FaceElement{strip->to, i});
+      things.emplace_back(ColumnEdgeElement{strip->to, i});
     }
   }
   return things;
@@ -38,10 +38,10 @@ std::vector<Thing> things_of(const State& run) {
 // Walks the whole run once and looks at each thing before and after the step that is said to have made it.
 void check_whys(Timeline& timeline) {
   timeline.extend_to_end();
-  std::multimap<std::size_t, Thing> made;
-  const std::vector<Thing> things = things_of(timeline.furthest());
+  std::multimap<std::size_t, Element> made;
+  const std::vector<Element> things = things_of(timeline.furthest());
   std::size_t unexplained = 0;
-  for (const Thing& thing : things) {
+  for (const Element& thing : things) {
     const auto step = made_by(timeline, thing);
     if (step) made.emplace(*step, thing);
     unexplained += step ? 0U : 1U;
@@ -79,7 +79,7 @@ Timeline small_run(const Parameters& parameters = test_support::small_parameters
   return timeline;
 }
 
-std::vector<std::size_t> touching_steps(const Timeline& timeline, const Thing& thing) {
+std::vector<std::size_t> touching_steps(const Timeline& timeline, const Element& thing) {
   std::vector<std::size_t> steps;
   for (std::size_t i = 0; i < timeline.known(); ++i) {
     if (touches(timeline, thing, i)) steps.push_back(i);
@@ -119,10 +119,10 @@ TEST_CASE("why: the same where rows are resampled, stall and share their gap in 
 TEST_CASE("why: what is not there has no step") {
   const Timeline timeline = small_run();
   const auto rows = static_cast<std::int32_t>(timeline.furthest().fabric.rows().size());
-  for (const Thing& thing : std::vector<Thing>{
-           StitchThing{0, 0}, StitchThing{2, -1}, StitchThing{2, 100000}, StitchThing{rows + 1, 0},
-           RowEdgeThing{rows + 7, 0}, RowEdgeThing{3, 5000}, FaceThing{1, 0}, FaceThing{2, 4000},
-           ColumnEdgeThing{2, -1}, LabelThing{1, 0}, LabelThing{2, 900}, VertexThing{no_vertex}}) {
+  for (const Element& thing : std::vector<Element>{
+           StitchElement{0, 0}, StitchElement{2, -1}, StitchElement{2, 100000}, StitchElement{rows + 1, 0},
+           RowEdgeElement{rows + 7, 0}, RowEdgeElement{3, 5000}, FaceElement{1, 0}, FaceElement{2, 4000},
+           ColumnEdgeElement{2, -1}, LabelElement{1, 0}, LabelElement{2, 900}, VertexElement{no_vertex}}) {
     CAPTURE(thing.index());
     CHECK_FALSE(made_by(timeline, thing));
     CHECK_FALSE(exists(timeline.furthest(), thing));
@@ -131,13 +131,14 @@ TEST_CASE("why: what is not there has no step") {
 
 TEST_CASE("why: with a run known in part, what is known is said and nothing else") {
   Timeline timeline(test_support::small_sphere(), test_support::small_parameters());
-  CHECK_FALSE(made_by(timeline, StitchThing{1, 0}));
+  CHECK_FALSE(made_by(timeline, StitchElement{1, 0}));
   CHECK(story_of(timeline, 5).fate == Fate::not_yet);
   std::size_t wrong = 0;
   while (timeline.extend(37)) {
     const State& run = timeline.furthest();
-    for (const Thing& thing : {Thing(StitchThing{4, 3}), Thing(FaceThing{3, 2}), Thing(LabelThing{5, 1}),
-                               Thing(LabelThing{5, 2}), Thing(RowEdgeThing{4, 3})})
+    for (const Element& thing :
+         {Element(StitchElement{4, 3}), Element(FaceElement{3, 2}), Element(LabelElement{5, 1}),
+          Element(LabelElement{5, 2}), Element(RowEdgeElement{4, 3})})
       wrong += exists(run, thing) == made_by(timeline, thing).has_value() ? 0U : 1U;
   }
   CHECK(wrong == 0);
@@ -157,7 +158,7 @@ TEST_CASE("why: every vertex of the mesh has a story that its steps bear out") {
         const auto* s = knit::get_if<CandidateMeasured>(what);
         wrong += s != nullptr && s->candidate == v && s->verdict == Verdict::accepted ? 0U : 1U;
         // The stitch that it became was chosen there, and kept later.
-        const StitchThing stitch{story.row, s != nullptr ? s->stitch : 0};
+        const StitchElement stitch{story.row, s != nullptr ? s->stitch : 0};
         const auto made = made_by(timeline, stitch);
         wrong += chosen_by(timeline, stitch) == story.decided && made && *made > *story.decided ? 0U : 1U;
         break;
@@ -201,11 +202,11 @@ TEST_CASE("why: rows from contours have no candidates, and a vertex says so") {
 TEST_CASE("why: the touching steps found by jumping are those found by walking the whole run") {
   Timeline timeline = small_run();
   std::mt19937 random(3);
-  std::vector<Thing> things = things_of(timeline.furthest());
-  for (VertexId v = 0; v < 200; v += 7) things.emplace_back(VertexThing{v});
+  std::vector<Element> things = things_of(timeline.furthest());
+  for (VertexId v = 0; v < 200; v += 7) things.emplace_back(VertexElement{v});
   std::size_t found = 0;
   for (int n = 0; n < 60; ++n) {
-    const Thing thing = things[random() % things.size()];
+    const Element thing = things[random() % things.size()];
     CAPTURE(thing.index());
     const std::vector<std::size_t> walked = touching_steps(timeline, thing);
     std::vector<std::size_t> there;
@@ -225,7 +226,7 @@ TEST_CASE("why: the touching steps found by jumping are those found by walking t
 
 TEST_CASE("why: a stitch is touched by what measured, kept, labelled and joined it") {
   const Timeline timeline = small_run();
-  const auto touching = touching_steps(timeline, StitchThing{5, 3});
+  const auto touching = touching_steps(timeline, StitchElement{5, 3});
   std::size_t measured = 0;
   std::size_t faces = 0;
   for (const std::size_t i : touching) {

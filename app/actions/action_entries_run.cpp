@@ -79,16 +79,16 @@ Read read_sweep(const Session& /*session*/, const std::string& typed) {
 }
 
 // "stitch:14:3", or a vertex's number alone.
-std::variant<knit::Thing, std::string> read_thing(const Session& session, const std::string& typed) {
+std::variant<knit::Element, std::string> read_thing(const Session& session, const std::string& typed) {
   const auto vertex = whole_number<knit::VertexId>(typed);
-  const auto thing = vertex ? std::optional<knit::Thing>(knit::VertexThing{*vertex}) : thing_named(typed);
+  const auto thing = vertex ? std::optional<knit::Element>(knit::VertexElement{*vertex}) : thing_named(typed);
   if (!thing) {
     return quoted(typed) +
            " is no thing; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
            "label:ROW:ITEM or "
            "a vertex's number.";
   }
-  const auto* mesh_vertex = std::get_if<knit::VertexThing>(&*thing);
+  const auto* mesh_vertex = std::get_if<knit::VertexElement>(&*thing);
   const std::size_t count = session.document->timeline.input().mesh.positions.size();
   if (mesh_vertex != nullptr && mesh_vertex->vertex >= count)
     return "The mesh has only " + std::to_string(count) + " vertices, counted from 0.";
@@ -101,7 +101,7 @@ template <class Wish>
 Read read_about(const Session& session, const std::string& typed) {
   auto thing = read_thing(session, typed);
   if (const auto* error = std::get_if<std::string>(&thing)) return *error;
-  return Wish{std::get<knit::Thing>(thing)};
+  return Wish{std::get<knit::Element>(thing)};
 }
 
 void add_stages(EntryList& list) {
@@ -162,7 +162,7 @@ void add_comparing(EntryList& list) {
 void add_run_entries(EntryList& list) {
   list.add({"Go to step...", group::the_run, "By its number, as the timeline counts.",
             ActionPrompt{"Step", "10", read_step}, list.unless_open()});
-  list.add({"Go to row...", group::the_run, "To its end, in the stage at hand.",
+  list.add({"Go to row...", group::the_run, "To its end, in the current stage.",
             ActionPrompt{"Row", "2", read_row}, list.unless_open()});
   list.add({"Go to place...", group::the_run, "A stage, a row in it, an item in that.",
             ActionPrompt{"Place", "rows:5:12", read_place}, list.unless_open()});

@@ -139,14 +139,14 @@ void add_opening(EntryList& list, const ActionSources& sources) {
   for (const auto& [path, opening] : sources.recent) {
     list.add({"Open again: " + path, group::files, "", opening, "", "", true});
   }
-  const std::string no_offer = list.session.jobs->mend_offer ? "" : "No mesh waits for mends.";
-  list.add({"Mend the mesh and open it", group::files, "What was found wrong with it is mended.",
-            MendAndOpen{}, no_offer});
-  list.add({"Do not mend the mesh", group::files, "What is open stays.", DropMendOffer{}, no_offer});
-  list.add({"Undo the mends", group::files, "Back to what was open before.", UndoMend{},
-            list.session.document && list.session.document->before_mend
+  const std::string no_offer = list.session.jobs->repair_offer ? "" : "No mesh waits for repairs.";
+  list.add({"Repair the mesh and open it", group::files, "What was found wrong with it is repaired.",
+            RepairAndOpen{}, no_offer});
+  list.add({"Do not repair the mesh", group::files, "What is open stays.", DropRepairOffer{}, no_offer});
+  list.add({"Undo the repairs", group::files, "Back to what was open before.", UndoRepair{},
+            list.session.document && list.session.document->before_repair
                 ? ""
-                : "No mesh was mended in this window."});
+                : "No mesh was repaired in this window."});
   const bool none = list.session.program->preferences.recent.empty();
   list.add({"Forget what was opened lately", group::files, "", ForgetRecent{},
             none ? "Nothing is remembered." : ""});

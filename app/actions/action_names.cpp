@@ -158,11 +158,13 @@ constexpr ActionName named(For<ShowGlossary>) { return {"Show the glossary", con
 constexpr ActionName named(For<ShowHelp>) { return {"Show keys and mouse", control, "menu/Keys and mouse"}; }
 constexpr ActionName named(For<ShowOpenDialog>) { return {"Choose a file to open", control, "welcome/open"}; }
 constexpr ActionName named(For<DismissNotice>) { return {"Dismiss a notice", control, "notice/0"}; }
-constexpr ActionName named(For<MendAndOpen>) { return {"Mend the mesh and open it", control, "mend/open"}; }
-constexpr ActionName named(For<DropMendOffer>) {
-  return {"Leave the mesh unmended", control, "mend/not-now"};
+constexpr ActionName named(For<RepairAndOpen>) {
+  return {"Repair the mesh and open it", control, "repair/open"};
 }
-constexpr ActionName named(For<UndoMend>) { return {"Undo the mends", control, "mend/undo"}; }
+constexpr ActionName named(For<DropRepairOffer>) {
+  return {"Leave the mesh unrepaired", control, "repair/not-now"};
+}
+constexpr ActionName named(For<UndoRepair>) { return {"Undo the repairs", control, "repair/undo"}; }
 constexpr ActionName named(For<Quit>) { return {"Quit", control, "menu/Quit"}; }
 
 template <std::size_t... i>

@@ -23,6 +23,5 @@ struct ActionName {
 // By the index of the variant.
 const std::array<ActionName, ActionKinds::size>& action_names();
 const ActionName& name_of(const Action& action);
-inline bool is_a_persons(const ActionName& name) { return name.reach != Reach::machine; }
 
 }  // namespace app

@@ -37,12 +37,12 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 Document document_of(Loaded loaded, Source source, std::chrono::steady_clock::time_point start) {
   Document document(knit::Timeline(std::move(loaded.input), loaded.parameters));
   document.source = std::move(source);
-  document.source.mends.clear();
-  for (const knit::MendStep& step : loaded.mended) document.source.mends.push_back(step.kind);
+  document.source.repairs.clear();
+  for (const knit::RepairStep& step : loaded.repaired) document.source.repairs.push_back(step.kind);
   document.original = std::move(loaded.original);
   document.mesh_hash = std::move(loaded.mesh_hash);
   document.findings = std::move(loaded.findings);
-  document.mended = std::move(loaded.mended);
+  document.repaired = std::move(loaded.repaired);
   document.defaults = loaded.parameters;
   document.load_ms = milliseconds_since(start);
   return document;
@@ -61,7 +61,7 @@ struct Apply {
     auto loaded = load_example(session.program->assets, a.name);
     if (const auto* error = std::get_if<std::string>(&loaded)) {
       notify(session, Notice::Kind::error, *error);
-      session.jobs->mend_offer.reset();
+      session.jobs->repair_offer.reset();
       return;
     }
     show_loaded(session, std::get<Loaded>(std::move(loaded)), {a.name, {}, {}}, start);
@@ -309,7 +309,7 @@ Part<Document> show_instead(Session& session, Part<Document> document) {
   std::swap(session.document, document);
   session.view->gaze = {};
   session.jobs->run = {};
-  session.jobs->mend_offer.reset();
+  session.jobs->repair_offer.reset();
   session.outbox->notices.clear();
   stop_playing(session);
   return document;
@@ -321,7 +321,7 @@ void go_back_to(Session& session, const Session& before) {
   show_instead(session, before.document);
   session.view = before.view;
   session.view->aspect = aspect;
-  session.jobs->mend_offer = before.jobs->mend_offer;
+  session.jobs->repair_offer = before.jobs->repair_offer;
   session.outbox->notices = before.outbox->notices;
 }
 
@@ -349,7 +349,8 @@ Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
   if (session.document) document.pinned = session.document->pinned;  // another mesh may be compared with it
   Part<Document> before = show_instead(session, std::move(document));
   session.view->dialogs.open_dialog_open = false;
-  for (const knit::MendStep& step : session.document->mended) notify(session, Notice::Kind::info, step.did);
+  for (const knit::RepairStep& step : session.document->repaired)
+    notify(session, Notice::Kind::info, step.did);
   for (const knit::Finding& finding : session.document->findings)
     notify(session, Notice::Kind::warning, finding.sentence);
   session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);

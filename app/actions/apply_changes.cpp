@@ -90,7 +90,7 @@ void take(Session& session, const PinRun& /*action*/) {
   session.document->pinned = pin_of(session);
 }
 
-// The place stays as after tuning; what was at hand is the pinned one then.
+// The place stays as after tuning; what was current is the pinned one then.
 void take(Session& session, const SwapPinned& /*action*/) {
   if (!session.document || !session.document->pinned) return;
   if (!is_of_this_mesh(session, *session.document->pinned)) {

@@ -46,10 +46,10 @@ void remember_knobs(Session& session);
 // A notice, unless it is the newest already.
 void tell(Session& session, const std::string& words);
 
-// apply_mend.cpp: what became of opening the mesh at `path`, mended as wished: it is shown, or it is said why not,
-// or mends are offered.
+// apply_repair.cpp: what became of opening the mesh at `path`, repaired as wished: it is shown, or it is said why not,
+// or repairs are offered.
 void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const std::filesystem::path& path,
-                 const knit::MendWish& mends, std::chrono::steady_clock::time_point start);
+                 const knit::RepairWish& repairs, std::chrono::steady_clock::time_point start);
 
 // apply.cpp: what was opened takes the place of what is open, which is handed back; `start`: when opening began.
 Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
@@ -90,11 +90,11 @@ void note_opened(Session& session);
 // After it could not be: a file that has gone is not offered again.
 void note_not_opened(Session& session, const Source& source);
 
-// apply_mend.cpp
+// apply_repair.cpp
 void take(Session& session, const OpenFile& action);
-void take(Session& session, const MendAndOpen& action);
-void take(Session& session, const DropMendOffer& action);
-void take(Session& session, const UndoMend& action);
+void take(Session& session, const RepairAndOpen& action);
+void take(Session& session, const DropRepairOffer& action);
+void take(Session& session, const UndoRepair& action);
 
 // apply_lesson.cpp
 void take(Session& session, const StartLesson& action);

@@ -175,8 +175,8 @@ void go_along(Session& session, std::vector<knit::Place>& from, std::vector<knit
   go(session, place);
 }
 
-bool is_of_mesh(const Session& session, const knit::Thing& thing) {
-  const auto* vertex = std::get_if<knit::VertexThing>(&thing);
+bool is_of_mesh(const Session& session, const knit::Element& thing) {
+  const auto* vertex = std::get_if<knit::VertexElement>(&thing);
   return vertex == nullptr || vertex->vertex < session.document->timeline.input().mesh.positions.size();
 }
 
@@ -196,7 +196,7 @@ void take(Session& session, const ShowWhy& action) {
 void take(Session& session, const ToTouch& action) {
   if (!session.document || !session.document->travel.selected) return;
   const knit::Timeline& timeline = session.document->timeline;
-  const knit::Thing& thing = *session.document->travel.selected;
+  const knit::Element& thing = *session.document->travel.selected;
   // The step shown is the last one taken.
   const std::size_t position = timeline.position();
   const auto step = action.direction > 0 ? knit::touch_from(timeline, thing, position)

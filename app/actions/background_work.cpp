@@ -56,7 +56,7 @@ void tend_measuring(Session& session) {
   }
 }
 
-// Takes the end from the run at hand or from a worker, as soon as either has it.
+// Takes the end from the current run or from a worker, as soon as either has it.
 void tend_pin(Session& session) {
   if (!pin_is_pending(session)) return;
   Pin& pin = *session.document->pinned;

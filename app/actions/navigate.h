@@ -28,13 +28,13 @@ std::optional<knit::Place> place_ahead(const knit::Timeline& timeline, Unit unit
 
 // Steps over, into and out, as in a debugger whose calls are stage, row and item: by which unit a step goes,
 // the same forwards and backwards. Over: by the whole stage or row that begins (backwards: ends) here. Out: by
-// the rest of the row at hand, at its end of the stage. None: by all that is left, at a stage's end.
+// the rest of the current row, at its end of the stage. None: by all that is left, at a stage's end.
 std::optional<Unit> unit_of_depth(const knit::Timeline& timeline, Depth depth);
 
 // From before the first of the places to after the last one; none where a run has none of these steps.
 std::optional<Stretch> stretch_of(const knit::Timeline& timeline, const PlaceStretch& places);
 
-// The row at hand in the stage at hand, as far as it is known; none at the start.
+// The current row in the current stage, as far as it is known; none at the start.
 std::optional<Stretch> stretch_of_row(const Session& session);
 
 // Tuning keeps one's place: where one was before an action, and what to say when the new run has no such

@@ -61,11 +61,11 @@ bool is_long_to_open(const fs::path& path, bool is_session) {
   return run != nullptr && is_large(run->source.file);
 }
 
-void begin_opening_mesh(Session& session, const fs::path& path, const knit::MendWish& mends) {
+void begin_opening_mesh(Session& session, const fs::path& path, const knit::RepairWish& repairs) {
   Opening opening = begun(path);
-  opening.mends = mends;
-  opening.work = Work<Opening::Result>([path, mends, progress = opening.progress] {
-    return read_or_say(path, [&] { return open_mesh(path, mends, progress.get()); });
+  opening.repairs = repairs;
+  opening.work = Work<Opening::Result>([path, repairs, progress = opening.progress] {
+    return read_or_say(path, [&] { return open_mesh(path, repairs, progress.get()); });
   });
   begin(session, std::move(opening));
 }
@@ -130,9 +130,9 @@ void tend_opening(Session& session, double seconds) {
   }
   forget_place(session);  // it was one of the other mesh
   if (auto* loaded = std::get_if<Loaded>(&result)) {
-    show_opened(session, std::move(*loaded), done->path, done->mends, done->start);
+    show_opened(session, std::move(*loaded), done->path, done->repairs, done->start);
   } else if (auto* unfit = std::get_if<NotOpened>(&result)) {
-    show_opened(session, std::move(*unfit), done->path, done->mends, done->start);
+    show_opened(session, std::move(*unfit), done->path, done->repairs, done->start);
   } else if (auto* opened = std::get_if<OpenedSession>(&result)) {
     take_opened(session, std::move(*opened), done->start, done->rescued);
   } else {

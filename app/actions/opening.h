@@ -1,7 +1,7 @@
 // A large file on its way to be open: read, checked and prepared by a worker, while what is open stays as it is.
 //
 // Without a window, and for what is read in the blink of an eye, opening is done at once. A new opening takes the
-// place of one under way. Likewise what makes a large mesh anew: welding it otherwise, mending it.
+// place of one under way. Likewise what makes a large mesh anew: welding it otherwise, repairing it.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ namespace app {
 using Made = std::variant<Loaded, std::string>;
 
 struct MadeMesh {
-  std::shared_ptr<const void> from;  // a mesh, a plan of mends
+  std::shared_ptr<const void> from;  // a mesh, a plan of repairs
   knit::Weld weld = knit::Weld::off;
   Made made;
 };
@@ -31,7 +31,7 @@ struct MadeMesh {
 struct Opening {
   using Result = std::variant<Loaded, NotOpened, OpenedSession, std::string, MadeMesh>;
   std::filesystem::path path;   // as asked for
-  knit::MendWish mends;         // likewise
+  knit::RepairWish repairs;     // likewise
   bool rescued = false;         // it is the session that was saved aside before a crash
   std::optional<Action> again;  // done once more when what it asked for is ready
   std::shared_ptr<knit::Progress> progress;
@@ -48,7 +48,7 @@ inline constexpr std::uintmax_t opened_at_once_bytes = 512 * 1024;
 bool is_long_to_open(const std::filesystem::path& path, bool is_session);
 
 // Gives the work to a worker; `tend_opening` takes what comes of it.
-void begin_opening_mesh(Session& session, const std::filesystem::path& path, const knit::MendWish& mends);
+void begin_opening_mesh(Session& session, const std::filesystem::path& path, const knit::RepairWish& repairs);
 void begin_opening_session(Session& session, const std::filesystem::path& path);
 // As begin_opening_session, for the session offered after a crash. Requires one.
 void begin_opening_rescued(Session& session);

@@ -29,7 +29,7 @@ std::optional<std::string> content_of(const fs::path& file) {
 std::string spoilt_words(const fs::path& file, const std::string& fault) {
   return "The preferences in " + file.string() +
          " are left out: " + fault.substr(0, fault.find_last_not_of('.') + 1) +
-         "; mend the file and start again, or change a setting: then it is kept as " +
+         "; correct the file and start again, or change a setting: then it is kept as " +
          file.filename().string() + ".old.";
 }
 
@@ -66,7 +66,7 @@ PreferencesKeeper::PreferencesKeeper(Session& session, std::optional<fs::path> f
   session.program->preferences.recent = joined(opened, read_.recent);
   if (given_.theme) session.program->preferences.theme = *given_.theme;
   if (given_.scale) session.program->preferences.scale = *given_.scale;
-  // A file that somebody may want to mend is not replaced just because the program was started.
+  // A file that somebody may want to repair is not replaced just because the program was started.
   known_ = spoilt_ ? lasting(session.program->preferences) : read_;
 }
 

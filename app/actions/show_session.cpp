@@ -59,12 +59,4 @@ void show_session(Session& session, OpenedSession opened, std::chrono::steady_cl
   session.document->saved = saved_as(session, opened.path);
 }
 
-std::optional<std::string> open_session(Session& session, const std::filesystem::path& path) {
-  const auto start = std::chrono::steady_clock::now();
-  auto read = read_session(session.program->assets, path);
-  if (auto* error = std::get_if<std::string>(&read)) return std::move(*error);
-  show_session(session, std::get<OpenedSession>(std::move(read)), start);
-  return std::nullopt;
-}
-
 }  // namespace app

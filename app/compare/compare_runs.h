@@ -1,4 +1,4 @@
-// What differs between two runs, a and b: the pinned one and the one at hand, or those of two sessions.
+// What differs between two runs, a and b: the pinned one and the current one, or those of two sessions.
 #pragma once
 
 #include <array>

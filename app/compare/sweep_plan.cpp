@@ -115,9 +115,9 @@ SweepBase sweep_base_of(const knit::Timeline& timeline) {
   return {timeline.input_pointer(), knobs_of(timeline), timeline.parameters()};
 }
 
-knit::Parameters with_values(const knit::Parameters& at_hand, const SweepPlan& plan,
+knit::Parameters with_values(const knit::Parameters& current, const SweepPlan& plan,
                              const std::vector<double>& values) {
-  knit::Parameters wanted = at_hand;
+  knit::Parameters wanted = current;
   const auto set = [&](const std::string& key, double value) {
     const knit::ParameterInfo& info = *knit::find_parameter(key);
     knit::set_value(info, wanted, value_words(info, value));
@@ -129,9 +129,9 @@ knit::Parameters with_values(const knit::Parameters& at_hand, const SweepPlan& p
 
 std::variant<Knobs, std::string> swept_knobs(const SweepBase& base, const SweepPlan& plan,
                                              const std::vector<double>& values) {
-  const knit::Parameters wanted = with_values(base.at_hand, plan, values);
+  const knit::Parameters wanted = with_values(base.current, plan, values);
   if (auto fault = knit::fault_of(wanted, *base.input)) return *fault;
-  return tuned(base.knobs, base.at_hand, wanted, *base.input);
+  return tuned(base.knobs, base.current, wanted, *base.input);
 }
 
 knit::Stage first_reader_of(const SweepPlan& plan) {

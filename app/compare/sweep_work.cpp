@@ -157,8 +157,8 @@ bool swept_otherwise(const SweepWork& work, const knit::Timeline& now) {
   });
   return std::any_of(table.begin(), table.end(), [&](const knit::ParameterInfo& info) {
     if (is_swept(info.key) || (sizes_swept && info.group == sizes)) return false;
-    if (sizes_swept && knit::only_follows(info, base.at_hand, now.parameters())) return false;
-    return !knit::same_value(info, now.parameters(), base.at_hand);
+    if (sizes_swept && knit::only_follows(info, base.current, now.parameters())) return false;
+    return !knit::same_value(info, now.parameters(), base.current);
   });
 }
 

@@ -32,7 +32,7 @@ std::shared_ptr<const std::vector<Line>> column_lines(const Theme& theme, const 
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
-// Whether the run at hand has this row, stitch by stitch.
+// Whether the current run has this row, stitch by stitch.
 bool has_row(const knit::Fabric& here, const knit::Fabric& pinned, knit::RowId id) {
   if (!here.has_row(id)) return false;
   return here.shared_row(id) == pinned.shared_row(id) || here.row(id).stitches == pinned.row(id).stitches;

@@ -1,4 +1,4 @@
-// The pinned run behind the one at hand: its rows and columns as thin, pale lines.
+// The pinned run behind the current one: its rows and columns as thin, pale lines.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@ namespace app {
 // Keeps the lines of each row as long as the same run is pinned, so that a renderer uploads them once.
 class Ghost {
  public:
-  // Rows and strips that are the same in the run at hand are left out: there is nothing to tell apart.
+  // Rows and strips that are the same in the current run are left out: there is nothing to tell apart.
   void describe(const Session& session, Scene& scene);
 
  private:
   using Lines = std::shared_ptr<const std::vector<Line>>;
   void refresh(const Session& session, const Theme& theme, const Pin& pin);
 
-  std::shared_ptr<const knit::Input> input_, here_;  // of the pinned run and the one at hand
+  std::shared_ptr<const knit::Input> input_, here_;  // of the pinned run and the current one
   std::uint64_t end_ = 0;                            // hash of the state that the lines are of
   const Theme* theme_ = nullptr;                     // of the lines
   bool same_mesh_ = false;

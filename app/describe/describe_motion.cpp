@@ -18,7 +18,7 @@ struct PlaceOf {
   [[nodiscard]] Result vertex(knit::VertexId v) const {
     return glm::vec3(session.document->timeline.input().mesh.positions[v]);
   }
-  [[nodiscard]] Result middle_of(const knit::Thing& thing) const {
+  [[nodiscard]] Result middle_of(const knit::Element& thing) const {
     const auto outline =
         outline_of(session.document->timeline.input(), session.document->timeline.state(), thing);
     if (outline.empty()) return std::nullopt;
@@ -38,16 +38,16 @@ struct PlaceOf {
   Result operator()(const knit::CandidateMeasured& s) const { return vertex(s.candidate); }
   Result operator()(const knit::BandMissed& s) const { return vertex(s.taken); }
   Result operator()(const knit::StitchPlaced& s) const {
-    return middle_of(knit::StitchThing{place.row, s.stitch - 1});
+    return middle_of(knit::StitchElement{place.row, s.stitch - 1});
   }
   Result operator()(const knit::MainPlaced& s) const {
-    return middle_of(knit::LabelThing{place.row, s.cell});
+    return middle_of(knit::LabelElement{place.row, s.cell});
   }
   Result operator()(const knit::ShapingPlaced& s) const {
-    return middle_of(knit::LabelThing{place.row, s.cell});
+    return middle_of(knit::LabelElement{place.row, s.cell});
   }
   Result operator()(const knit::FaceMade& s) const {
-    return middle_of(knit::FaceThing{place.row, s.index - 1});
+    return middle_of(knit::FaceElement{place.row, s.index - 1});
   }
   template <class Other>
   Result operator()(const Other& /*other*/) const {

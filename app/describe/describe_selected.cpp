@@ -35,8 +35,8 @@ void light_up(const std::vector<glm::dvec3>& outline, const Glow& light, Scene& 
 }
 
 // The anchor that refused or took the vertex, the way to it and the band; gives the caption's words. Nothing is
-// added where no anchor measured it; the step at hand writes its own distance.
-std::string describe_measuring(const Session& session, const knit::VertexThing& thing, Scene& scene) {
+// added where no anchor measured it; the current step writes its own distance.
+std::string describe_measuring(const Session& session, const knit::VertexElement& thing, Scene& scene) {
   std::string name = words_of(thing);
   const knit::Timeline& timeline = session.document->timeline;
   const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
@@ -65,7 +65,7 @@ void describe_selected(const Session& session, Scene& scene) {
   const auto& selected = session.document->travel.selected;
   if (!selected) return;
   const knit::Timeline& timeline = session.document->timeline;
-  const auto* vertex = std::get_if<knit::VertexThing>(&*selected);
+  const auto* vertex = std::get_if<knit::VertexElement>(&*selected);
   if (vertex != nullptr && vertex->vertex >= timeline.input().mesh.positions.size()) return;
   std::vector<glm::dvec3> outline = outline_of(timeline.input(), timeline.state(), *selected);
   const bool there = !outline.empty();

@@ -1,4 +1,4 @@
-// The step at hand as things to see: candidates, anchor and band, labels placed so far, faces made so far.
+// The current step as things to see: candidates, anchor and band, labels placed so far, faces made so far.
 #pragma once
 
 #include <span>

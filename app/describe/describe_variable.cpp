@@ -192,7 +192,7 @@ void VariableLight::distance() {
   line(place(m.anchor), place(m.candidate), "d = " + knit::short_number(m.distance));
 }
 
-// Around the anchor of the step at hand, though the next may be taken already.
+// Around the anchor of the current step, though the next may be taken already.
 void VariableLight::band() {
   const knit::VertexId anchor = measured().anchor;
   if (anchor == knit::no_vertex) return;

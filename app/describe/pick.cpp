@@ -187,9 +187,9 @@ class Aim {
 
 // The nearest so far.
 struct Found {
-  std::optional<knit::Thing> thing;
+  std::optional<knit::Element> thing;
   double away = nothing;
-  void offer(double distance, double reach, const knit::Thing& other) {
+  void offer(double distance, double reach, const knit::Element& other) {
     if (distance > reach || distance >= away) return;
     away = distance;
     thing = other;
@@ -202,13 +202,14 @@ Found nearest_point(const Session& session, const Aim& aim, double reach) {
   for (std::int32_t row = 1; session.view->shows(Layer::stitches) && row <= state.fabric.next_row(); ++row) {
     const auto places = stitch_places(state, row);
     for (std::size_t i = 0; i < places.size(); ++i)
-      found.offer(aim.to_point(places[i]), reach, knit::StitchThing{row, static_cast<std::int32_t>(i)});
+      found.offer(aim.to_point(places[i]), reach, knit::StitchElement{row, static_cast<std::int32_t>(i)});
   }
   // A vertex at a stitch's own place is no nearer than the stitch.
   const auto* work = std::get_if<knit::RowWork>(&state.work);
   if (work == nullptr || !work->ring || !session.view->shows(Layer::cycle)) return found;
   for (std::size_t i = 0; i < work->ring->vertices.size(); ++i)
-    found.offer(aim.to_point(work->ring->points[i]), 0.7 * reach, knit::VertexThing{work->ring->vertices[i]});
+    found.offer(aim.to_point(work->ring->points[i]), 0.7 * reach,
+                knit::VertexElement{work->ring->vertices[i]});
   return found;
 }
 
@@ -217,10 +218,10 @@ Found nearest_edge(const Session& session, const Aim& aim, double reach) {
   Found found;
   for (std::int32_t row = 1; session.view->shows(Layer::row_edges) && row <= state.fabric.next_row(); ++row) {
     const auto places = stitch_places(state, row);
-    const knit::RowEdgeThing last{row, static_cast<std::int32_t>(places.size()) - 1};
+    const knit::RowEdgeElement last{row, static_cast<std::int32_t>(places.size()) - 1};
     for (const auto& [from, to] : knit::Edges(places.size(), knit::exists(state, last))) {
       found.offer(aim.to_segment(places[from], places[to]), reach,
-                  knit::RowEdgeThing{row, static_cast<std::int32_t>(from)});
+                  knit::RowEdgeElement{row, static_cast<std::int32_t>(from)});
     }
   }
   if (!session.view->shows(Layer::column_edges)) return found;
@@ -229,14 +230,14 @@ Found nearest_edge(const Session& session, const Aim& aim, double reach) {
     for (std::size_t i = 0; i < strip.column_edges.size(); ++i) {
       const auto& [lower, upper] = strip.column_edges[i];
       found.offer(aim.to_segment(place_on(path, lower), place_on(path, upper)), reach,
-                  knit::ColumnEdgeThing{strip.row, static_cast<std::int32_t>(i)});
+                  knit::ColumnEdgeElement{strip.row, static_cast<std::int32_t>(i)});
     }
   }
   return found;
 }
 
 struct FaceHit {
-  std::optional<knit::Thing> thing;
+  std::optional<knit::Element> thing;
   double depth = nothing;
 };
 
@@ -252,7 +253,7 @@ FaceHit first_face(const Session& session, const Ray& ray) {
       auto along = meets(ray, corner(0), corner(1), corner(2));
       if (!along && face.corner_count == 4) along = meets(ray, corner(0), corner(2), corner(3));
       if (along && *along < hit.depth)
-        hit = {knit::FaceThing{strip.row, static_cast<std::int32_t>(i)}, *along};
+        hit = {knit::FaceElement{strip.row, static_cast<std::int32_t>(i)}, *along};
     }
   }
   return hit;
@@ -265,8 +266,8 @@ bool shows_mesh(const Session& session) {
 
 }  // namespace
 
-std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& place,
-                                      const PickReach& reach) {
+std::optional<knit::Element> pick_thing(const Session& session, const glm::dvec2& place,
+                                        const PickReach& reach) {
   if (!session.document) return std::nullopt;
   Aim aim(session, place);
   const auto surface = hit_surface(session, aim.ray());
@@ -280,10 +281,10 @@ std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& 
   const auto& positions = session.document->timeline.input().mesh.positions;
   if (surface && session.view->shows(Layer::wire) &&
       aim.to_point(positions[surface->vertex]) < 0.5 * reach.point)
-    return knit::VertexThing{surface->vertex};
+    return knit::VertexElement{surface->vertex};
   if (const Found edge = nearest_edge(session, aim, reach.edge); edge.thing) return edge.thing;
   if (face.thing && face.depth <= aim.depth()) return face.thing;
-  if (surface && shows_mesh(session)) return knit::VertexThing{surface->vertex};
+  if (surface && shows_mesh(session)) return knit::VertexElement{surface->vertex};
   return std::nullopt;
 }
 

@@ -28,7 +28,7 @@ struct PickReach {
 // Of what is shown and in front, the nearest stitch within reach; else the nearest edge; else the face under the
 // place; else the mesh's vertex there. The cycle's vertices and, with the mesh's edges shown, the mesh's come
 // before edges, because edges run through them; a stitch at the same place comes first.
-std::optional<knit::Thing> pick_thing(const Session& session, const glm::dvec2& place,
-                                      const PickReach& reach);
+std::optional<knit::Element> pick_thing(const Session& session, const glm::dvec2& place,
+                                        const PickReach& reach);
 
 }  // namespace app

@@ -28,22 +28,22 @@ struct Outline {
   const knit::State& state;
   using Places = std::vector<glm::dvec3>;
 
-  Places operator()(const knit::StitchThing& s) const {
+  Places operator()(const knit::StitchElement& s) const {
     const Places row = stitch_places(state, s.row);
     return {row[static_cast<std::size_t>(s.stitch)]};
   }
-  Places operator()(const knit::RowEdgeThing& e) const {
+  Places operator()(const knit::RowEdgeElement& e) const {
     const Places row = stitch_places(state, e.row);
     const auto from = static_cast<std::size_t>(e.stitch);
     return {row[from], row[from + 1 < row.size() ? from + 1 : 0]};
   }
-  Places operator()(const knit::ColumnEdgeThing& e) const {
+  Places operator()(const knit::ColumnEdgeElement& e) const {
     const knit::KnittingPath path(state.fabric);
     const knit::Strip& strip = *knit::planned_strip(state, e.row);
     const auto& [lower, upper] = strip.column_edges[static_cast<std::size_t>(e.edge)];
     return {place_on(path, lower), place_on(path, upper)};
   }
-  Places operator()(const knit::FaceThing& f) const {
+  Places operator()(const knit::FaceElement& f) const {
     const knit::KnittingPath path(state.fabric);
     const knit::Face& face = knit::planned_strip(state, f.row)->faces[static_cast<std::size_t>(f.face)];
     Places corners;
@@ -51,11 +51,11 @@ struct Outline {
       corners.emplace_back(place_on(path, face.corners[i]));
     return corners;
   }
-  Places operator()(const knit::LabelThing& l) const {
+  Places operator()(const knit::LabelElement& l) const {
     const knit::Join& join = *knit::planned_join(state, l.row);
     return {state.fabric.position(state.fabric.larger(join).at(l.cell))};
   }
-  Places operator()(const knit::VertexThing& v) const { return {input.mesh.positions[v.vertex]}; }
+  Places operator()(const knit::VertexElement& v) const { return {input.mesh.positions[v.vertex]}; }
 };
 
 }  // namespace
@@ -86,8 +86,8 @@ std::vector<MadeStrip> made_strips(const knit::State& state) {
 }
 
 std::vector<glm::dvec3> outline_of(const knit::Input& input, const knit::State& state,
-                                   const knit::Thing& thing) {
-  const auto* vertex = std::get_if<knit::VertexThing>(&thing);
+                                   const knit::Element& thing) {
+  const auto* vertex = std::get_if<knit::VertexElement>(&thing);
   if (vertex != nullptr && vertex->vertex >= input.mesh.positions.size()) return {};
   if (!knit::exists(state, thing)) return {};
   return std::visit(Outline{input, state}, thing);

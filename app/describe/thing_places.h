@@ -24,6 +24,6 @@ std::vector<MadeStrip> made_strips(const knit::State& state);
 // A point, the two ends of an edge, the corners of a face; a label stands at its stitch of the larger row. Empty:
 // it is not there.
 std::vector<glm::dvec3> outline_of(const knit::Input& input, const knit::State& state,
-                                   const knit::Thing& thing);
+                                   const knit::Element& thing);
 
 }  // namespace app

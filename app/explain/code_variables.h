@@ -17,7 +17,7 @@ struct Variable {
   const knit::CodeVariable* of;
   std::string value;  // in words; empty: it has none at this step
 };
-// Of the listing at hand, in its reading order. Every number of the step shown is the value of one of them
+// Of the current listing, in its reading order. Every number of the step shown is the value of one of them
 // (but a solve's, where it is the line itself).
 std::vector<Variable> variables_of(const Session& session);
 

@@ -408,11 +408,11 @@ TermAt term_from(const std::string& text, std::size_t begin) {
 const Term* find_term(std::string_view word) { return term_of(plain(word)); }
 
 std::vector<const Term*> seen_from(const Term& term) {
-  std::vector<const Term*> terms;
+  std::vector<const Term*> named;
   for (std::string_view names = term.see; !names.empty();) {
-    if (const Term* other = find_term(take_name(names))) terms.push_back(other);
+    if (const Term* other = find_term(take_name(names))) named.push_back(other);
   }
-  return terms;
+  return named;
 }
 
 std::vector<const Term*> search_glossary(std::string_view typed) {

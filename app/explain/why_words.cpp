@@ -14,53 +14,53 @@ namespace {
 
 std::string str(std::int64_t number) { return std::to_string(number); }
 
-// Keys in the order of Thing's alternatives.
+// Keys in the order of Element's alternatives.
 constexpr std::array<std::string_view, 6> keys{"stitch", "edge", "column", "face", "label", "vertex"};
 
 struct RowAndItem {
   std::int32_t row, item;
 };
 struct Parts {
-  RowAndItem operator()(const knit::StitchThing& s) const { return {s.row, s.stitch}; }
-  RowAndItem operator()(const knit::RowEdgeThing& e) const { return {e.row, e.stitch}; }
-  RowAndItem operator()(const knit::ColumnEdgeThing& e) const { return {e.row, e.edge}; }
-  RowAndItem operator()(const knit::FaceThing& f) const { return {f.row, f.face}; }
-  RowAndItem operator()(const knit::LabelThing& l) const { return {l.row, l.cell}; }
-  RowAndItem operator()(const knit::VertexThing& /*v*/) const { return {0, 0}; }
+  RowAndItem operator()(const knit::StitchElement& s) const { return {s.row, s.stitch}; }
+  RowAndItem operator()(const knit::RowEdgeElement& e) const { return {e.row, e.stitch}; }
+  RowAndItem operator()(const knit::ColumnEdgeElement& e) const { return {e.row, e.edge}; }
+  RowAndItem operator()(const knit::FaceElement& f) const { return {f.row, f.face}; }
+  RowAndItem operator()(const knit::LabelElement& l) const { return {l.row, l.cell}; }
+  RowAndItem operator()(const knit::VertexElement& /*v*/) const { return {0, 0}; }
 };
 
-knit::Thing thing_of(std::size_t key, const RowAndItem& at) {
+knit::Element thing_of(std::size_t key, const RowAndItem& at) {
   switch (key) {
     case 0:
-      return knit::StitchThing{at.row, at.item};
+      return knit::StitchElement{at.row, at.item};
     case 1:
-      return knit::RowEdgeThing{at.row, at.item};
+      return knit::RowEdgeElement{at.row, at.item};
     case 2:
-      return knit::ColumnEdgeThing{at.row, at.item};
+      return knit::ColumnEdgeElement{at.row, at.item};
     case 3:
-      return knit::FaceThing{at.row, at.item};
+      return knit::FaceElement{at.row, at.item};
     default:
-      return knit::LabelThing{at.row, at.item};
+      return knit::LabelElement{at.row, at.item};
   }
 }
 
-struct ThingWords {
-  std::string operator()(const knit::StitchThing& s) const {
+struct ElementWords {
+  std::string operator()(const knit::StitchElement& s) const {
     return "stitch " + str(s.stitch + 1) + " of row " + str(s.row);
   }
-  std::string operator()(const knit::RowEdgeThing& e) const {
+  std::string operator()(const knit::RowEdgeElement& e) const {
     return "row edge " + str(e.stitch + 1) + " of row " + str(e.row);
   }
-  std::string operator()(const knit::ColumnEdgeThing& e) const {
+  std::string operator()(const knit::ColumnEdgeElement& e) const {
     return "column edge " + str(e.edge + 1) + " into row " + str(e.row);
   }
-  std::string operator()(const knit::FaceThing& f) const {
+  std::string operator()(const knit::FaceElement& f) const {
     return "face " + str(f.face + 1) + " into row " + str(f.row);
   }
-  std::string operator()(const knit::LabelThing& l) const {
+  std::string operator()(const knit::LabelElement& l) const {
     return "label of cell " + str(l.cell) + " into row " + str(l.row);
   }
-  std::string operator()(const knit::VertexThing& v) const { return "vertex " + str(v.vertex); }
+  std::string operator()(const knit::VertexElement& v) const { return "vertex " + str(v.vertex); }
 };
 
 std::string said_by(const knit::Timeline& timeline, std::size_t step) {
@@ -78,7 +78,7 @@ std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStor
          knit::short_number(band.low) + " to " + knit::short_number(band.high) + ".";
 }
 
-std::string vertex_words(const knit::Timeline& timeline, const knit::VertexThing& v) {
+std::string vertex_words(const knit::Timeline& timeline, const knit::VertexElement& v) {
   const knit::VertexStory story = knit::story_of(timeline, v.vertex);
   const std::string row = "row " + str(story.row);
   switch (story.fate) {
@@ -106,7 +106,7 @@ std::string vertex_words(const knit::Timeline& timeline, const knit::VertexThing
   return "";
 }
 
-std::string stitch_words(const knit::Timeline& timeline, const knit::StitchThing& stitch) {
+std::string stitch_words(const knit::Timeline& timeline, const knit::StitchElement& stitch) {
   const auto made = knit::made_by(timeline, stitch);
   if (!made) return "There is no such stitch so far.";
   const auto chosen = knit::chosen_by(timeline, stitch);
@@ -121,23 +121,23 @@ std::string stitch_words(const knit::Timeline& timeline, const knit::StitchThing
 
 }  // namespace
 
-std::string words_of(const knit::Thing& thing) { return std::visit(ThingWords{}, thing); }
+std::string words_of(const knit::Element& thing) { return std::visit(ElementWords{}, thing); }
 
-std::string text_of(const knit::Thing& thing) {
+std::string text_of(const knit::Element& thing) {
   const std::string key(keys.at(thing.index()));
-  if (const auto* v = std::get_if<knit::VertexThing>(&thing)) return key + ":" + str(v->vertex);
+  if (const auto* v = std::get_if<knit::VertexElement>(&thing)) return key + ":" + str(v->vertex);
   const RowAndItem at = std::visit(Parts{}, thing);
   return key + ":" + str(at.row) + ":" + str(at.item);
 }
 
-std::optional<knit::Thing> thing_named(const std::string& text) {
+std::optional<knit::Element> thing_named(const std::string& text) {
   const auto parts = split(text, ':');
   const auto key = std::find(keys.begin(), keys.end(), parts[0]);
   if (key == keys.end()) return std::nullopt;
   if (*key == "vertex") {
     const auto vertex = parts.size() == 2 ? whole_number<knit::VertexId>(parts[1]) : std::nullopt;
     if (!vertex || *vertex == knit::no_vertex) return std::nullopt;
-    return knit::VertexThing{*vertex};
+    return knit::VertexElement{*vertex};
   }
   if (parts.size() != 3) return std::nullopt;
   const auto row = whole_number<std::int32_t>(parts[1]);
@@ -146,9 +146,9 @@ std::optional<knit::Thing> thing_named(const std::string& text) {
   return thing_of(static_cast<std::size_t>(key - keys.begin()), {*row, *item});
 }
 
-std::string why_words(const knit::Timeline& timeline, const knit::Thing& thing) {
-  if (const auto* vertex = std::get_if<knit::VertexThing>(&thing)) return vertex_words(timeline, *vertex);
-  if (const auto* stitch = std::get_if<knit::StitchThing>(&thing)) return stitch_words(timeline, *stitch);
+std::string why_words(const knit::Timeline& timeline, const knit::Element& thing) {
+  if (const auto* vertex = std::get_if<knit::VertexElement>(&thing)) return vertex_words(timeline, *vertex);
+  if (const auto* stitch = std::get_if<knit::StitchElement>(&thing)) return stitch_words(timeline, *stitch);
   const auto made = knit::made_by(timeline, thing);
   return made ? said_by(timeline, *made) : "There is no such thing so far.";
 }

@@ -1,4 +1,4 @@
-// Things and the reasons for them in words: for the command line, the panels and the view.
+// Elements and the reasons for them in words: for the command line, the panels and the view.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 namespace app {
 
 // "stitch 4 of row 14": as people and the program's sentences count, stitches and faces from 1, cells from 0.
-std::string words_of(const knit::Thing& thing);
+std::string words_of(const knit::Element& thing);
 
 // "stitch:14:3": rows from 1, items from 0. Nothing where it cannot be read.
-std::string text_of(const knit::Thing& thing);
-std::optional<knit::Thing> thing_named(const std::string& text);
+std::string text_of(const knit::Element& thing);
+std::optional<knit::Element> thing_named(const std::string& text);
 
 // One or two sentences: what made, chose and moved it, or what became of it. Requires a vertex of the mesh.
-std::string why_words(const knit::Timeline& timeline, const knit::Thing& thing);
+std::string why_words(const knit::Timeline& timeline, const knit::Element& thing);
 
 }  // namespace app

@@ -13,7 +13,7 @@
 #include "app/files/session_file.h"
 #include "app/session/document.h"
 #include "knit/model/settings_table.h"
-#include "knit/stitches/pattern.h"
+#include "knit/stitches/appendix.h"
 
 namespace app {
 

@@ -89,10 +89,10 @@ std::optional<std::string> link_by_options(const Session& session) {
     std::error_code error;
     const auto absolute = std::filesystem::absolute(source.file, error);
     link.add((error ? source.file : absolute).lexically_normal().string());
-    std::string mends;
-    for (const knit::MendKind kind : source.mends)
-      mends += (mends.empty() ? "" : ",") + std::string(knit::key_of(kind));
-    if (!mends.empty()) link.add("--mend", mends);
+    std::string repairs;
+    for (const knit::RepairKind kind : source.repairs)
+      repairs += (repairs.empty() ? "" : ",") + std::string(knit::key_of(kind));
+    if (!repairs.empty()) link.add("--repair", repairs);
   }
   add_parameters(link, timeline.base_parameters(), session.document->defaults);
   add_place(link, timeline);

@@ -39,10 +39,10 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
 }
 
 // As a person wishes; what helps is only looked for where it is wanted.
-knit::MendPlan mended_as(knit::Mesh mesh, const knit::MendWish& wish) {
+knit::RepairPlan repaired_as(knit::Mesh mesh, const knit::RepairWish& wish) {
   if (!wish.kinds.empty()) return knit::carry_out(mesh, wish.kinds);
   if (wish.all) {
-    if (auto plan = knit::plan_mends(mesh)) return std::move(*plan);
+    if (auto plan = knit::plan_repairs(mesh)) return std::move(*plan);
   }
   return {std::move(mesh), {}};
 }
@@ -73,30 +73,31 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
 }  // namespace
 
 std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
-                                            const std::vector<knit::MendKind>& mends,
+                                            const std::vector<knit::RepairKind>& repairs,
                                             knit::Progress* progress) {
   auto read = knit::read_obj_file(path, progress);
   if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
-  return load_mended(mended_as(std::get<knit::Mesh>(std::move(read)), {false, mends}), progress);
+  return load_repaired(repaired_as(std::get<knit::Mesh>(std::move(read)), {false, repairs}), progress);
 }
 
-std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan, knit::Progress* progress) {
+std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, knit::Progress* progress) {
   auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr, progress);
-  if (auto* ready = std::get_if<Loaded>(&loaded)) ready->mended = plan.steps;
+  if (auto* ready = std::get_if<Loaded>(&loaded)) ready->repaired = plan.steps;
   return loaded;
 }
 
-std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish,
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::RepairWish& wish,
                                           knit::Progress* progress) {
   auto read = knit::read_obj_file(path, progress);
   if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
   const auto mesh = std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read)));
   const bool as_it_is = !wish.all && wish.kinds.empty();
-  auto loaded = as_it_is ? prepare(mesh, nullptr, progress) : load_mended(mended_as(*mesh, wish), progress);
+  auto loaded =
+      as_it_is ? prepare(mesh, nullptr, progress) : load_repaired(repaired_as(*mesh, wish), progress);
   if (auto* ready = std::get_if<Loaded>(&loaded)) return std::move(*ready);
   NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = knit::plan_mends(*mesh))
-    unfit.plan = std::make_shared<const knit::MendPlan>(std::move(*plan));
+  if (auto plan = knit::plan_repairs(*mesh))
+    unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
   return unfit;
 }
 

@@ -15,29 +15,31 @@
 namespace app {
 
 struct Loaded {
-  std::shared_ptr<const knit::Mesh> original;  // as read, and mended where that was asked for
+  std::shared_ptr<const knit::Mesh> original;  // as read, and repaired where that was asked for
   std::shared_ptr<const knit::Input> input;    // welded where the parameters say so
   knit::Parameters parameters;
-  std::vector<knit::Finding> findings;  // warnings
-  std::string mesh_hash;                // hash_text of `original`
-  std::vector<knit::MendStep> mended;   // what was done
+  std::vector<knit::Finding> findings;     // warnings
+  std::string mesh_hash;                   // hash_text of `original`
+  std::vector<knit::RepairStep> repaired;  // what was done
 };
 
 // Why nothing was opened, in one sentence, and what would make the mesh fit.
 struct NotOpened {
   std::string sentence;
-  std::shared_ptr<const knit::MendPlan> plan;  // of the mesh as read; null: no mends would do
+  std::shared_ptr<const knit::RepairPlan> plan;  // of the mesh as read; null: no repairs would do
 };
 
 // The error is one sentence: what is wrong, where, and what to do. `progress`: told how far it has come; loading
 // stops with knit::Cancelled when that is wished.
 std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
-                                            const std::vector<knit::MendKind>& mends = {},
+                                            const std::vector<knit::RepairKind>& repairs = {},
                                             knit::Progress* progress = nullptr);
-// Likewise, with the mends that help if it is unfit.
-std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::MendWish& wish = {},
+// Likewise, with the repairs that help if it is unfit.
+std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path,
+                                          const knit::RepairWish& wish = {},
                                           knit::Progress* progress = nullptr);
-std::variant<Loaded, std::string> load_mended(const knit::MendPlan& plan, knit::Progress* progress = nullptr);
+std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan,
+                                                knit::Progress* progress = nullptr);
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name);
 // The same mesh again, for parameters whose weld differs.
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,

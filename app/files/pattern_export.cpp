@@ -285,6 +285,15 @@ std::optional<std::string> pattern_missing(const Session& session) {
   return "the pattern is not there yet: not all stitches have their labels. Let the run go on to the faces.";
 }
 
+std::vector<std::string> pattern_instructions(const Session& session) {
+  if (pattern_missing(session)) return {};
+  const knit::WrittenPattern pattern = written(session, knit::rounds_of(session.document->timeline.state()));
+  std::vector<std::string> lines{pattern.start};
+  for (const auto& step : pattern.instructions)
+    lines.push_back(step.round ? step.round->text() : step.remark);
+  return lines;
+}
+
 std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png) {
   const knit::Rounds rounds = knit::rounds_of(session.document->timeline.state());

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/session/session.h"
 #include "knit/pattern/chart.h"
@@ -42,6 +43,9 @@ inline constexpr const char* needle_range = "a number from 0.5 to 50";
 
 // Why there is no pattern yet; nothing when it can be written.
 std::optional<std::string> pattern_missing(const Session& session);
+
+// How to begin, the rounds and the remarks between them, as on the written page; empty while there is no pattern.
+std::vector<std::string> pattern_instructions(const Session& session);
 
 // Both require that nothing is missing. `picture_png`: of the finished object, for HTML; may be empty.
 std::string pattern_file_text(const Session& session, PatternFormat format,

@@ -1,5 +1,6 @@
 #include "app/files/report.h"
 
+#include "app/files/pattern_export.h"
 #include "app/session/document.h"
 
 #include "knit/insight/narrate.h"
@@ -228,7 +229,8 @@ Json report_json(const Session& session) {
   Json report;
   report["mesh"] = {
       {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
-  for (const knit::MendStep& step : session.document->mended) report["mesh"]["mended"].push_back(step.did);
+  for (const knit::RepairStep& step : session.document->repaired)
+    report["mesh"]["mended"].push_back(step.did);
   report["parameters"] = to_json(timeline.base_parameters());
   if (!timeline.edits().empty()) report["edits"] = edits_json(timeline);
   report["steps"] = timeline.position();
@@ -250,8 +252,7 @@ Json report_json(const Session& session) {
       knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height),
       closeness.get());
   report["problems"] = problems_json(session);
-  report["pattern"] = Json::array();
-  for (const auto& line : state.lines) report["pattern"].push_back(line->text);
+  report["pattern"] = pattern_instructions(session);
   report["milliseconds"] = {{"load", session.document->load_ms}, {"run", session.document->run_ms}};
   return report;
 }

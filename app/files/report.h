@@ -9,7 +9,7 @@
 #include "knit/quality/closeness.h"
 #include "knit/quality/quality.h"
 #include "knit/run/step.h"
-#include "knit/stitches/pattern.h"
+#include "knit/stitches/appendix.h"
 
 namespace app {
 

@@ -67,7 +67,7 @@ std::variant<Loaded, std::string> load_source(const fs::path& assets, const Sour
     return path.string() + ": its mesh is not there, looked for " + absolute_of(source.file).string() +
            "; put it there, or change \"file\" in the session's \"source\".";
   }
-  return load_file(source.file, source.mends, progress);
+  return load_file(source.file, source.repairs, progress);
 }
 
 // A run to be shown: the mesh welded as its parameters say.

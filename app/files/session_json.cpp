@@ -34,7 +34,7 @@ Json source_json(const SavedSession& saved) {
   } else {
     json["file"] = saved.source.file.generic_string();
   }
-  for (const knit::MendKind kind : saved.source.mends) json["mends"].push_back(knit::key_of(kind));
+  for (const knit::RepairKind kind : saved.source.repairs) json["mends"].push_back(knit::key_of(kind));
   if (!saved.mesh_hash.empty()) json["hash"] = saved.mesh_hash;
   return json;
 }
@@ -187,11 +187,12 @@ Knobs read_knobs(JsonFields fields) {
   return knobs;
 }
 
-void read_mends(JsonFields& fields, std::vector<knit::MendKind>& mends) {
+void read_repairs(JsonFields& fields, std::vector<knit::RepairKind>& repairs) {
   for (const nlohmann::json& key : fields.array("mends")) {
-    const auto kind = key.is_string() ? knit::mend_named(key.get<std::string>()) : std::nullopt;
-    if (!kind) return fields.set_fault("mends", "has one that is not known; see --mend in knit-mesh --help.");
-    mends.push_back(*kind);
+    const auto kind = key.is_string() ? knit::repair_named(key.get<std::string>()) : std::nullopt;
+    if (!kind)
+      return fields.set_fault("mends", "has one that is not known; see --repair in knit-mesh --help.");
+    repairs.push_back(*kind);
   }
 }
 
@@ -204,7 +205,7 @@ void read_source(JsonFields fields, SavedSession& saved) {
   } else {
     fields.set_fault("file", "is missing; name the mesh's \"file\", or an \"example\".");
   }
-  if (fields.has("mends")) read_mends(fields, saved.source.mends);
+  if (fields.has("mends")) read_repairs(fields, saved.source.repairs);
   if (fields.has("hash")) saved.mesh_hash = fields.text("hash");
 }
 

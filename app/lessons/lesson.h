@@ -2,7 +2,7 @@
 // way.
 //
 // A page runs its deeds when it opens, then waits for a person to do something or to answer. Answers are judged from
-// the run at hand, never from the file (lesson_judge.h).
+// the current run, never from the file (lesson_judge.h).
 #pragma once
 
 #include <cstdint>
@@ -106,9 +106,9 @@ struct Question {
 // --- a lesson ----------------------------------------------------------------------------------------------
 
 struct Light {
-  std::optional<knit::Thing> thing;  // selected in the view
-  std::int32_t row = 0;              // or a whole row
-  std::string control;               // or a control, by its name in PanelMemory::controls
+  std::optional<knit::Element> thing;  // selected in the view
+  std::int32_t row = 0;                // or a whole row
+  std::string control;                 // or a control, by its name in PanelMemory::controls
 };
 struct LessonPage {
   std::string title, text;

@@ -145,7 +145,7 @@ std::optional<double> number_of(std::string text) {
 
 std::optional<glm::dvec3> place_of(const Session& session, const std::string& answer) {
   const auto thing = thing_named(answer);
-  const auto* vertex = thing ? std::get_if<knit::VertexThing>(&*thing) : nullptr;
+  const auto* vertex = thing ? std::get_if<knit::VertexElement>(&*thing) : nullptr;
   const auto& positions = session.document->timeline.input().mesh.positions;
   if (vertex == nullptr || vertex->vertex >= positions.size()) return std::nullopt;
   return positions[vertex->vertex];
@@ -169,7 +169,7 @@ std::string unclear_words(const Session& session, const Question& question, cons
                  : "Click a row: one of its stitches, edges or faces. Or type its number.";
     case AnswerKind::stitch: {
       const auto thing = thing_named(answer);
-      return thing && std::holds_alternative<knit::StitchThing>(*thing) ? "" : "Click a stitch.";
+      return thing && std::holds_alternative<knit::StitchElement>(*thing) ? "" : "Click a stitch.";
     }
   }
   return "";

@@ -1,4 +1,4 @@
-// Who judges the answers of lessons: from the state and the steps of the run at hand.
+// Who judges the answers of lessons: from the state and the steps of the current run.
 #pragma once
 
 #include <span>
@@ -32,7 +32,7 @@ struct JudgeInfo {
 };
 std::span<const JudgeInfo> judge_table();
 
-// Of the question at hand in the run at hand.
+// Of the current question in the current run.
 Truth truth_of(const Session& session, const Question& question);
 Judgement judge(const Session& session, const Question& question, const std::string& answer);
 

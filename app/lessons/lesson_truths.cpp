@@ -112,7 +112,7 @@ Truth no_join(const knit::Timeline& timeline, std::int32_t row) {
 }
 
 std::string counted_words(const knit::Timeline& timeline, std::int32_t row) {
-  const auto counted = first_of_kind<knit::TransitionCounted>(timeline, Stage::stitches, row);
+  const auto counted = first_of_kind<knit::JoinCounted>(timeline, Stage::stitches, row);
   return counted ? said_by(timeline, *counted) : "";
 }
 
@@ -170,7 +170,7 @@ Truth stitch_with_label(const Session& session, const JudgeCall& call) {
   for (std::size_t cell = 0; cell < join->labels.size(); ++cell) {
     if (!is_meant(join->labels[cell], call.word)) continue;
     const knit::StitchRef at = cells.at(static_cast<std::int32_t>(cell));
-    truth.answers.push_back(text_of(knit::Thing(knit::StitchThing{at.row, at.stitch})));
+    truth.answers.push_back(text_of(knit::Element(knit::StitchElement{at.row, at.stitch})));
   }
   if (truth.answers.empty())
     return untold("Row " + str(call.row) + " has no such stitch; set the page up again.");
@@ -182,7 +182,7 @@ Truth stitch_with_label(const Session& session, const JudgeCall& call) {
 std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer) {
   const knit::Join* join = join_of(session.document->timeline, call.row);
   const auto thing = thing_named(answer);
-  const auto* stitch = thing ? std::get_if<knit::StitchThing>(&*thing) : nullptr;
+  const auto* stitch = thing ? std::get_if<knit::StitchElement>(&*thing) : nullptr;
   if (join == nullptr || stitch == nullptr) return "";
   const knit::RowId row = session.document->timeline.furthest().fabric.larger(*join).at(0).row;
   const std::string name = capital(words_of(*thing));
@@ -287,7 +287,7 @@ Truth end_vertex(const Session& session, const JudgeCall& call) {
 
 std::string why_not_end(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
   const auto thing = thing_named(answer);
-  const auto* vertex = thing ? std::get_if<knit::VertexThing>(&*thing) : nullptr;
+  const auto* vertex = thing ? std::get_if<knit::VertexElement>(&*thing) : nullptr;
   const auto step = vertex ? knit::timed_by(session.document->timeline, vertex->vertex) : std::nullopt;
   return step ? said_by(session.document->timeline, *step) : "";
 }

@@ -64,7 +64,7 @@ GlShader compile(GLenum kind, const ShaderProgram::Pieces& pieces) {
   if (good == GL_FALSE) {
     throw GlError("The graphics driver rejects the shader " + pieces.back() + ": " +
                   log_of(shader.id(), glGetShaderiv, glGetShaderInfoLog) +
-                  ". Update the graphics driver, or mend the shader.");
+                  ". Update the graphics driver, or correct the shader.");
   }
   return shader;
 }
@@ -88,7 +88,7 @@ void ShaderProgram::build() {
   if (good == GL_FALSE) {
     throw GlError("The graphics driver cannot link " + vertex_.back() + " and " + fragment_.back() + ": " +
                   log_of(program.id(), glGetProgramiv, glGetProgramInfoLog) +
-                  ". Update the graphics driver, or mend the shaders.");
+                  ". Update the graphics driver, or correct the shaders.");
   }
   glDetachShader(program.id(), vertex.id());
   glDetachShader(program.id(), fragment.id());

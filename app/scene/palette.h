@@ -35,7 +35,7 @@ struct Theme {
   Colour row_edge{236, 232, 220};
   Colour column_edge{40, 44, 52};
   Colour symbol{24, 26, 30};         // of the chart, on faces
-  Colour ghost{150, 176, 214, 150};  // the pinned run behind the one at hand
+  Colour ghost{150, 176, 214, 150};  // the pinned run behind the current one
   Colour problem{240, 104, 84};
   Colour break_hit{186, 156, 255};
 

@@ -30,7 +30,7 @@ struct Words {
   std::string size;
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
-  std::string theme, scale, mend;
+  std::string theme, scale, repair;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   bool markers = false, stars = false;
@@ -59,9 +59,9 @@ std::string lessons_text(const std::filesystem::path& assets) {
   return text;
 }
 
-std::string mend_list() {
+std::string repair_list() {
   std::string text;
-  for (const std::string_view key : knit::mend_keys) text += (text.empty() ? "" : ", ") + std::string(key);
+  for (const std::string_view key : knit::repair_keys) text += (text.empty() ? "" : ", ") + std::string(key);
   return text;
 }
 
@@ -87,7 +87,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
   app.add_option("--session", words.session, "open a saved session instead");
   app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
-  app.add_option("--mend", words.mend, "mend the mesh before it is opened: all, or some of " + mend_list());
+  app.add_option("--repair,--mend", words.repair,
+                 "repair the mesh before it is opened: all, or some of " + repair_list());
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
@@ -277,15 +278,15 @@ std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
 }
 
 // Commas between; the order does not matter, for there is but one that is safe.
-std::optional<std::string> read_mends(const Words& words, CommandLine& line) {
-  if (words.mend.empty()) return std::nullopt;
+std::optional<std::string> read_repairs(const Words& words, CommandLine& line) {
+  if (words.repair.empty()) return std::nullopt;
   if (words.mesh.empty() || !line.session.empty())
-    return "--mend needs a mesh's file; examples are whole, and a session has its own mends.";
-  knit::MendWish wish{words.mend == "all", {}};
-  for (const std::string_view key : wish.all ? std::vector<std::string_view>() : split(words.mend, ',')) {
-    const auto kind = knit::mend_named(key);
+    return "--repair needs a mesh's file; examples are whole, and a session has its own repairs.";
+  knit::RepairWish wish{words.repair == "all", {}};
+  for (const std::string_view key : wish.all ? std::vector<std::string_view>() : split(words.repair, ',')) {
+    const auto kind = knit::repair_named(key);
     if (!kind)
-      return "--mend cannot be \"" + words.mend + "\"; give all, or some of " + mend_list() +
+      return "--repair cannot be \"" + words.repair + "\"; give all, or some of " + repair_list() +
              ", with commas between.";
     if (std::find(wish.kinds.begin(), wish.kinds.end(), *kind) == wish.kinds.end())
       wish.kinds.push_back(*kind);
@@ -327,7 +328,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
-  if (const auto trouble = read_mends(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {

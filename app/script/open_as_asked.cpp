@@ -57,14 +57,14 @@ std::optional<std::string> begin_lesson(Session& session, const CommandLine& lin
 }
 
 // What is wrong, and which option would help.
-std::string words_of(const MendOffer& offer) {
+std::string words_of(const RepairOffer& offer) {
   std::string keys;
   std::string effects;
-  for (const knit::MendStep& step : offer.plan->steps) {
+  for (const knit::RepairStep& step : offer.plan->steps) {
     keys += (keys.empty() ? "" : ",") + std::string(knit::key_of(step.kind));
     effects += " " + step.would;
   }
-  return offer.finding + " Or give --mend " + keys + "." + effects;
+  return offer.finding + " Or give --repair " + keys + "." + effects;
 }
 
 // Only where nothing is asked about the run itself may a window come before a large mesh.
@@ -97,8 +97,8 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   set_beside(session, false);
   look_as_asked(session, line);
   if (session.jobs->opening || line.empty) return std::nullopt;
-  if (!session.document && session.jobs->mend_offer)
-    return line.headless ? std::optional(words_of(*session.jobs->mend_offer))
+  if (!session.document && session.jobs->repair_offer)
+    return line.headless ? std::optional(words_of(*session.jobs->repair_offer))
                          : std::nullopt;  // a window offers it
   if (!session.document)
     return session.outbox->notices.empty() ? "nothing could be opened." : session.outbox->notices.back().text;
@@ -120,7 +120,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
 namespace {
 
 std::filesystem::path offered_in(const Session& session) {
-  return session.jobs->mend_offer ? session.jobs->mend_offer->source.file : std::filesystem::path();
+  return session.jobs->repair_offer ? session.jobs->repair_offer->source.file : std::filesystem::path();
 }
 
 }  // namespace

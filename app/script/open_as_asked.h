@@ -1,4 +1,4 @@
-// What the command line asks of a mesh that is not open yet when the window comes: it is read by a worker, or mends
+// What the command line asks of a mesh that is not open yet when the window comes: it is read by a worker, or repairs
 // are offered for it first. What was asked waits until it is open, and is dropped when something else is.
 #pragma once
 
@@ -23,7 +23,7 @@ class AskedAtStart {
   enum class Mesh { pending, open, other };
   [[nodiscard]] Mesh mesh_in(const Session& session) const;
   std::shared_ptr<const Opening> opening_;  // null: not under way
-  std::filesystem::path offered_;           // the file that mends are offered for; empty: none
+  std::filesystem::path offered_;           // the file that repairs are offered for; empty: none
 };
 
 }  // namespace app

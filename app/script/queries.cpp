@@ -52,7 +52,7 @@ namespace {
 std::variant<Loaded, std::string> load_source(const Session& session, const SavedRun& run) {
   const Source& source = run.source;
   auto read = source.file.empty() ? load_example(session.program->assets, source.example)
-                                  : load_file(source.file, source.mends);
+                                  : load_file(source.file, source.repairs);
   if (std::holds_alternative<std::string>(read)) return read;
   return load_again(std::get<Loaded>(read).original, run.base);
 }
@@ -216,7 +216,7 @@ std::string step_text(const knit::Timeline& timeline, const std::string& what, s
   return text;
 }
 
-std::string vertex_text(const knit::Timeline& timeline, const knit::VertexThing& thing) {
+std::string vertex_text(const knit::Timeline& timeline, const knit::VertexElement& thing) {
   const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
   std::string text;
   for (const std::size_t step : story.measured) text += step_text(timeline, "measured", step);
@@ -225,7 +225,7 @@ std::string vertex_text(const knit::Timeline& timeline, const knit::VertexThing&
   return text;
 }
 
-std::string stitch_text(const knit::Timeline& timeline, const knit::StitchThing& stitch, std::size_t made) {
+std::string stitch_text(const knit::Timeline& timeline, const knit::StitchElement& stitch, std::size_t made) {
   std::string text;
   if (const auto chosen = knit::chosen_by(timeline, stitch)) text += step_text(timeline, "chosen", *chosen);
   text += step_text(timeline, "made", made);
@@ -247,7 +247,7 @@ Answer why_answer(Session& session, const std::string& thing) {
   if (!asked || !session.document) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
   work_out(session);
   const knit::Timeline& timeline = session.document->timeline;
-  const auto* vertex = std::get_if<knit::VertexThing>(&*asked);
+  const auto* vertex = std::get_if<knit::VertexElement>(&*asked);
   const std::size_t vertices = timeline.input().mesh.positions.size();
   if (vertex != nullptr && vertex->vertex >= vertices) {
     return {exit_usage, "",
@@ -259,7 +259,7 @@ Answer why_answer(Session& session, const std::string& thing) {
   apply(session, ShowWhy{*asked});
   std::string text = words_of(*asked) + ": " + why_words(timeline, *asked) + "\n";
   if (vertex != nullptr) return {exit_done, text + vertex_text(timeline, *vertex), ""};
-  if (const auto* stitch = std::get_if<knit::StitchThing>(&*asked))
+  if (const auto* stitch = std::get_if<knit::StitchElement>(&*asked))
     return {exit_done, text + stitch_text(timeline, *stitch, *made), ""};
   return {exit_done, text + step_text(timeline, "made", *made), ""};
 }

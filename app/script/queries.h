@@ -28,7 +28,7 @@ std::optional<std::string> fault_of_sweep(const std::vector<std::string>& axes);
 // The session keeps the sweep, so that a picture shows it; in a window it goes on beside it and nothing is written.
 Answer sweep_answer(Session& session, const std::vector<std::string>& axes);
 
-// --explain: the pseudo-code at the place at hand with the line that just ran, the variables and the sentence.
+// --explain: the pseudo-code at the current place with the line that just ran, the variables and the sentence.
 // explain_query.cpp
 Answer explain_answer(const Session& session);
 // --point NAME: one of its variables, lit in pictures.

@@ -10,7 +10,7 @@
 
 #include "app/base/text.h"
 #include "knit/reader/pattern_reader.h"
-#include "knit/stitches/pattern.h"
+#include "knit/stitches/appendix.h"
 #include "knit/stitches/placement.h"
 
 namespace app {

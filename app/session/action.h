@@ -25,13 +25,13 @@ struct OpenExample {
 };
 struct OpenFile {
   std::filesystem::path path;
-  knit::MendWish mends{};
+  knit::RepairWish repairs{};
 };                    // with default parameters for its size
 struct CloseMesh {};  // nothing is open then; a lesson is left, what was pinned is let go
-// Mends: knit/mend.h. What a mesh that could not be opened was offered.
-struct MendAndOpen {};
-struct DropMendOffer {};
-struct UndoMend {};  // back to what was open before
+// Repairs: knit/repair.h. What a mesh that could not be opened was offered.
+struct RepairAndOpen {};
+struct DropRepairOffer {};
+struct UndoRepair {};  // back to what was open before
 
 // The timeline.
 enum class Unit : std::uint8_t { item, row, stage };
@@ -92,10 +92,10 @@ struct PasteParameters {
 
 // Why, and finding one's way: travel.h.
 struct Select {
-  std::optional<knit::Thing> thing;
+  std::optional<knit::Element> thing;
 };  // shown in view, chart and lists
 struct ShowWhy {
-  knit::Thing thing;
+  knit::Element thing;
 };  // selects it and goes to the step that made or refused it
 struct ToTouch {
   int direction = 1;
@@ -121,7 +121,7 @@ struct SetSlowMotion {
 };  // playing slows down where something interesting happens
 
 // Two settings side by side: pins.h, sweep.h.
-struct PinRun {};  // keeps the run at hand as the one compared with
+struct PinRun {};  // keeps the current run as the one compared with
 struct SwapPinned {};
 struct Unpin {};
 struct StartSweep {
@@ -277,7 +277,7 @@ using ActionKinds =
              HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
-             ShowOpenDialog, DismissNotice, Quit, CloseMesh, MendAndOpen, DropMendOffer, UndoMend>;
+             ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -22,9 +22,9 @@ namespace app {
 
 // Where the mesh came from: one of the two is set once something is open.
 struct Source {
-  std::string example;                  // "thesis-sphere"
-  std::filesystem::path file;           // as given
-  std::vector<knit::MendKind> mends{};  // carried out on what the file says, in this order
+  std::string example;                      // "thesis-sphere"
+  std::filesystem::path file;               // as given
+  std::vector<knit::RepairKind> repairs{};  // carried out on what the file says, in this order
   friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -42,9 +42,10 @@ struct Document {
   std::shared_ptr<const knit::Mesh> original;  // as read, before welding
   std::string mesh_hash;                       // hash_text of `original`; empty: not known
   std::vector<knit::Finding> findings;         // warnings about the mesh
-  std::vector<knit::MendStep> mended;          // what was done to it, as source.mends says
-  std::shared_ptr<const Session> before_mend;  // what undoing the mends goes back to; null: nothing to undo
-  knit::Parameters defaults;                   // of the mesh or example: what reset goes back to
+  std::vector<knit::RepairStep> repaired;      // what was done to it, as source.repairs says
+  std::shared_ptr<const Session>
+      before_repair;          // what undoing the repairs goes back to; null: nothing to undo
+  knit::Parameters defaults;  // of the mesh or example: what reset goes back to
   knit::Timeline timeline;
   std::optional<knit::Parameters> before_change;  // what cancelling goes back to
   Changes changes;                                // of parameters, to undo and redo

@@ -31,10 +31,10 @@ struct RunWork {
 };
 
 // A mesh that could not be opened, and what would make it fit. It is not open: what was open still is.
-struct MendOffer {
+struct RepairOffer {
   Source source;
   std::string finding;  // the sentence: what is wrong with it
-  std::shared_ptr<const knit::MendPlan> plan;
+  std::shared_ptr<const knit::RepairPlan> plan;
 };
 
 // A large file on its way to be open, and what was made ready for an action (opening.h).
@@ -46,7 +46,7 @@ struct Jobs {
   bool beside = false;                        // this is a window
   std::shared_ptr<Opening> opening;           // null: none under way
   std::shared_ptr<const MadeMesh> made_mesh;  // while the action is done that it was made ready for
-  std::optional<MendOffer> mend_offer;        // of the mesh that could not be opened last
+  std::optional<RepairOffer> repair_offer;    // of the mesh that could not be opened last
   RunWork run;
   std::shared_ptr<const AnimationRun> animation;  // in the making; null: none
 };

@@ -1,4 +1,4 @@
-// The run that another is compared with: kept whole while the one at hand is tuned.
+// The run that another is compared with: kept whole while the current one is tuned.
 #pragma once
 
 #include <memory>
@@ -26,15 +26,15 @@ struct Pin {
   std::optional<Work<PinnedEnd>> work;
 };
 
-// The run at hand as a pin; without its end while that is being worked out. Requires something open.
+// The current run as a pin; without its end while that is being worked out. Requires something open.
 Pin pin_of(const Session& session);
 PinnedEnd end_of(const RunTally& run, const Knobs& knobs);
 void take_end(Pin& pin, PinnedEnd end);
-// Whether it is the run at hand that is pinned.
+// Whether it is the current run that is pinned.
 bool is_at_hand(const Session& session, const Pin& pin);
 // It lacks its end still, and a frame is due when it comes.
 bool pin_is_pending(const Session& session);
-// Whether the pinned run is of the mesh at hand: the same vertices, welded or not.
+// Whether the pinned run is of the current mesh: the same vertices, welded or not.
 bool is_of_this_mesh(const Session& session, const Pin& pin);
 
 }  // namespace app

@@ -45,17 +45,17 @@ bool can_be_swept(const knit::ParameterInfo& info);
 // Rising; of a count whole and each once. Requires an axis without fault.
 std::vector<double> values_of(const SweepAxis& axis);
 
-// What the runs start from: a run with all its knobs, and the parameters that a change at hand begins with.
+// What the runs start from: a run with all its knobs, and the parameters that a change now begins with.
 struct SweepBase {
   std::shared_ptr<const knit::Input> input;
   Knobs knobs;
-  knit::Parameters at_hand;
+  knit::Parameters current;
 };
 SweepBase sweep_base_of(const knit::Timeline& timeline);
-// The parameters at hand with a run's values set, one an axis: what tuning to them takes.
-knit::Parameters with_values(const knit::Parameters& at_hand, const SweepPlan& plan,
+// The current parameters with a run's values set, one an axis: what tuning to them takes.
+knit::Parameters with_values(const knit::Parameters& current, const SweepPlan& plan,
                              const std::vector<double>& values);
-// The knobs of one run, as tuning at hand would make them; or why they are refused.
+// The knobs of one run, as tuning now would make them; or why they are refused.
 std::variant<Knobs, std::string> swept_knobs(const SweepBase& base, const SweepPlan& plan,
                                              const std::vector<double>& values);
 // The first stage in which the plan's runs may differ.

@@ -35,7 +35,7 @@ struct KeptPlace {
 struct Travel {
   PlaceHistory history;
   std::optional<std::size_t> left_by_seek;  // where a SeekTo ended: one from there goes on with the same drag
-  std::optional<knit::Thing> selected;
+  std::optional<knit::Element> selected;
   BreakHits hits;      // of the view's break conditions
   int running_to = 0;  // looking for the next hit in this direction, as the run is worked out; 0: no
   std::optional<Stretch> loop;

@@ -76,7 +76,7 @@ struct Gaze {
   std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
   // By their line in the text or their place on the timeline: likewise, and in both of these.
   std::optional<RoundSpan> hovered_rounds;
-  std::optional<std::int32_t> knit_along;  // the round at hand, from 1; none: not knitting along
+  std::optional<std::int32_t> knit_along;  // the current round, from 1; none: not knitting along
   std::int32_t knit_along_round = 1;       // remembered when it is put away
   friend bool operator==(const Gaze&, const Gaze&) = default;
 };

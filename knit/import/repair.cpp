@@ -20,13 +20,13 @@ struct Labels {
   const char* would;
   const char* did;
 };
-constexpr std::array<Labels, mend_count> labels{Labels{"Drop stray vertices", "Dropped stray vertices"},
-                                                Labels{"Weld", "Welded"},
-                                                Labels{"Drop doubled faces", "Dropped doubled faces"},
-                                                Labels{"Drop fins", "Dropped fins"},
-                                                Labels{"Keep the largest piece", "Kept the largest piece"},
-                                                Labels{"Turn faces round", "Turned faces round"},
-                                                Labels{"Fill small holes", "Filled small holes"}};
+constexpr std::array<Labels, repair_count> labels{Labels{"Drop stray vertices", "Dropped stray vertices"},
+                                                  Labels{"Weld", "Welded"},
+                                                  Labels{"Drop doubled faces", "Dropped doubled faces"},
+                                                  Labels{"Drop fins", "Dropped fins"},
+                                                  Labels{"Keep the largest piece", "Kept the largest piece"},
+                                                  Labels{"Turn faces round", "Turned faces round"},
+                                                  Labels{"Fill small holes", "Filled small holes"}};
 
 Effect drop_unreferenced(const Mesh& mesh) {
   std::vector<std::uint8_t> used(mesh.positions.size(), 0);
@@ -187,21 +187,21 @@ Effect turn_faces(const Mesh& mesh) {
   return effect;
 }
 
-Effect effect_of(const Mesh& mesh, MendKind kind) {
+Effect effect_of(const Mesh& mesh, RepairKind kind) {
   switch (kind) {
-    case MendKind::unreferenced:
+    case RepairKind::unreferenced:
       return drop_unreferenced(mesh);
-    case MendKind::weld:
+    case RepairKind::weld:
       return weld_near(mesh);
-    case MendKind::doubles:
+    case RepairKind::doubles:
       return drop_doubles(mesh);
-    case MendKind::fins:
+    case RepairKind::fins:
       return drop_fins(mesh);
-    case MendKind::largest_piece:
+    case RepairKind::largest_piece:
       return keep_largest_piece(mesh);
-    case MendKind::reorient:
+    case RepairKind::reorient:
       return turn_faces(mesh);
-    case MendKind::holes:
+    case RepairKind::holes:
       return fill_holes(mesh);
   }
   return {mesh, 0, "", "", ""};
@@ -209,12 +209,12 @@ Effect effect_of(const Mesh& mesh, MendKind kind) {
 
 }  // namespace
 
-std::string_view key_of(MendKind kind) { return mend_keys.at(static_cast<std::size_t>(kind)); }
+std::string_view key_of(RepairKind kind) { return repair_keys.at(static_cast<std::size_t>(kind)); }
 
-std::optional<MendKind> mend_named(std::string_view key) {
-  const auto found = std::find(mend_keys.begin(), mend_keys.end(), key);
-  if (found == mend_keys.end()) return std::nullopt;
-  return static_cast<MendKind>(found - mend_keys.begin());
+std::optional<RepairKind> repair_named(std::string_view key) {
+  const auto found = std::find(repair_keys.begin(), repair_keys.end(), key);
+  if (found == repair_keys.end()) return std::nullopt;
+  return static_cast<RepairKind>(found - repair_keys.begin());
 }
 
 Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles) {
@@ -244,7 +244,7 @@ Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles) {
   return changed;
 }
 
-Mended mend(const Mesh& mesh, MendKind kind) {
+Repaired repair(const Mesh& mesh, RepairKind kind) {
   Effect effect = effect_of(mesh, kind);
   if (effect.count == 0) return {mesh, {kind, 0, "", ""}};
   const Labels& label = labels.at(static_cast<std::size_t>(kind));
@@ -253,7 +253,7 @@ Mended mend(const Mesh& mesh, MendKind kind) {
            std::string(label.did) + ": " + effect.past + " " + effect.what + "."}};
 }
 
-// Which mends help: tried in their order, each kept only where the check finds less wrong after it.
+// Which repairs help: tried in their order, each kept only where the check finds less wrong after it.
 
 namespace {
 
@@ -263,25 +263,25 @@ bool has(const CheckResult& result, FindingKind kind) {
 }
 
 // Nothing here can make these fit.
-bool beyond_mending(const CheckResult& result) {
+bool beyond_repair(const CheckResult& result) {
   return has(result, FindingKind::no_triangles) || has(result, FindingKind::index_out_of_range) ||
          has(result, FindingKind::no_extent);
 }
 
-bool is_about(MendKind kind, const CheckResult& wrong) {
+bool is_about(RepairKind kind, const CheckResult& wrong) {
   switch (kind) {
-    case MendKind::unreferenced:
+    case RepairKind::unreferenced:
       return has(wrong, FindingKind::not_finite);
-    case MendKind::weld:
+    case RepairKind::weld:
       return has(wrong, FindingKind::open_edges) || has(wrong, FindingKind::several_pieces);
-    case MendKind::doubles:
-    case MendKind::fins:
+    case RepairKind::doubles:
+    case RepairKind::fins:
       return has(wrong, FindingKind::edge_not_manifold);
-    case MendKind::largest_piece:
+    case RepairKind::largest_piece:
       return has(wrong, FindingKind::several_pieces);
-    case MendKind::reorient:  // filling goes round a hole as the faces at its rim do
+    case RepairKind::reorient:  // filling goes round a hole as the faces at its rim do
       return has(wrong, FindingKind::open_edges) && has(wrong, FindingKind::flipped_faces);
-    case MendKind::holes:
+    case RepairKind::holes:
       return has(wrong, FindingKind::open_edges);
   }
   return false;
@@ -296,7 +296,7 @@ std::size_t badness(const CheckResult& result) {
   return sum;
 }
 
-// What every mend but dropping strays relies on.
+// What every repair but dropping strays relies on.
 bool is_in_range(const Mesh& mesh) {
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
     return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
@@ -311,44 +311,44 @@ bool is_finite(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<MendKind> MendPlan::kinds() const {
-  std::vector<MendKind> all;
-  for (const MendStep& step : steps) all.push_back(step.kind);
+std::vector<RepairKind> RepairPlan::kinds() const {
+  std::vector<RepairKind> all;
+  for (const RepairStep& step : steps) all.push_back(step.kind);
   return all;
 }
 
-std::optional<MendPlan> plan_mends(const Mesh& mesh) {
+std::optional<RepairPlan> plan_repairs(const Mesh& mesh) {
   CheckResult wrong = check(mesh);
-  if (wrong.fit() || beyond_mending(wrong)) return std::nullopt;
-  MendPlan plan{mesh, {}};
-  for (std::size_t i = 0; i < mend_count; ++i) {
-    const auto kind = static_cast<MendKind>(i);
+  if (wrong.fit() || beyond_repair(wrong)) return std::nullopt;
+  RepairPlan plan{mesh, {}};
+  for (std::size_t i = 0; i < repair_count; ++i) {
+    const auto kind = static_cast<RepairKind>(i);
     if (!is_about(kind, wrong)) continue;
-    if (kind != MendKind::unreferenced && has(wrong, FindingKind::not_finite)) return std::nullopt;
-    Mended mended = mend(plan.mesh, kind);
-    if (mended.step.count == 0) continue;
-    CheckResult after = check(mended.mesh);
-    const bool prepares = kind == MendKind::reorient;
+    if (kind != RepairKind::unreferenced && has(wrong, FindingKind::not_finite)) return std::nullopt;
+    Repaired repaired = repair(plan.mesh, kind);
+    if (repaired.step.count == 0) continue;
+    CheckResult after = check(repaired.mesh);
+    const bool prepares = kind == RepairKind::reorient;
     if (!prepares && badness(after) >= badness(wrong)) continue;
-    plan.mesh = std::move(mended.mesh);
-    plan.steps.push_back(std::move(mended.step));
+    plan.mesh = std::move(repaired.mesh);
+    plan.steps.push_back(std::move(repaired.step));
     wrong = std::move(after);
     if (wrong.fit()) return plan;
   }
   return std::nullopt;
 }
 
-MendPlan carry_out(const Mesh& mesh, const std::vector<MendKind>& kinds) {
-  MendPlan plan{mesh, {}};
+RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
+  RepairPlan plan{mesh, {}};
   if (mesh.triangles.empty() || !is_in_range(mesh)) return plan;
-  for (std::size_t i = 0; i < mend_count; ++i) {
-    const auto kind = static_cast<MendKind>(i);
+  for (std::size_t i = 0; i < repair_count; ++i) {
+    const auto kind = static_cast<RepairKind>(i);
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
-    if (kind != MendKind::unreferenced && !is_finite(plan.mesh)) break;
-    Mended mended = mend(plan.mesh, kind);
-    if (mended.step.count == 0) continue;
-    plan.mesh = std::move(mended.mesh);
-    plan.steps.push_back(std::move(mended.step));
+    if (kind != RepairKind::unreferenced && !is_finite(plan.mesh)) break;
+    Repaired repaired = repair(plan.mesh, kind);
+    if (repaired.step.count == 0) continue;
+    plan.mesh = std::move(repaired.mesh);
+    plan.steps.push_back(std::move(repaired.step));
   }
   return plan;
 }

@@ -1,7 +1,7 @@
-// Mends for a mesh that the method cannot take as it is. Each is a pure function that says in words and numbers
+// Repairs for a mesh that the method cannot take as it is. Each is a pure function that says in words and numbers
 // what it does; nothing here is done unless somebody asks for it.
 //
-// A mend that finds nothing to do gives the mesh back as it was, with count 0. Order is kept: vertices and
+// A repair that finds nothing to do gives the mesh back as it was, with count 0. Order is kept: vertices and
 // triangles that stay come in the order in which they were. Lengths are in mesh units.
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace knit {
 
 // In the order in which they are carried out: each may rely on those before it.
-enum class MendKind : std::uint8_t {
+enum class RepairKind : std::uint8_t {
   unreferenced,   // drops vertices that belong to no face
   weld,           // merges vertices a hair apart, so that a crack closes
   doubles,        // drops faces that stand there twice, and those with two corners at one place
@@ -27,48 +27,48 @@ enum class MendKind : std::uint8_t {
   reorient,       // turns faces so that all face outwards
   holes,          // fills small holes
 };
-inline constexpr std::size_t mend_count = 7;
+inline constexpr std::size_t repair_count = 7;
 // What scripts and session files call them, and what buttons do.
-inline constexpr std::array<std::string_view, mend_count> mend_keys{
+inline constexpr std::array<std::string_view, repair_count> repair_keys{
     "unreferenced", "weld", "doubles", "fins", "largest-piece", "reorient", "holes"};
-std::string_view key_of(MendKind kind);
-std::optional<MendKind> mend_named(std::string_view key);
+std::string_view key_of(RepairKind kind);
+std::optional<RepairKind> repair_named(std::string_view key);
 
 // Two vertices this near each other, as a part of the mesh's diagonal, are one to `weld`.
 inline constexpr double weld_reach = 1e-5;
 // A hole is small when it is no longer round than this part of the mesh's diagonal.
 inline constexpr double small_hole = 0.5;
 
-// One mend, with its numbers in words.
-struct MendStep {
-  MendKind kind{};
+// One repair, with its numbers in words.
+struct RepairStep {
+  RepairKind kind{};
   std::size_t count = 0;  // of what it is about: vertices, faces, pieces or holes
   std::string would;      // "Keep the largest piece: drops 2 pieces of 40 triangles."
   std::string did;        // "Kept the largest piece: dropped 2 pieces of 40 triangles."
 };
 
-struct Mended {
+struct Repaired {
   Mesh mesh;
-  MendStep step;
+  RepairStep step;
 };
 // Requires at least one triangle and indices in range; `unreferenced` alone may be given coordinates that are no numbers.
-Mended mend(const Mesh& mesh, MendKind kind);
+Repaired repair(const Mesh& mesh, RepairKind kind);
 
-struct MendPlan {
-  Mesh mesh;                    // mended
-  std::vector<MendStep> steps;  // that did something, in their order
-  [[nodiscard]] std::vector<MendKind> kinds() const;
+struct RepairPlan {
+  Mesh mesh;                      // repaired
+  std::vector<RepairStep> steps;  // that did something, in their order
+  [[nodiscard]] std::vector<RepairKind> kinds() const;
 };
 // What a person asks for: these, or whichever are needed.
-struct MendWish {
+struct RepairWish {
   bool all = false;
-  std::vector<MendKind> kinds;
+  std::vector<RepairKind> kinds;
   [[nodiscard]] bool any() const { return all || !kinds.empty(); }
 };
-// The mends that make an unfit mesh fit (check.h); none where it is fit already or where they would not do.
-std::optional<MendPlan> plan_mends(const Mesh& mesh);
+// The repairs that make an unfit mesh fit (check.h); none where it is fit already or where they would not do.
+std::optional<RepairPlan> plan_repairs(const Mesh& mesh);
 // Exactly these, each once, in their order, whether they are needed or not. Indices need not be in range: then
 // nothing is done.
-MendPlan carry_out(const Mesh& mesh, const std::vector<MendKind>& kinds);
+RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds);
 
 }  // namespace knit

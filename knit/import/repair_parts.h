@@ -1,4 +1,4 @@
-// Parts of mend.h that stand in files of their own.
+// Parts of repair.h that stand in files of their own.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace knit {
 
-// A mend and its effect: what it is about, and the words with the verb as it would be and as it was.
+// A repair and its effect: what it is about, and the words with the verb as it would be and as it was.
 struct Effect {
   Mesh mesh;
   std::size_t count = 0;         // 0: nothing to do, and the rest means nothing

@@ -60,15 +60,14 @@ std::optional<std::size_t> first_with(const Timeline& timeline, std::int32_t row
 bool is_plan(const Event& what) { return is<SpacingChosen>(what) || is<RowsMatched>(what); }
 
 // The step that places a label, or plans a row in which the cell stays plain.
-std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelThing& label) {
+std::optional<std::size_t> label_made_by(const Timeline& timeline, const LabelElement& label) {
   if (label.cell < 0) return std::nullopt;
   const StepRange steps = steps_of_row(timeline, Stage::stitches, label.row);
   std::optional<std::size_t> plan;
   std::int32_t cells = 0;
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
     const Event& what = timeline.step(i).what;
-    if (const auto* counted = get_if<TransitionCounted>(what))
-      cells = std::max(counted->below, counted->above);
+    if (const auto* counted = get_if<JoinCounted>(what)) cells = std::max(counted->below, counted->above);
     if (is_plan(what)) plan = i;
     const auto* main = get_if<MainPlaced>(what);
     const auto* shaping = get_if<ShapingPlaced>(what);
@@ -97,7 +96,7 @@ bool face_exists(const State& state, std::int32_t row, std::int32_t face) {
   return work != nullptr && row == state.next.row && face < work->made;
 }
 
-bool label_exists(const State& state, const LabelThing& label) {
+bool label_exists(const State& state, const LabelElement& label) {
   if (label.cell < 0) return false;
   const auto cell = static_cast<std::size_t>(label.cell);
   if (const Join* finished = state.fabric.join_into(label.row)) return cell < finished->labels.size();
@@ -112,27 +111,27 @@ bool label_exists(const State& state, const LabelThing& label) {
 
 struct Exists {
   const State& state;
-  bool operator()(const StitchThing& s) const { return has_stitch(made_of(state, s.row), s.stitch); }
-  bool operator()(const RowEdgeThing& e) const { return has_edge(made_of(state, e.row), e.stitch); }
-  bool operator()(const ColumnEdgeThing& e) const { return face_exists(state, e.row, e.edge); }
-  bool operator()(const FaceThing& f) const { return face_exists(state, f.row, f.face); }
-  bool operator()(const LabelThing& l) const { return label_exists(state, l); }
-  bool operator()(const VertexThing& v) const { return v.vertex != no_vertex; }
+  bool operator()(const StitchElement& s) const { return has_stitch(made_of(state, s.row), s.stitch); }
+  bool operator()(const RowEdgeElement& e) const { return has_edge(made_of(state, e.row), e.stitch); }
+  bool operator()(const ColumnEdgeElement& e) const { return face_exists(state, e.row, e.edge); }
+  bool operator()(const FaceElement& f) const { return face_exists(state, f.row, f.face); }
+  bool operator()(const LabelElement& l) const { return label_exists(state, l); }
+  bool operator()(const VertexElement& v) const { return v.vertex != no_vertex; }
 };
 
 struct MadeBy {
   const Timeline& timeline;
   using Found = std::optional<std::size_t>;
-  Found operator()(const StitchThing& s) const {
+  Found operator()(const StitchElement& s) const {
     return first_with(timeline, s.row, [&](const Made& made) { return has_stitch(made, s.stitch); });
   }
-  Found operator()(const RowEdgeThing& e) const {
+  Found operator()(const RowEdgeElement& e) const {
     return first_with(timeline, e.row, [&](const Made& made) { return has_edge(made, e.stitch); });
   }
-  Found operator()(const ColumnEdgeThing& e) const { return face_made_by(timeline, e.row, e.edge); }
-  Found operator()(const FaceThing& f) const { return face_made_by(timeline, f.row, f.face); }
-  Found operator()(const LabelThing& l) const { return label_made_by(timeline, l); }
-  Found operator()(const VertexThing& v) const {
+  Found operator()(const ColumnEdgeElement& e) const { return face_made_by(timeline, e.row, e.edge); }
+  Found operator()(const FaceElement& f) const { return face_made_by(timeline, f.row, f.face); }
+  Found operator()(const LabelElement& l) const { return label_made_by(timeline, l); }
+  Found operator()(const VertexElement& v) const {
     if (v.vertex >= timeline.input().mesh.positions.size()) return std::nullopt;
     return story_of(timeline, v.vertex).decided;
   }
@@ -140,18 +139,18 @@ struct MadeBy {
 
 }  // namespace
 
-bool exists(const State& state, const Thing& thing) { return std::visit(Exists{state}, thing); }
+bool exists(const State& state, const Element& thing) { return std::visit(Exists{state}, thing); }
 
 StepRange steps_of_row(const Timeline& timeline, Stage stage, std::int32_t row) {
   return {timeline.position_of({stage, row, -1}),
           timeline.position_of({stage, row, std::numeric_limits<std::int32_t>::max()})};
 }
 
-std::optional<std::size_t> made_by(const Timeline& timeline, const Thing& thing) {
+std::optional<std::size_t> made_by(const Timeline& timeline, const Element& thing) {
   return std::visit(MadeBy{timeline}, thing);
 }
 
-std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchThing& stitch) {
+std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchElement& stitch) {
   const StepRange steps = steps_of_row(timeline, stage_of_row(stitch.row), stitch.row);
   for (std::size_t i = steps.begin; i < steps.end; ++i) {
     const Event& what = timeline.step(i).what;
@@ -166,7 +165,7 @@ std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchThing
   return std::nullopt;
 }
 
-std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchThing& stitch) {
+std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchElement& stitch) {
   const auto made = made_by(timeline, stitch);
   if (!made) return std::nullopt;
   const StepRange steps = steps_of_row(timeline, stage_of_row(stitch.row), stitch.row);

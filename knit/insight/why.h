@@ -11,35 +11,36 @@
 namespace knit {
 
 // Rows count from 1, everything else from 0.
-struct StitchThing {
+struct StitchElement {
   std::int32_t row = 1, stitch = 0;
-  friend bool operator==(const StitchThing&, const StitchThing&) = default;
+  friend bool operator==(const StitchElement&, const StitchElement&) = default;
 };
-struct RowEdgeThing {
+struct RowEdgeElement {
   std::int32_t row = 1, stitch = 0;  // from this stitch to the next of its row
-  friend bool operator==(const RowEdgeThing&, const RowEdgeThing&) = default;
+  friend bool operator==(const RowEdgeElement&, const RowEdgeElement&) = default;
 };
-struct ColumnEdgeThing {
+struct ColumnEdgeElement {
   std::int32_t row = 2, edge = 0;  // of the strip below this row
-  friend bool operator==(const ColumnEdgeThing&, const ColumnEdgeThing&) = default;
+  friend bool operator==(const ColumnEdgeElement&, const ColumnEdgeElement&) = default;
 };
-struct FaceThing {
+struct FaceElement {
   std::int32_t row = 2, face = 0;  // of the strip below this row
-  friend bool operator==(const FaceThing&, const FaceThing&) = default;
+  friend bool operator==(const FaceElement&, const FaceElement&) = default;
 };
-struct LabelThing {
+struct LabelElement {
   std::int32_t row = 2, cell = 0;  // of the join that makes this row
-  friend bool operator==(const LabelThing&, const LabelThing&) = default;
+  friend bool operator==(const LabelElement&, const LabelElement&) = default;
 };
-struct VertexThing {
+struct VertexElement {
   VertexId vertex = no_vertex;  // of the mesh
-  friend bool operator==(const VertexThing&, const VertexThing&) = default;
+  friend bool operator==(const VertexElement&, const VertexElement&) = default;
 };
-using Thing = std::variant<StitchThing, RowEdgeThing, ColumnEdgeThing, FaceThing, LabelThing, VertexThing>;
+using Element =
+    std::variant<StitchElement, RowEdgeElement, ColumnEdgeElement, FaceElement, LabelElement, VertexElement>;
 
 // Whether it is there. In a row in the making a stitch is there once it is kept; a label once it is placed, a
 // plain one once the row's labels are planned; a column edge with its face; a vertex of the mesh always.
-bool exists(const State& state, const Thing& thing);
+bool exists(const State& state, const Element& thing);
 
 // Indices of a timeline's steps, as far as it is known.
 struct StepRange {
@@ -51,11 +52,11 @@ inline Stage stage_of_row(std::int32_t row) { return row <= 1 ? Stage::cast_on :
 
 // The step after which it exists and before which it does not; of a vertex: the step that decided on it. None:
 // there is no such thing, or not yet.
-std::optional<std::size_t> made_by(const Timeline& timeline, const Thing& thing);
+std::optional<std::size_t> made_by(const Timeline& timeline, const Element& thing);
 // The step that picked the vertex of a stitch, before the stitch was kept; none where it was not picked.
-std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchThing& stitch);
+std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchElement& stitch);
 // The last step that moved a stitch after it was made: by resampling the row, or by sharing its gap.
-std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchThing& stitch);
+std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchElement& stitch);
 // The step that gave a row its number of stitches.
 std::optional<std::size_t> count_decided_by(const Timeline& timeline, std::int32_t row);
 
@@ -86,9 +87,9 @@ std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex);
 std::shared_ptr<const Ring> ring_of_row(const State& state, std::int32_t row);
 
 // Whether a step had to do with a thing: made, measured, moved or labelled it, or built on it.
-bool touches(const Timeline& timeline, const Thing& thing, std::size_t step);
+bool touches(const Timeline& timeline, const Element& thing, std::size_t step);
 // The first such step from `step` on, and the last before it.
-std::optional<std::size_t> touch_from(const Timeline& timeline, const Thing& thing, std::size_t step);
-std::optional<std::size_t> touch_before(const Timeline& timeline, const Thing& thing, std::size_t step);
+std::optional<std::size_t> touch_from(const Timeline& timeline, const Element& thing, std::size_t step);
+std::optional<std::size_t> touch_before(const Timeline& timeline, const Element& thing, std::size_t step);
 
 }  // namespace knit

@@ -67,7 +67,7 @@ struct Touches {
                        [&](std::int32_t cell) { return cell >= 0 && is(*t, ends_of(*t, cell)); });
   }
 
-  bool operator()(const StitchThing& s) const {
+  bool operator()(const StitchElement& s) const {
     const Place& at = step().place;
     if (at.stage == stage_of_row(s.row) && at.row == s.row) return makes_stitch(step().what, s.stitch);
     return any_end([&](const Join& t, const CellEnds& ends) {
@@ -75,7 +75,7 @@ struct Touches {
     });
   }
   // Between two stitches: what measured or moved the way from one to the other, and faces along it.
-  bool operator()(const RowEdgeThing& e) const {
+  bool operator()(const RowEdgeElement& e) const {
     const Place& at = step().place;
     if (at.stage == stage_of_row(e.row) && at.row == e.row) return makes_edge(step().what, e.stitch);
     const auto* face = get_if<FaceMade>(step());
@@ -86,19 +86,19 @@ struct Touches {
     if (t->to == e.row) return from.above == e.stitch && to.above != e.stitch;
     return t->from.at(from.below) == StitchRef{e.row, e.stitch} && to.below != from.below;
   }
-  bool operator()(const ColumnEdgeThing& e) const { return on_cell(e.row, e.edge); }
-  bool operator()(const FaceThing& f) const {
+  bool operator()(const ColumnEdgeElement& e) const { return on_cell(e.row, e.edge); }
+  bool operator()(const FaceElement& f) const {
     const auto* face = get_if<FaceMade>(step());
     if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
     const Join* t = join();
     if (t == nullptr || t->to != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
     return on_cell(f.row, f.face) || on_cell(f.row, next_cell(*t, f.face));
   }
-  bool operator()(const LabelThing& l) const {
+  bool operator()(const LabelElement& l) const {
     if (step().place.row == l.row && (is<SpacingChosen>(step()) || is<RowsMatched>(step()))) return true;
     return on_cell(l.row, l.cell);
   }
-  bool operator()(const VertexThing& v) const {
+  bool operator()(const VertexElement& v) const {
     const std::vector<VertexId>& twin = timeline.input().twin;
     if (v.vertex >= twin.size()) return false;
     const auto is = [&](VertexId other) { return other < twin.size() && twin[other] == twin[v.vertex]; };
@@ -136,12 +136,12 @@ struct Stretches {
   [[nodiscard]] Ranges of_strip(std::int32_t row) const {
     return {at(Stage::stitches, row), at(Stage::faces, row)};
   }
-  Ranges operator()(const StitchThing& s) const { return of_row(s.row); }
-  Ranges operator()(const RowEdgeThing& e) const { return of_row(e.row); }
-  Ranges operator()(const ColumnEdgeThing& e) const { return of_strip(e.row); }
-  Ranges operator()(const FaceThing& f) const { return of_strip(f.row); }
-  Ranges operator()(const LabelThing& l) const { return of_strip(l.row); }
-  Ranges operator()(const VertexThing& v) const {
+  Ranges operator()(const StitchElement& s) const { return of_row(s.row); }
+  Ranges operator()(const RowEdgeElement& e) const { return of_row(e.row); }
+  Ranges operator()(const ColumnEdgeElement& e) const { return of_strip(e.row); }
+  Ranges operator()(const FaceElement& f) const { return of_strip(f.row); }
+  Ranges operator()(const LabelElement& l) const { return of_strip(l.row); }
+  Ranges operator()(const VertexElement& v) const {
     if (v.vertex >= timeline.input().mesh.positions.size() || timeline.known() == 0) return {};
     Ranges ranges{{0, 1}};  // the ends
     const auto timed = timed_by(timeline, v.vertex);
@@ -154,11 +154,11 @@ struct Stretches {
 
 }  // namespace
 
-bool touches(const Timeline& timeline, const Thing& thing, std::size_t step) {
+bool touches(const Timeline& timeline, const Element& thing, std::size_t step) {
   return step < timeline.known() && std::visit(Touches{timeline, step}, thing);
 }
 
-std::optional<std::size_t> touch_from(const Timeline& timeline, const Thing& thing, std::size_t step) {
+std::optional<std::size_t> touch_from(const Timeline& timeline, const Element& thing, std::size_t step) {
   for (const StepRange& range : std::visit(Stretches{timeline}, thing)) {
     for (std::size_t i = std::max(range.begin, step); i < range.end; ++i) {
       if (touches(timeline, thing, i)) return i;
@@ -167,7 +167,7 @@ std::optional<std::size_t> touch_from(const Timeline& timeline, const Thing& thi
   return std::nullopt;
 }
 
-std::optional<std::size_t> touch_before(const Timeline& timeline, const Thing& thing, std::size_t step) {
+std::optional<std::size_t> touch_before(const Timeline& timeline, const Element& thing, std::size_t step) {
   auto ranges = std::visit(Stretches{timeline}, thing);
   std::reverse(ranges.begin(), ranges.end());
   for (const StepRange& range : ranges) {

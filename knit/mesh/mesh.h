@@ -21,6 +21,8 @@ using Triangle = std::array<VertexId, 3>;
 // 3 t + k: corner k of triangle t, and the side from it to the next corner.
 using HalfEdge = std::uint32_t;
 inline constexpr HalfEdge no_half_edge = UINT32_MAX;
+constexpr HalfEdge next_in_triangle(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+constexpr HalfEdge previous_in_triangle(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 struct Bounds {
   glm::dvec3 low{0.0};

@@ -18,9 +18,6 @@ VertexId place_of(const Input& input, HalfEdge corner) {
   return input.twin[input.mesh.triangles[corner / 3][corner % 3]];
 }
 
-HalfEdge next_in_triangle(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
-HalfEdge last_in_triangle(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 // Visits each triangle's corner at the vertex; true if they close round it.
 template <class Visit>
 bool visit_corners(const Input& input, VertexId vertex, Visit visit) {
@@ -28,7 +25,7 @@ bool visit_corners(const Input& input, VertexId vertex, Visit visit) {
   if (first == no_half_edge) return false;
   visit(first);
   // Once one way round and, should that end at a border, the other way.
-  for (const HalfEdge begin : {first, last_in_triangle(first)}) {
+  for (const HalfEdge begin : {first, previous_in_triangle(first)}) {
     for (HalfEdge out = begin;;) {
       const HalfEdge in = input.across[out];
       if (in == no_half_edge) break;
@@ -36,7 +33,7 @@ bool visit_corners(const Input& input, VertexId vertex, Visit visit) {
       const bool starts_here = place_of(input, in) == vertex;
       const HalfEdge corner = starts_here ? in : next_in_triangle(in);
       visit(corner);
-      out = starts_here ? last_in_triangle(in) : corner;
+      out = starts_here ? previous_in_triangle(in) : corner;
     }
   }
   return false;
@@ -118,7 +115,7 @@ bool SurfacePatch::parts_ways(Index vertex) const {
   double turn = 0.0;
   const bool closed = visit_corners(input_, ids_[vertex], [&](HalfEdge corner) {
     const glm::dvec3 a = input_.mesh.positions[place_of(input_, next_in_triangle(corner))] - centre;
-    const glm::dvec3 b = input_.mesh.positions[place_of(input_, last_in_triangle(corner))] - centre;
+    const glm::dvec3 b = input_.mesh.positions[place_of(input_, previous_in_triangle(corner))] - centre;
     turn += angle_to(glm::dot(a, b), glm::length(glm::cross(a, b)));
   });
   return !closed || turn > 2.0 * std::numbers::pi + angle_tolerance;

@@ -150,13 +150,13 @@ struct CutPlan {
 // --- pattern
 // -------------------------------------------------------------------------------------------------------
 
-struct PatternLine {
+// A line of the written pattern, counted; its words are knit/pattern's.
+struct CountedLine {
   std::int32_t row = 1;
-  std::string text;
   std::int32_t consumed = 0;  // stitches of the row before
   std::int32_t produced = 0;
-  [[nodiscard]] auto fields() const { return std::tie(row, text, consumed, produced); }
-  friend bool operator==(const PatternLine&, const PatternLine&) = default;
+  [[nodiscard]] auto fields() const { return std::tie(row, consumed, produced); }
+  friend bool operator==(const CountedLine&, const CountedLine&) = default;
 };
 
 }  // namespace knit

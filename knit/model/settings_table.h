@@ -25,9 +25,9 @@ struct Access {
 };
 
 inline constexpr double no_limit = 1e12;  // a Number as high as this has no upper bound
-enum class Zero : std::uint8_t { refused, allowed, means_auto };
+enum class Zero : std::uint8_t { refused, allowed, means_auto };  // what 0 is where `low` is 0
 struct Number : Access<double> {
-  double low, high;  // a low of 0 is exclusive, but see zero
+  double low, high;  // both are allowed, but a `low` of 0 as `zero` says
   Zero zero = Zero::refused;
 };
 struct Count : Access<int> {

@@ -6,46 +6,6 @@ namespace knit {
 
 namespace {
 
-Hand hand_of(Label label) {
-  switch (label) {
-    case Label::m1r:
-      return Hand::m1r;
-    case Label::m1l:
-      return Hand::m1l;
-    case Label::k2tog:
-      return Hand::k2tog;
-    case Label::ssk:
-      return Hand::ssk;
-    case Label::knit:
-    case Label::cast:
-    case Label::main:
-      break;
-  }
-  return Hand::knit;
-}
-
-// Cells whose stitch a decrease beside them takes in.
-std::vector<std::uint8_t> taken_in(const Join& t) {
-  std::vector<std::uint8_t> taken(t.labels.size(), 0);
-  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
-    if (is_decrease(t.labels[cell])) taken[static_cast<std::size_t>(t.partner[cell])] = 1;
-  }
-  return taken;
-}
-
-Round round_of(const Join& t) {
-  Round round{t.to, {}, t.below, t.above};
-  const std::vector<std::uint8_t> taken = taken_in(t);
-  for (std::size_t cell = 0; cell < t.labels.size(); ++cell) {
-    if (taken[cell] != 0) continue;
-    const Label label = t.labels[cell];
-    const auto partner = static_cast<std::size_t>(t.partner[cell]);
-    const bool at_main = label == Label::main || (is_decrease(label) && t.labels[partner] == Label::main);
-    round.operations.push_back({hand_of(label), at_main});
-  }
-  return round;
-}
-
 std::vector<GraphStitch> grown_row(const Join& t) {
   std::vector<GraphStitch> row;
   std::int32_t before = 0;
@@ -70,17 +30,11 @@ std::vector<GraphStitch> shrunk_row(const Join& t) {
 
 }  // namespace
 
-std::int32_t consumed_by(Hand hand) {
-  if (hand == Hand::knit) return 1;
-  return hand == Hand::k2tog || hand == Hand::ssk ? 2 : 0;
-}
-
-std::int32_t made_by(Hand /*hand*/) { return 1; }
-
 Rounds rounds_of(const State& state) {
   Rounds rounds;
   rounds.cast_on = size_of(state.fabric.row(1));
-  for (const auto& join : state.fabric.joins()) rounds.rounds.push_back(round_of(*join));
+  for (const auto& join : state.fabric.joins())
+    rounds.rounds.push_back({join->to, operations_of(*join), join->below, join->above});
   return rounds;
 }
 

@@ -9,20 +9,9 @@
 
 #include "knit/fabric/fabric.h"
 #include "knit/run/state.h"
+#include "knit/stitches/operations.h"
 
 namespace knit {
-
-enum class Hand : std::uint8_t { knit, m1r, m1l, k2tog, ssk };
-
-// Stitches of the round before that one operation takes, and stitches that it makes.
-std::int32_t consumed_by(Hand hand);
-std::int32_t made_by(Hand hand);
-
-struct Operation {
-  Hand hand = Hand::knit;
-  bool at_main = false;  // it works a main stitch
-  friend bool operator==(const Operation&, const Operation&) = default;
-};
 
 struct Round {
   std::int32_t number = 2;

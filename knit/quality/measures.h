@@ -35,7 +35,7 @@ FaceCounts count_faces(const State& state);
 // Vertices - edges + faces of the knit mesh as it stands: 0 for an open tube, finished.
 std::int64_t euler_characteristic(const State& state);
 
-// Worth a line in the list of problems: a stall, a jump mended, a gap left open outside the band, a time
+// Worth a line in the list of problems: a stall, a jump repaired, a gap left open outside the band, a time
 // clamped, a stop.
 bool is_unusual(const Step& step, const Parameters& parameters);
 

@@ -5,7 +5,7 @@
 // (k, k4, knit, m1, m1r, m1l, kfb, k2tog, ssk, s2kp ... as listed in the source), repeats ("[K4, m1l] 6 times",
 // "(k1, m1) 6x", "*k1, m1l; rep from * to end", "..., repeat from *", "rep from * 5 more times"), plain rounds
 // ("Knit.", "K all sts"), cast on, bind off, draw through, markers, stated counts "(30 sts)". Other lines are not
-// pattern and are passed over; a line that begins like a round and cannot be read is a mistake. Nothing is mended.
+// pattern and are passed over; a line that begins like a round and cannot be read is a mistake. Nothing is repaired.
 #pragma once
 
 #include <string>

@@ -97,7 +97,7 @@ class CountSearch {
     std::int32_t count = 0;
     double cost = 0.0;
   };
-  // For the cut at hand above a row of `below` stitches (0: any count is free).
+  // For the current cut above a row of `below` stitches (0: any count is free).
   [[nodiscard]] Best best_for(std::size_t cut, std::int32_t below, int depth) const {
     if (depth == 0 || cut >= plan_.cuts.size() || !is_tube(plan_.cuts[cut])) return {};
     const Ring& ring = *plan_.cuts[cut].loops.front();

@@ -19,7 +19,7 @@ enum class ContourPhase : std::uint8_t { plan, cut, loop, measure, count, place 
 struct ContourWork {
   ContourPhase phase = ContourPhase::plan;
   Shared<CutPlan> plan;
-  std::int32_t cut = 0;    // of plan->cuts: the one at hand
+  std::int32_t cut = 0;    // of plan->cuts: the current one
   std::int32_t count = 0;  // of stitches, once chosen
   std::vector<Stitch> stitches;
   // Roughly, beside its own size.

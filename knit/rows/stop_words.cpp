@@ -50,7 +50,7 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
     case StopReason::not_a_ring:
       if (s.vertex == no_vertex) {
         return where + ": the surface is pinched to a point where it is cut at t = " + short_number(s.time) +
-               "; mend the mesh there, or choose another axis.";
+               "; repair the mesh there, or choose another axis.";
       }
       return where + ": no closed ring can be made of the " + plural(s.count, "vertex", "vertices") + " of " +
              level + " (" + vertex_text(s.vertex) +

@@ -107,7 +107,7 @@ Taken take_line(State& state) {
   const RowId row = state.next.row;
   const LineAt at{row, size_of(state.fabric.row(row)), state.fabric.join_into(row), state.next.item > 0,
                   row == state.fabric.row_count()};
-  Shared<PatternLine> line;
+  Shared<CountedLine> line;
   Taken taken = advance_pattern(at, line);
   if (line) state.lines.push_back(std::move(line));
   return taken;

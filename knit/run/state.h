@@ -34,7 +34,7 @@ struct State {
   Shared<Timing> timing;
   std::int32_t last_level = -1;  // the last level that makes a row, once cast on
   Fabric fabric;
-  std::vector<Shared<PatternLine>> lines;
+  std::vector<Shared<CountedLine>> lines;
   Work work;
 
   [[nodiscard]] Stage stage() const { return next.stage; }

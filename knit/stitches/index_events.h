@@ -11,12 +11,12 @@
 
 namespace knit {
 
-struct TransitionCounted {
+struct JoinCounted {
   static constexpr std::string_view kind = "transition-counted";
   std::int32_t below, above, change, mains_wanted, mains_before;
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
-  friend bool operator==(const TransitionCounted&, const TransitionCounted&) = default;
+  friend bool operator==(const JoinCounted&, const JoinCounted&) = default;
 };
 
 struct SpacingChosen {
@@ -56,6 +56,6 @@ struct ShapingPlaced {
   friend bool operator==(const ShapingPlaced&, const ShapingPlaced&) = default;
 };
 
-using IndexEvent = std::variant<TransitionCounted, SpacingChosen, RowsMatched, MainPlaced, ShapingPlaced>;
+using IndexEvent = std::variant<JoinCounted, SpacingChosen, RowsMatched, MainPlaced, ShapingPlaced>;
 
 }  // namespace knit

@@ -23,7 +23,7 @@ Ended finish_join(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
   return at.last ? Ended::stage : Ended::row;
 }
 
-TransitionCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& work) {
+JoinCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& work) {
   const RowBelow below = row_below(at);
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
@@ -88,7 +88,7 @@ Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchS
                                    IndexWork& work, Shared<Join>& join) {
   if (at.above == nullptr) {
     const std::int32_t only = size_of(at.below);
-    return {TransitionCounted{only, only, 0, 0, 0}, Ended::stage};
+    return {JoinCounted{only, only, 0, 0, 0}, Ended::stage};
   }
   switch (work.phase) {
     case IndexPhase::count:

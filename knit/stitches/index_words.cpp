@@ -6,7 +6,7 @@
 
 namespace knit {
 
-std::string TransitionCounted::sentence(const Telling& at) const {
+std::string JoinCounted::sentence(const Telling& at) const {
   std::string text = at.row() + ": from " + std::to_string(below) + " to " + stitch_count_text(above) + ", ";
   if (change == 0) return text + "nothing to shape.";
   const std::string what = change > 0 ? plural(change, "increase", "increases")
@@ -14,7 +14,7 @@ std::string TransitionCounted::sentence(const Telling& at) const {
   return text + what + " around " + plural(mains_wanted, "main stitch", "main stitches") +
          "; the row before has " + plural(mains_before, "main", "mains") + ".";
 }
-StepFields TransitionCounted::numbers() const {
+StepFields JoinCounted::numbers() const {
   return {{var::below, below},
           {var::above, above},
           {var::change, change},

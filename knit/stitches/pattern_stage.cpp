@@ -2,18 +2,29 @@
 
 #include <utility>
 
-#include "knit/stitches/pattern.h"
+#include "knit/stitches/operations.h"
 
 namespace knit {
 
-Advanced<PatternEvent> advance_pattern(const LineAt& at, Shared<PatternLine>& line) {
-  PatternLine written = at.bind_off          ? bind_off_line(at.row, at.stitches)
-                        : at.into == nullptr ? cast_on_line(at.stitches)
-                                             : round_line(*at.into);
-  const LineWritten step{written.consumed, written.produced};
-  line = Shared(std::move(written));
+namespace {
+
+// Counted by its operations, not by the row's size, so that a line that does not add up shows.
+CountedLine counted(const LineAt& at) {
+  if (at.bind_off) return {at.row, at.stitches, 0};
+  if (at.into == nullptr) return {at.row, 0, at.stitches};
+  const OperationCount sum = count(operations_of(*at.into));
+  return {at.row, sum.consumed, sum.produced};
+}
+
+}  // namespace
+
+Advanced<PatternEvent> advance_pattern(const LineAt& at, Shared<CountedLine>& line) {
+  const CountedLine written = counted(at);
+  line = Shared(CountedLine(written));
   // The last row has one line more, which binds it off.
-  return {step, at.bind_off ? Ended::stage : at.last_row ? Ended::step : Ended::row};
+  return {LineWritten{written.consumed, written.produced}, at.bind_off   ? Ended::stage
+                                                           : at.last_row ? Ended::step
+                                                                         : Ended::row};
 }
 
 }  // namespace knit

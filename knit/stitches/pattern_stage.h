@@ -1,4 +1,5 @@
-// Stage 6, pattern, one smallest step at a time.
+// Stage 6, pattern, one smallest step at a time: a line a row, the cast on first, the bind off last. Thesis 3.2.5.
+// What it takes and makes is counted here; the words are set from the same operations by knit/pattern.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,6 @@ struct LineAt {
   bool last_row;
 };
 // `line`: the product.
-Advanced<PatternEvent> advance_pattern(const LineAt& at, Shared<PatternLine>& line);
+Advanced<PatternEvent> advance_pattern(const LineAt& at, Shared<CountedLine>& line);
 
 }  // namespace knit

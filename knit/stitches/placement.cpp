@@ -23,7 +23,13 @@ constexpr std::array table{
     Placement{Policy::even, false, plan_by_sections<Policy::even>, Policy::even},
     Placement{Policy::nearest, true, plan_by_place, Policy::nearest},
 };
-static_assert(table.size() == placement_names.size());
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (static_cast<std::size_t>(table[i].policy) != i || placement_names[i].empty()) return false;
+  }
+  return true;
+}
+static_assert(table.size() == placement_names.size() && in_order());
 
 }  // namespace
 

@@ -22,6 +22,10 @@ struct PlacementRows {
   NearestPenalties penalties = {};
 };
 
+// What a plan fills: `to`, `below`, `above`; `labels`, one a cell of the larger side, |change()| of them shaping;
+// `placed`, the mains and shaping in the order in which they are placed; `mains`, stitches of the row made; `rule`,
+// which lights a line of the pseudo-code (that of `told_as`), with `spacing` and `remainder` by sections. By sections
+// there are mains_wanted() mains. link_cells() then fills `partner` and `link`. `from` is set by the stage.
 struct Placement {
   PlacementPolicy policy;
   bool by_place;  // looks at where stitches stand: a list of sizes is not enough

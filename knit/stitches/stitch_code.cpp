@@ -1,5 +1,4 @@
 #include "knit/stitches/stitch_code.h"
-#include "knit/stitches/placement.h"
 
 #include <array>
 
@@ -33,13 +32,13 @@ constexpr CodeLine count_change{"{} \xE2\x86\x90 {} \xE2\x88\x92 {}",
                                 &var::change,
                                 "Stitches to add to the row below, or to take away.",
                                 "Thesis 3.2.4, step 1",
-                                lit_by<TransitionCounted>};
+                                lit_by<JoinCounted>};
 constexpr CodeLine count_mains{"{} \xE2\x86\x90 |{}| / 2, rounded up",
                                {&var::wanted, &var::change},
                                &var::wanted,
                                "Each main stitch brings two increases or decreases, one on either side.",
                                "Thesis 3.2.4, step 1: curr mains",
-                               lit_by<TransitionCounted>};
+                               lit_by<JoinCounted>};
 constexpr CodeLine place_main{"for each {}: {} \xE2\x86\x90 6",
                               {&var::main, &var::cell},
                               &var::cell,

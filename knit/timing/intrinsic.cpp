@@ -19,17 +19,12 @@ namespace knit {
 
 namespace {
 
-using HalfEdge = std::uint32_t;  // 3 t + k: edge k of triangle t
-
 // Edges whose weight is this little below zero stay: four corners on one circle keep the mesh's diagonal,
 // whatever rounding says.
 constexpr double delaunay_tolerance = 1e-8;
 // Flips end by themselves, after 0.3 an edge on rough meshes, 1 to 7 on stretched ones, 30 on a ring of three
 // long prisms of 400 sides. This bounds the time; edges that are then not yet Delaunay stay.
 constexpr std::size_t most_flips_per_edge = 100;
-
-HalfEdge next_in_triangle(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
-HalfEdge previous_in_triangle(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 SideLengths descending(const SideLengths& lengths) {
   const auto [low, high] = std::minmax(lengths[0], lengths[1]);

@@ -167,7 +167,7 @@ class Person {
       act(app::ShowSide{side});
       frame();
     }
-    act(app::ShowWhy{knit::StitchThing{3, 2}});
+    act(app::ShowWhy{knit::StitchElement{3, 2}});
     frame();
     act(app::Select{});
     act(app::ShowCentre{app::CentrePanel::chart});

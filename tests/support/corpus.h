@@ -21,7 +21,7 @@ struct Opens {
 };
 struct Refused {
   std::vector<std::string> words;  // all in the one sentence: what is wrong, and what to do
-  std::string mends;  // that would make it fit, by their keys: "doubles,holes"; empty: none would
+  std::string repairs;  // that would make it fit, by their keys: "doubles,holes"; empty: none would
 };
 
 struct Case {

@@ -138,9 +138,9 @@ Mesh with_collapsed() {
   return mesh;
 }
 
-Case refused(std::string name, const Mesh& mesh, std::vector<std::string> words, std::string mends = "") {
+Case refused(std::string name, const Mesh& mesh, std::vector<std::string> words, std::string repairs = "") {
   Case made{std::move(name), [mesh] { return obj_of(mesh); }};
-  made.refused = {std::move(words), std::move(mends)};
+  made.refused = {std::move(words), std::move(repairs)};
   return made;
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "knit/stitches/appendix.h"
 #include "knit/stitches/faces.h"
-#include "knit/stitches/pattern.h"
 
 namespace test_support {
 
@@ -116,9 +116,9 @@ inline bool counts_agree(const knit::Join& t) {
     ++(face.corner_count == 4 ? quads : triangles);
     if (knit::is_shaping(face.label) != (face.corner_count == 3)) return false;
   }
-  const knit::PatternLine line = knit::round_line(t);
+  const knit::OperationCount counted = knit::count(knit::operations_of(t));
   return quads == std::min(t.below, t.above) && triangles == std::abs(t.change()) &&
-         line.consumed == t.below && line.produced == t.above;
+         counted.consumed == t.below && counted.produced == t.above;
 }
 
 inline Cells shaping_cells(const knit::Join& t) {

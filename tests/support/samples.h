@@ -10,7 +10,9 @@ namespace test_support {
 struct SampleText {
   std::string operator()(const knit::Number& number) const {
     const double high = number.high >= knit::no_limit ? 0.08 : number.high;
-    return knit::number_text(number.low + 0.5 * (high - number.low));
+    const double middle = number.low + 0.5 * (high - number.low);
+    const bool usual = middle == number.get(knit::Parameters{});
+    return knit::number_text(usual ? number.low + 0.25 * (high - number.low) : middle);
   }
   std::string operator()(const knit::Count& count) const { return std::to_string(count.low + 5); }
   std::string operator()(const knit::PickedVertex& /*picked*/) const { return "7"; }

@@ -1,4 +1,4 @@
-// What differs between the pinned run and the one at hand, worked out only when either has changed.
+// What differs between the pinned run and the current one, worked out only when either has changed.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace app {
 
 class CompareCache {
  public:
-  // Once a frame while it is seen; `problems`: of the whole run at hand, a stop included. While the run at hand
+  // Once a frame while it is seen; `problems`: of the current whole run, a stop included. While the current run
   // is being worked out, what was last known stays.
   void refresh(const Session& session, std::size_t problems);
 

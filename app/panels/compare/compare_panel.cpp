@@ -1,4 +1,4 @@
-// A side of the right column: the pinned run beside the one at hand.
+// A side of the right column: the pinned run beside the current one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ Colour pinned_colour() { return opaque(theme().ghost); }
 
 void draw_nothing_pinned(PanelFrame& frame) {
   wrapped_text(
-      "Pin the run at hand, then turn any knob: the pinned run stays as a pale ghost in the view and in the "
+      "Pin the current run, then turn any knob: the pinned run stays as a pale ghost in the view and in the "
       "plots, and here is what differs.",
       theme().faint_text);
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
@@ -37,10 +37,10 @@ void draw_buttons(PanelFrame& frame) {
     frame.mark(mark);
     tooltip(frame, help);
   };
-  button("Swap", "compare/swap", "The pinned settings become those at hand, and the other way round. Key: X.",
+  button("Swap", "compare/swap", "The pinned settings become the current ones, and the other way round. Key: X.",
          SwapPinned{});
   ImGui::SameLine();
-  button("Pin anew", "compare/pin", "Pin the run at hand instead.", PinRun{});
+  button("Pin anew", "compare/pin", "Pin the current run instead.", PinRun{});
   ImGui::SameLine();
   button("Unpin", "compare/unpin", "Let the pinned run go. Key: P.", Unpin{});
 }
@@ -137,8 +137,8 @@ RowPlot plot_of(const PanelFrame& frame, const std::vector<double>& values,
   plot.values = values;
   plot.ghosts = pinned;
   plot.missing = "after the cast on";
-  const std::int32_t at_hand = row_at_hand(frame);
-  if (at_hand > 0) plot.current = static_cast<std::size_t>(at_hand - 1);
+  const std::int32_t current = current_row(frame);
+  if (current > 0) plot.current = static_cast<std::size_t>(current - 1);
   return plot;
 }
 

@@ -15,7 +15,7 @@ struct SweepPlot {
   SweepFigure figure = SweepFigure::problems;
   const SweepWork& work;
   const SweepCache& cache;
-  std::optional<double> present, second_present;  // values at hand, of the first and the second parameter
+  std::optional<double> present, second_present;  // current values, of the first and the second parameter
   std::optional<std::size_t> lit;                 // the run pointed at in any plot
 };
 

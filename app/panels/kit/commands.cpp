@@ -93,7 +93,7 @@ Wish only_view(const Session& session) {
   return ShowPanel{every_panel, std::none_of(panels.begin(), panels.end(), [](bool shown) { return shown; })};
 }
 
-// Round the row at hand, or no more.
+// Round the current row, or no more.
 Wish loop(const Session& session) {
   if (!session.document || session.document->travel.loop) return SetLoop{};
   return SetLoop{stretch_of_row(session)};

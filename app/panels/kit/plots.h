@@ -42,7 +42,7 @@ struct RowPlot {
   int decimals = 0;                        // of values in words
   std::size_t rows = 0;                    // that the axis has room for, at least: it stays still in a run
   double highest = 0.0;                    // likewise
-  std::optional<std::size_t> current;      // index of the row at hand; may be one that is not there yet
+  std::optional<std::size_t> current;      // index of the current row; may be one that is not there yet
   std::string missing;
 };
 // The index of the row that was clicked.

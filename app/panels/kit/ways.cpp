@@ -4,7 +4,7 @@
 
 namespace app {
 
-std::int32_t row_at_hand(const PanelFrame& frame) {
+std::int32_t current_row(const PanelFrame& frame) {
   const knit::Step* step = last_step(frame.session);
   return step != nullptr ? step->place.row : 0;
 }

@@ -9,7 +9,7 @@
 namespace app {
 
 // Of the row in progress; none: 0.
-std::int32_t row_at_hand(const PanelFrame& frame);
+std::int32_t current_row(const PanelFrame& frame);
 // To the end of a row in the current stage.
 void wish_row(PanelFrame& frame, std::int32_t number);
 // Under the pointer, by a stitch, a square, a line of the text or the timeline.

@@ -148,13 +148,13 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   const float needed = ImGui::GetTextLineHeight();
   const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
   const knit::ChartRow& round = sheet.chart.rows[row];
-  const std::int32_t hand = round_at_hand(frame);
-  const bool at_hand = round.number == hand;
-  // The round at hand is always numbered; its neighbours give way.
+  const std::int32_t hand = current_round(frame);
+  const bool current = round.number == hand;
+  // The current round is always numbered; its neighbours give way.
   const bool crowded = std::abs(round.number - hand) < static_cast<std::int32_t>(every);
-  if (!at_hand && (row % every != 0 || crowded)) return;
+  if (!current && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 colour = style::packed(at_hand ? theme().anchor : theme().faint_text);
+  const ImU32 colour = style::packed(current ? theme().anchor : theme().faint_text);
   const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
   const std::string number = std::to_string(round.number);
   list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, number.c_str());
@@ -166,7 +166,7 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
 void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
                   const std::optional<StitchAt>& hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::int32_t at_hand = round_at_hand(frame);
+  const std::int32_t current = current_round(frame);
   for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
     const float y = sheet.at(row, 0).y;
     if (y > box.bottom() || y + sheet.side < box.y) continue;
@@ -175,7 +175,7 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
       const knit::ChartSquare& square = round.squares[column];
       const bool here =
           hovered && hovered->row == round.number && square.stitch >= 0 && hovered->stitch == square.stitch;
-      draw_square(list, sheet.at(row, column), square, {sheet.side, round.number == at_hand, here});
+      draw_square(list, sheet.at(row, column), square, {sheet.side, round.number == current, here});
     }
     draw_numbers(frame, sheet, row);
   }
@@ -197,20 +197,20 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
 }
 
 // What a square stands for: the label that shaped it, else its stitch.
-knit::Thing thing_of(const knit::Timeline& timeline, const StitchAt& at) {
+knit::Element thing_of(const knit::Timeline& timeline, const StitchAt& at) {
   const knit::Join* join = timeline.furthest().fabric.join_into(at.row);
   const std::size_t cells = join != nullptr ? join->labels.size() : 0;
   for (std::size_t i = 0; i < cells; ++i) {
     const auto cell = static_cast<std::int32_t>(i);
     if (knit::ends_of(*join, cell).above == at.stitch && join->labels[i] != knit::Label::knit)
-      return knit::LabelThing{at.row, cell};
+      return knit::LabelElement{at.row, cell};
   }
-  return knit::StitchThing{at.row, at.stitch};
+  return knit::StitchElement{at.row, at.stitch};
 }
 
 void wish_why(PanelFrame& frame, const StitchAt& at) {
   const knit::Timeline& timeline = *frame.timeline();
-  const knit::Thing thing = thing_of(timeline, at);
+  const knit::Element thing = thing_of(timeline, at);
   frame.wish(Select{thing});
   const auto step = knit::made_by(timeline, thing);
   if (!step) return wish_round(frame, at.row);

@@ -52,9 +52,9 @@ void draw_strip(const PanelFrame& frame, const knit::ChartRow& row) {
 
 }  // namespace
 
-std::int32_t round_at_hand(const PanelFrame& frame) {
+std::int32_t current_round(const PanelFrame& frame) {
   if (frame.session.view->gaze.knit_along) return *frame.session.view->gaze.knit_along;
-  return row_at_hand(frame);
+  return current_row(frame);
 }
 
 void wish_round(PanelFrame& frame, std::int32_t number) {

@@ -1,4 +1,4 @@
-// The written pattern as a knitter reads it. The round at hand is lit and kept in sight; the line under the
+// The written pattern as a knitter reads it. The current round is lit and kept in sight; the line under the
 // pointer lights its rounds in the view, the chart and the timeline, and the stitch under the pointer there lights
 // its line here.
 #include <algorithm>
@@ -39,7 +39,7 @@ void follow(PanelFrame& frame) {
   const auto follow_round = [&](std::int32_t round) {
     if (const auto line = view.layout.line_of(round)) show_line(view.layout.lines()[*line]);
   };
-  const std::int32_t hand = round_at_hand(frame);
+  const std::int32_t hand = current_round(frame);
   if (hand != view.followed) follow_round(hand);
   view.followed = hand;
   // A line that is pointed at stays where it is.
@@ -55,7 +55,7 @@ void draw_ground(const PanelFrame& frame, const PatternLayout::Placed& placed, I
   const auto& rounds = placed.line.rounds;
   const auto meant = rounds_meant(frame.session);
   const bool is_meant = rounds && meant && rounds->first <= meant->last && meant->first <= rounds->last;
-  if (rounds && rounds->holds(round_at_hand(frame))) {
+  if (rounds && rounds->holds(current_round(frame))) {
     list.AddRectFilled(at, end, style::packed(theme().anchor, is_meant ? 70 : 40), frame.units(4.0f));
     list.AddRectFilled(at, ImVec2(at.x + frame.units(3.0f), end.y), style::packed(theme().anchor),
                        frame.units(1.5f));

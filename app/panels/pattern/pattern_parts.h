@@ -15,7 +15,7 @@ namespace app {
 
 struct SquareLook {
   float side = 16.0f;
-  bool lit = false;  // of the round at hand
+  bool lit = false;  // of the current round
   bool hovered = false;
 };
 
@@ -23,7 +23,7 @@ struct SquareLook {
 void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look);
 
 // That is knitted along, or in progress; none: 0.
-std::int32_t round_at_hand(const PanelFrame& frame);
+std::int32_t current_round(const PanelFrame& frame);
 // There, as wish_row; who knits along goes on from there.
 void wish_round(PanelFrame& frame, std::int32_t number);
 
@@ -38,7 +38,7 @@ struct PatternFields {
 // The written pattern's place in its panel.
 struct PatternView {
   PatternLayout layout;
-  std::int32_t followed = 0;                // the round at hand that was scrolled to
+  std::int32_t followed = 0;                // the current round that was scrolled to
   std::optional<RoundSpan> followed_meant;  // and the rounds under the pointer elsewhere
 };
 

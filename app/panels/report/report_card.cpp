@@ -209,8 +209,8 @@ RowPlot row_plot(const PanelFrame& frame, const RowValues& values) {
   plot.rows = rows.size();
   for (const auto& row : rows)
     plot.highest = std::max(plot.highest, static_cast<double>(row->stitches.size()));
-  const std::int32_t at_hand = row_at_hand(frame);
-  if (at_hand > 0) plot.current = static_cast<std::size_t>(at_hand - 1);
+  const std::int32_t current = current_row(frame);
+  if (current > 0) plot.current = static_cast<std::size_t>(current - 1);
   return plot;
 }
 

@@ -50,10 +50,10 @@ std::size_t CandidateList::line_of(std::int32_t order) const {
 }
 
 std::optional<std::int32_t> CandidateList::order_of(const knit::Timeline& timeline,
-                                                    const knit::Thing& thing) const {
+                                                    const knit::Element& thing) const {
   knit::VertexId vertex = knit::no_vertex;
-  if (const auto* v = std::get_if<knit::VertexThing>(&thing)) vertex = v->vertex;
-  const auto* stitch = std::get_if<knit::StitchThing>(&thing);
+  if (const auto* v = std::get_if<knit::VertexElement>(&thing)) vertex = v->vertex;
+  const auto* stitch = std::get_if<knit::StitchElement>(&thing);
   if (stitch != nullptr && stitch->row != table_.row) return std::nullopt;
   std::int32_t chosen = 0;
   const auto& twin = timeline.input().twin;

@@ -28,7 +28,7 @@ class CandidateList {
 
   // The place in the ring of what is selected: a vertex, or a stitch picked at one.
   [[nodiscard]] std::optional<std::int32_t> order_of(const knit::Timeline& timeline,
-                                                     const knit::Thing& thing) const;
+                                                     const knit::Element& thing) const;
 
   // What the list was last scrolled to, so that it follows only when that changes.
   std::optional<std::int32_t> shown;

@@ -20,7 +20,7 @@ namespace app {
 
 struct CandidatePlot {
   const knit::CandidateTable& table;
-  std::optional<std::int32_t> current;   // the candidate at hand, by its place in the ring
+  std::optional<std::int32_t> current;   // the current candidate, by its place in the ring
   std::optional<std::int32_t> selected;  // likewise
   std::size_t position = 0;              // what was measured from here on is drawn faintly
 };
@@ -191,7 +191,7 @@ std::optional<std::int32_t> draw_candidate_plot(PanelFrame& frame, const Candida
   return stand.clicked ? pointed : std::nullopt;
 }
 
-// The candidates of the row at hand: a plot, and a table that can be sorted.
+// The candidates of the current row: a plot, and a table that can be sorted.
 
 namespace {
 
@@ -234,7 +234,7 @@ Colour colour_of(CandidateVerdict verdict) {
 }
 
 // The candidate that the last step measured or took.
-std::optional<std::int32_t> order_at_hand(const PanelFrame& frame) {
+std::optional<std::int32_t> current_order(const PanelFrame& frame) {
   const knit::Step* step = last_step(frame.session);
   if (step == nullptr) return std::nullopt;
   if (const auto* measured = knit::get_if<knit::CandidateMeasured>(*step)) return measured->candidate_order;
@@ -261,7 +261,7 @@ void cell(const std::string& words, Colour colour, bool right) {
 
 // To the step that said so; what was not reached is only selected.
 void wish_why(PanelFrame& frame, const knit::Candidate& candidate) {
-  const knit::VertexThing vertex{candidate.vertex};
+  const knit::VertexElement vertex{candidate.vertex};
   if (candidate.step == knit::no_step) {
     frame.wish(Select{vertex});
   } else {
@@ -315,7 +315,7 @@ void draw_header(PanelFrame& frame) {
   ImGui::PopStyleColor();
 }
 
-// Keeps the candidate at hand in sight, when it has changed.
+// Keeps the current candidate in sight, when it has changed.
 void follow(CandidateList& list, const std::optional<std::int32_t>& order) {
   if (!order || order == list.shown) return;
   list.shown = order;
@@ -352,7 +352,7 @@ void draw_candidates(PanelFrame& frame) {
   CandidateList& list = frame.own<CandidateList>();
   if (frame.timeline() == nullptr || frame.timeline()->known() == 0)
     return wrapped_text(words_of(knit::NoCandidates::no_row), theme().faint_text);
-  list.refresh(*frame.timeline(), row_at_hand(frame));
+  list.refresh(*frame.timeline(), current_row(frame));
   if (list.table().none != knit::NoCandidates::has_some)
     return wrapped_text(words_of(list.table().none), theme().faint_text);
   const Question* question = open_question(frame.session);
@@ -360,7 +360,7 @@ void draw_candidates(PanelFrame& frame) {
       asked_vertex(frame.session) || (question != nullptr && question->hides_candidates());
   if (gives_away)
     return wrapped_text("Distances and verdicts are hidden here until you have guessed.", theme().faint_text);
-  const auto current = order_at_hand(frame);
+  const auto current = current_order(frame);
   const auto selected = selected_order(frame);
   const CandidatePlot plot{list.table(), current, selected, frame.timeline()->position()};
   const ImVec2 room = ImGui::GetContentRegionAvail();

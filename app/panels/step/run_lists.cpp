@@ -65,7 +65,7 @@ void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
   const std::string label = std::to_string(number);
   constexpr ImGuiSelectableFlags flags =
       ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
-  if (ImGui::Selectable(label.c_str(), number == row_at_hand(frame), flags)) {
+  if (ImGui::Selectable(label.c_str(), number == current_row(frame), flags)) {
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       wish_why(frame, number);
     } else {
@@ -97,9 +97,9 @@ struct RowList {
   int scrolled_to = 0;
 };
 
-// Keeps the row at hand in sight, when it has changed.
+// Keeps the current row in sight, when it has changed.
 void follow_row(PanelFrame& frame, std::size_t lines) {
-  const std::int32_t row = row_at_hand(frame);
+  const std::int32_t row = current_row(frame);
   if (row == frame.own<RowList>().scrolled_to) return;
   frame.own<RowList>().scrolled_to = row;
   const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
@@ -108,7 +108,7 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
   ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
 }
 
-// The list's lines, worst first: why the run stopped, what was mended, findings about the mesh, unusual steps.
+// The list's lines, worst first: why the run stopped, what was repaired, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
@@ -129,9 +129,9 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
     if (i == 0) return {knit::narrate(*stop, timeline.parameters_of_stop()), timeline.known(), ""};
     --i;
   }
-  const auto& mended = frame.session.document->mended;
-  if (i < mended.size()) return {"Mesh: " + mended[i].did, std::nullopt, ""};
-  i -= mended.size();
+  const auto& repaired = frame.session.document->repaired;
+  if (i < repaired.size()) return {"Mesh: " + repaired[i].did, std::nullopt, ""};
+  i -= repaired.size();
   const auto& findings = frame.session.document->findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   const std::size_t step = frame.own<RunCache>().ranked()[i - findings.size()].step;
@@ -154,39 +154,39 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   ImGui::PopID();
 }
 
-// What would mend a finding that is no more than a warning; none: nothing that is sure to.
-std::optional<knit::MendKind> mend_of(knit::FindingKind finding) {
+// What would repair a finding that is no more than a warning; none: nothing that is sure to.
+std::optional<knit::RepairKind> repair_of(knit::FindingKind finding) {
   switch (finding) {
     case knit::FindingKind::flipped_faces:
     case knit::FindingKind::inside_out:
-      return knit::MendKind::reorient;
+      return knit::RepairKind::reorient;
     case knit::FindingKind::unreferenced:
-      return knit::MendKind::unreferenced;
+      return knit::RepairKind::unreferenced;
     default:
       return std::nullopt;
   }
 }
 
-// Over the list: mends of what stands in it, and the way back.
-void draw_mends(PanelFrame& frame) {
+// Over the list: repairs of what stands in it, and the way back.
+void draw_repairs(PanelFrame& frame) {
   if (!frame.session.document) return;
   const Source& source = frame.session.document->source;
   for (const knit::Finding& finding : frame.session.document->findings) {
-    const auto kind = mend_of(finding.kind);
+    const auto kind = repair_of(finding.kind);
     if (!kind || source.file.empty()) continue;
-    const bool faces = kind == knit::MendKind::reorient;
-    if (ImGui::SmallButton(faces ? "Mend: turn faces round" : "Mend: drop stray vertices")) {
-      knit::MendWish wish{false, source.mends};
+    const bool faces = kind == knit::RepairKind::reorient;
+    if (ImGui::SmallButton(faces ? "Repair: turn faces round" : "Repair: drop stray vertices")) {
+      knit::RepairWish wish{false, source.repairs};
       wish.kinds.push_back(*kind);
       frame.wish(OpenFile{source.file, std::move(wish)});
     }
-    frame.mark("mend/" + std::string(knit::key_of(*kind)));
+    frame.mark("repair/" + std::string(knit::key_of(*kind)));
     tooltip(frame,
-            finding.sentence + "\n\nOpens the mesh again, mended, with its own parameters; can be undone.");
+            finding.sentence + "\n\nOpens the mesh again, repaired, with its own parameters; can be undone.");
   }
-  if (!frame.session.document->before_mend) return;
-  if (ImGui::SmallButton("Undo the mends")) frame.wish(UndoMend{});
-  frame.mark("mend/undo-here");
+  if (!frame.session.document->before_repair) return;
+  if (ImGui::SmallButton("Undo the repairs")) frame.wish(UndoRepair{});
+  frame.mark("repair/undo-here");
   tooltip(frame, "Back to what was open before.");
 }
 
@@ -194,7 +194,7 @@ void draw_mends(PanelFrame& frame) {
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
-  return frame.session.document->mended.size() + frame.session.document->findings.size() +
+  return frame.session.document->repaired.size() + frame.session.document->findings.size() +
          frame.own<RunCache>().problems().size() + (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
@@ -206,9 +206,9 @@ void draw_rows(PanelFrame& frame) {
   draw_header();
   if (frame.timeline() != nullptr) {
     const knit::State& state = frame.timeline()->state();
-    const auto at_hand = static_cast<std::size_t>(row_at_hand(frame));
+    const auto current = static_cast<std::size_t>(current_row(frame));
     const std::size_t lines =
-        std::max(state.fabric.rows().size(), state.stage() == knit::Stage::rows ? at_hand : 0);
+        std::max(state.fabric.rows().size(), state.stage() == knit::Stage::rows ? current : 0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(lines));
     while (clipper.Step()) {
@@ -225,7 +225,7 @@ void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
   const std::size_t count = count_problems(frame);
   if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
-  draw_mends(frame);
+  draw_repairs(frame);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count));
   while (clipper.Step()) {
@@ -240,7 +240,7 @@ void draw_problems(PanelFrame& frame) {
 namespace {
 
 // The buttons stand at the right end of the line.
-void draw_buttons(PanelFrame& frame, const knit::Thing& thing, float left) {
+void draw_buttons(PanelFrame& frame, const knit::Element& thing, float left) {
   const float side = ImGui::GetFrameHeight();
   const ImVec2 size(side, side);
   const float gap = frame.units(3.0f);
@@ -271,7 +271,7 @@ float width_of_buttons(const PanelFrame& frame) {
 
 void draw_selected(PanelFrame& frame) {
   if (!frame.session.document || !frame.session.document->travel.selected) return;
-  const std::optional<knit::Thing>& selected = frame.session.document->travel.selected;
+  const std::optional<knit::Element>& selected = frame.session.document->travel.selected;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(5.0f), frame.units(2.0f)));
   const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width_of_buttons(frame);
   ImGui::AlignTextToFramePadding();

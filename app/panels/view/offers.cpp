@@ -1,4 +1,4 @@
-// The offer of mends: what is wrong with a mesh that was not opened, what each mend would do, and the choice.
+// The offer of repairs: what is wrong with a mesh that was not opened, what each repair would do, and the choice.
 #include <algorithm>
 
 #include "app/panels/kit/widgets.h"
@@ -11,19 +11,19 @@ namespace app {
 namespace {
 
 void draw_choice(PanelFrame& frame) {
-  if (ImGui::Button("Mend and open")) frame.wish(MendAndOpen{});
-  frame.mark("mend/open");
+  if (ImGui::Button("Repair and open")) frame.wish(RepairAndOpen{});
+  frame.mark("repair/open");
   tooltip(frame, "The file stays as it is. One click brings back what is open now.");
   ImGui::SameLine();
-  if (ImGui::Button("Not now")) frame.wish(DropMendOffer{});
-  frame.mark("mend/not-now");
+  if (ImGui::Button("Not now")) frame.wish(DropRepairOffer{});
+  frame.mark("repair/not-now");
   tooltip(frame, "The mesh is not opened; what is open stays.");
 }
 
 }  // namespace
 
-void draw_mend_offer(PanelFrame& frame) {
-  const auto& offer = frame.session.jobs->mend_offer;
+void draw_repair_offer(PanelFrame& frame) {
+  const auto& offer = frame.session.jobs->repair_offer;
   if (!offer || frame.session.jobs->opening) return;  // what is chosen is on its way
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
@@ -32,7 +32,7 @@ void draw_mend_offer(PanelFrame& frame) {
                           ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
   push_raised_look(frame);
-  ImGui::Begin("Mends", nullptr,
+  ImGui::Begin("Repairs", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings);
   pop_raised_look();
@@ -42,7 +42,7 @@ void draw_mend_offer(PanelFrame& frame) {
   wrapped_text(offer->finding);
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
   wrapped_text("This would make it fit:", theme().faint_text);
-  for (const knit::MendStep& step : offer->plan->steps) {
+  for (const knit::RepairStep& step : offer->plan->steps) {
     ImGui::Bullet();
     ImGui::SameLine();
     wrapped_text(step.would);

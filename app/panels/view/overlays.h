@@ -10,7 +10,7 @@ void draw_welcome(PanelFrame& frame);
 // A session from before a crash.
 void draw_rescue(PanelFrame& frame);
 // What would make a mesh fit that is not.
-void draw_mend_offer(PanelFrame& frame);
+void draw_repair_offer(PanelFrame& frame);
 // What the colours say, in the lower right corner: the time's ramp, or the labels once there are any. Inside the
 // view's window.
 void draw_view_legend(PanelFrame& frame);

@@ -15,7 +15,7 @@ void draw_prediction(PanelFrame& frame);     // over the view: what comes next?
 // A click in the view counts once it can no longer become a double click.
 struct PendingClick {
   bool waits = false;
-  std::optional<knit::Thing> thing;  // none: beside everything
+  std::optional<knit::Element> thing;  // none: beside everything
   double due = 0.0;
 };
 

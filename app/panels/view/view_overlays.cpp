@@ -86,10 +86,10 @@ void draw_notices(PanelFrame& frame) {
     draw_notice(frame, i);
     if (i > 0) ImGui::Separator();
   }
-  if (frame.session.document && frame.session.document->before_mend) {
+  if (frame.session.document && frame.session.document->before_repair) {
     ImGui::Separator();
-    if (ImGui::Button("Undo the mends")) frame.wish(UndoMend{});
-    frame.mark("mend/undo");
+    if (ImGui::Button("Undo the repairs")) frame.wish(UndoRepair{});
+    frame.mark("repair/undo");
     tooltip(frame, "Back to what was open before.");
   }
   ImGui::End();
@@ -165,7 +165,7 @@ void draw_view_overlays(PanelFrame& frame) {
   draw_picking(frame);
   draw_waiting(frame);
   draw_rescue(frame);
-  draw_mend_offer(frame);
+  draw_repair_offer(frame);
   draw_notices(frame);
 }
 

@@ -75,18 +75,19 @@ std::optional<AnswerKind> wanted_click(const Session& session) {
   return question != nullptr && is_clicked(question->kind) ? std::optional(question->kind) : std::nullopt;
 }
 
-std::optional<knit::Thing> thing_clicked(const PanelFrame& frame) {
+std::optional<knit::Element> thing_clicked(const PanelFrame& frame) {
   const Box& view = frame.layout.view;
   const glm::dvec2 place = pointer_in(view);
   const auto wanted = wanted_click(frame.session);
   if (wanted == AnswerKind::stitch) {
     const double reach = 2.0 * static_cast<double>(frame.units(hover_reach) / view.height);
     const auto stitch = pick_stitch(frame.session, place, reach);
-    return stitch ? std::optional<knit::Thing>(knit::StitchThing{stitch->row, stitch->stitch}) : std::nullopt;
+    return stitch ? std::optional<knit::Element>(knit::StitchElement{stitch->row, stitch->stitch})
+                  : std::nullopt;
   }
   if (key_mods().ctrl || wanted == AnswerKind::vertex) {
     const auto vertex = pick_vertex(frame.session, place);
-    return vertex ? std::optional<knit::Thing>(knit::VertexThing{*vertex}) : std::nullopt;
+    return vertex ? std::optional<knit::Element>(knit::VertexElement{*vertex}) : std::nullopt;
   }
   const auto reach = [&](float units) { return 2.0 * static_cast<double>(frame.units(units) / view.height); };
   return pick_thing(frame.session, place, {reach(point_reach), reach(edge_reach)});

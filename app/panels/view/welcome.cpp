@@ -86,7 +86,8 @@ void draw_recent(PanelFrame& frame) {
 }  // namespace
 
 void draw_welcome(PanelFrame& frame) {
-  if (frame.timeline() != nullptr || frame.session.learning->lesson || frame.session.jobs->mend_offer) return;
+  if (frame.timeline() != nullptr || frame.session.learning->lesson || frame.session.jobs->repair_offer)
+    return;
   const Box& view = frame.layout.view;
   const float width = std::min(frame.units(card_width), 0.94f * view.width);
   ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, view.y + 0.48f * view.height), ImGuiCond_Always,

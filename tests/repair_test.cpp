@@ -1,4 +1,4 @@
-// Mends: each does what its words say and no more, and a plan is found just where mends make a mesh fit.
+// Repairs: each does what its words say and no more, and a plan is found just where repairs make a mesh fit.
 #include "knit/import/repair.h"
 
 #include <algorithm>
@@ -36,111 +36,113 @@ bool same(const Mesh& a, const Mesh& b) {
   return a.positions == b.positions && a.triangles == b.triangles && a.edges == b.edges;
 }
 
-std::string keys_of(const MendPlan& plan) {
+std::string keys_of(const RepairPlan& plan) {
   std::string keys;
-  for (const MendStep& step : plan.steps) keys += (keys.empty() ? "" : ",") + std::string(key_of(step.kind));
+  for (const RepairStep& step : plan.steps)
+    keys += (keys.empty() ? "" : ",") + std::string(key_of(step.kind));
   return keys;
 }
 
-constexpr std::array<MendKind, mend_count> all_kinds{
-    MendKind::unreferenced,  MendKind::weld,     MendKind::doubles, MendKind::fins,
-    MendKind::largest_piece, MendKind::reorient, MendKind::holes};
+constexpr std::array<RepairKind, repair_count> all_kinds{
+    RepairKind::unreferenced,  RepairKind::weld,     RepairKind::doubles, RepairKind::fins,
+    RepairKind::largest_piece, RepairKind::reorient, RepairKind::holes};
 
 }  // namespace
 
-TEST_CASE("mend: a whole mesh has nothing to mend", "[mend]") {
+TEST_CASE("repair: a whole mesh has nothing to repair", "[repair]") {
   for (const Mesh& mesh : {corpus::ball(), icosphere(2), torus(12, 8, 0.7, 0.3)}) {
-    for (const MendKind kind : all_kinds) {
+    for (const RepairKind kind : all_kinds) {
       CAPTURE(key_of(kind));
-      const Mended mended = mend(mesh, kind);
-      CHECK(mended.step.count == 0);
-      CHECK(same(mended.mesh, mesh));
+      const Repaired repaired = repair(mesh, kind);
+      CHECK(repaired.step.count == 0);
+      CHECK(same(repaired.mesh, mesh));
     }
-    CHECK_FALSE(plan_mends(mesh));
+    CHECK_FALSE(plan_repairs(mesh));
   }
 }
 
-TEST_CASE("mend: the plan for each bad file is the one that the corpus expects", "[mend][corpus]") {
+TEST_CASE("repair: the plan for each bad file is the one that the corpus expects", "[repair][corpus]") {
   std::size_t planned = 0;
   for (const corpus::Case& file : corpus::shape_cases()) {
     CAPTURE(file.name);
     const Mesh mesh = read(file.bytes());
-    const auto plan = plan_mends(mesh);
-    CHECK((plan ? keys_of(*plan) : "") == file.refused.mends);
+    const auto plan = plan_repairs(mesh);
+    CHECK((plan ? keys_of(*plan) : "") == file.refused.repairs);
     if (!plan) continue;
     ++planned;
     CHECK(check(plan->mesh).fit());
-    for (const MendStep& step : plan->steps) {
+    for (const RepairStep& step : plan->steps) {
       CAPTURE(step.would, step.did);
       CHECK(step.count > 0);
       CHECK(test_support::is_one_sentence(step.would));
       CHECK(test_support::is_one_sentence(step.did));
     }
     // By their names the same comes out, in whatever order they are given.
-    std::vector<MendKind> kinds = plan->kinds();
+    std::vector<RepairKind> kinds = plan->kinds();
     std::reverse(kinds.begin(), kinds.end());
-    const MendPlan again = carry_out(mesh, kinds);
+    const RepairPlan again = carry_out(mesh, kinds);
     CHECK(same(again.mesh, plan->mesh));
-    CHECK(keys_of(again) == file.refused.mends);
+    CHECK(keys_of(again) == file.refused.repairs);
   }
   CHECK(planned >= 10);
 }
 
-TEST_CASE("mend: words have the numbers", "[mend]") {
-  const auto would = [](const char* name, MendKind kind) { return mend(of_case(name), kind).step.would; };
-  CHECK(would("two-pieces.obj", MendKind::largest_piece) ==
+TEST_CASE("repair: words have the numbers", "[repair]") {
+  const auto would = [](const char* name, RepairKind kind) { return repair(of_case(name), kind).step.would; };
+  CHECK(would("two-pieces.obj", RepairKind::largest_piece) ==
         "Keep the largest piece: drops 1 piece of 4 triangles.");
-  CHECK(would("two-holes-and-a-flipped-face.obj", MendKind::reorient) ==
+  CHECK(would("two-holes-and-a-flipped-face.obj", RepairKind::reorient) ==
         "Turn faces round: turns 1 face, so that all face outwards.");
-  CHECK(would("two-holes-and-a-flipped-face.obj", MendKind::holes) ==
+  CHECK(would("two-holes-and-a-flipped-face.obj", RepairKind::holes) ==
         "Fill small holes: fills 2 holes of 7 edges with 3 triangles.");
-  CHECK(would("stray-vertex.obj", MendKind::unreferenced) ==
+  CHECK(would("stray-vertex.obj", RepairKind::unreferenced) ==
         "Drop stray vertices: drops 1 vertex that belongs to no face.");
-  CHECK(would("fin.obj", MendKind::fins) ==
+  CHECK(would("fin.obj", RepairKind::fins) ==
         "Drop fins: drops 1 sheet of 1 triangle that hangs on an edge of three or more.");
-  CHECK(would("every-face-twice.obj", MendKind::doubles) ==
+  CHECK(would("every-face-twice.obj", RepairKind::doubles) ==
         "Drop doubled faces: drops 528 faces that stand there twice.");
-  CHECK(would("collapsed-faces.obj", MendKind::doubles) ==
+  CHECK(would("collapsed-faces.obj", RepairKind::doubles) ==
         "Drop doubled faces: drops 24 faces with two corners at one place.");
-  CHECK(contains(would("cracked.obj", MendKind::weld), "merges 1318 vertices with another within 3.5e-05"));
-  CHECK(mend(of_case("two-pieces.obj"), MendKind::largest_piece).step.did ==
+  CHECK(contains(would("cracked.obj", RepairKind::weld), "merges 1318 vertices with another within 3.5e-05"));
+  CHECK(repair(of_case("two-pieces.obj"), RepairKind::largest_piece).step.did ==
         "Kept the largest piece: dropped 1 piece of 4 triangles.");
 }
 
-TEST_CASE("mend: what is dropped leaves the rest as it was", "[mend]") {
+TEST_CASE("repair: what is dropped leaves the rest as it was", "[repair]") {
   const Mesh ball = read(corpus::obj_of(corpus::ball()));
-  CHECK(same(mend(of_case("two-pieces.obj"), MendKind::largest_piece).mesh, ball));
-  CHECK(same(mend(of_case("doubled-face.obj"), MendKind::doubles).mesh, ball));
-  CHECK(same(mend(of_case("every-face-twice.obj"), MendKind::doubles).mesh, ball));
-  CHECK(same(mend(of_case("fin.obj"), MendKind::fins).mesh, ball));
-  CHECK(same(mend(of_case("stray-vertex.obj"), MendKind::unreferenced).mesh, ball));
-  CHECK(same(mend(of_case("inside-out.obj"), MendKind::reorient).mesh, ball) == false);  // starts elsewhere
-  CHECK(check(mend(of_case("inside-out.obj"), MendKind::reorient).mesh).findings.empty());
-  CHECK(check(mend(of_case("flipped-face.obj"), MendKind::reorient).mesh).findings.empty());
+  CHECK(same(repair(of_case("two-pieces.obj"), RepairKind::largest_piece).mesh, ball));
+  CHECK(same(repair(of_case("doubled-face.obj"), RepairKind::doubles).mesh, ball));
+  CHECK(same(repair(of_case("every-face-twice.obj"), RepairKind::doubles).mesh, ball));
+  CHECK(same(repair(of_case("fin.obj"), RepairKind::fins).mesh, ball));
+  CHECK(same(repair(of_case("stray-vertex.obj"), RepairKind::unreferenced).mesh, ball));
+  CHECK(same(repair(of_case("inside-out.obj"), RepairKind::reorient).mesh, ball) ==
+        false);  // starts elsewhere
+  CHECK(check(repair(of_case("inside-out.obj"), RepairKind::reorient).mesh).findings.empty());
+  CHECK(check(repair(of_case("flipped-face.obj"), RepairKind::reorient).mesh).findings.empty());
 }
 
-TEST_CASE("mend: a crack closes and nothing moves further than the reach", "[mend]") {
+TEST_CASE("repair: a crack closes and nothing moves further than the reach", "[repair]") {
   const Mesh cracked = of_case("cracked.obj");
-  const Mended mended = mend(cracked, MendKind::weld);
-  CHECK(mended.mesh.positions.size() == 266);
-  CHECK(mended.mesh.triangles.size() == 528);
-  CHECK(check(mended.mesh).findings.empty());
+  const Repaired repaired = repair(cracked, RepairKind::weld);
+  CHECK(repaired.mesh.positions.size() == 266);
+  CHECK(repaired.mesh.triangles.size() == 528);
+  CHECK(check(repaired.mesh).findings.empty());
   // Two vertices further apart than the reach stay two.
   Mesh near = corpus::ball();
   near.positions.push_back(near.positions[50] +
                            glm::dvec3(2.0 * weld_reach * bounds_of(near.positions).diagonal(), 0, 0));
   near.triangles.push_back({50, 51, 266});
-  CHECK(mend(near, MendKind::weld).step.count == 0);
+  CHECK(repair(near, RepairKind::weld).step.count == 0);
 }
 
-TEST_CASE("mend: a stray far away does not widen what counts as near or small", "[mend]") {
+TEST_CASE("repair: a stray far away does not widen what counts as near or small", "[repair]") {
   Mesh mesh = of_case("open-bowl.obj");
   mesh.positions.push_back({1e40, 0, 0});
-  CHECK(mend(mesh, MendKind::weld).step.count == 0);
-  CHECK(mend(mesh, MendKind::holes).step.count == 0);
+  CHECK(repair(mesh, RepairKind::weld).step.count == 0);
+  CHECK(repair(mesh, RepairKind::holes).step.count == 0);
 }
 
-TEST_CASE("mend: a filled hole is closed and faces the way of its neighbours", "[mend]") {
+TEST_CASE("repair: a filled hole is closed and faces the way of its neighbours", "[repair]") {
   const Mesh whole = icosphere(3);
   std::size_t filled = 0;
   for (std::size_t first = 0; first + 12 < whole.triangles.size(); first += 11) {
@@ -148,15 +150,15 @@ TEST_CASE("mend: a filled hole is closed and faces the way of its neighbours", "
     const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
     mesh.triangles.erase(begin, begin + static_cast<std::ptrdiff_t>(1 + first % 12));
     if (check(mesh).findings.size() != 1) continue;  // more than open edges: rims touch, pieces fall off
-    const Mended mended = mend(mesh, MendKind::holes);
-    CAPTURE(first, mended.step.would);
-    for (const Finding& finding : check(mended.mesh).findings) CHECK(finding.sentence.empty());
+    const Repaired repaired = repair(mesh, RepairKind::holes);
+    CAPTURE(first, repaired.step.would);
+    for (const Finding& finding : check(repaired.mesh).findings) CHECK(finding.sentence.empty());
     ++filled;
   }
   CHECK(filled > 30);
 }
 
-TEST_CASE("mend: a hole across which there is an edge already is filled from its middle", "[mend]") {
+TEST_CASE("repair: a hole across which there is an edge already is filled from its middle", "[repair]") {
   // Two faces on either side of an edge: it is the shorter way across their common rim.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.2}, {0.5, -1, 0.2}};
@@ -166,17 +168,17 @@ TEST_CASE("mend: a hole across which there is an edge already is filled from its
   const Mesh far = corpus::ball();  // so that the hole is small
   for (const glm::dvec3& p : far.positions) mesh.positions.push_back(p + glm::dvec3(3));
   for (const Triangle& t : far.triangles) mesh.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-  const Mended mended = mend(mesh, MendKind::holes);
-  REQUIRE(mended.step.count == 1);
-  CHECK(mended.mesh.positions.size() == mesh.positions.size() + 1);
-  const CheckResult checked = check(mended.mesh);
+  const Repaired repaired = repair(mesh, RepairKind::holes);
+  REQUIRE(repaired.step.count == 1);
+  CHECK(repaired.mesh.positions.size() == mesh.positions.size() + 1);
+  const CheckResult checked = check(repaired.mesh);
   for (const Finding& finding : checked.findings) {
     CAPTURE(finding.sentence);
     CHECK(finding.kind == FindingKind::several_pieces);
   }
 }
 
-TEST_CASE("mend: a rim that touches another is left alone", "[mend]") {
+TEST_CASE("repair: a rim that touches another is left alone", "[repair]") {
   Mesh mesh = corpus::ball();
   const auto has = [](const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; };
   const auto first = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
@@ -188,30 +190,30 @@ TEST_CASE("mend: a rim that touches another is left alone", "[mend]") {
   });
   REQUIRE(opposite != mesh.triangles.end());
   mesh.triangles.erase(opposite);
-  CHECK(mend(mesh, MendKind::holes).step.count == 0);
-  CHECK_FALSE(plan_mends(mesh));
+  CHECK(repair(mesh, RepairKind::holes).step.count == 0);
+  CHECK_FALSE(plan_repairs(mesh));
 }
 
-TEST_CASE("mend: what cannot be calculated with is left alone", "[mend]") {
+TEST_CASE("repair: what cannot be calculated with is left alone", "[repair]") {
   Mesh mesh = of_case("two-pieces.obj");
   mesh.positions[7].x = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(plan_mends(mesh));
+  CHECK_FALSE(plan_repairs(mesh));
   CHECK(carry_out(mesh, {all_kinds.begin(), all_kinds.end()}).steps.empty());
   Mesh astray = corpus::ball();
   astray.triangles[3][1] = 4000;
-  CHECK_FALSE(plan_mends(astray));
+  CHECK_FALSE(plan_repairs(astray));
   CHECK(carry_out(astray, {all_kinds.begin(), all_kinds.end()}).steps.empty());
   CHECK(carry_out({}, {all_kinds.begin(), all_kinds.end()}).steps.empty());
-  CHECK_FALSE(plan_mends({}));
+  CHECK_FALSE(plan_repairs({}));
 }
 
-TEST_CASE("mend: names lead back to their kind", "[mend]") {
-  for (const MendKind kind : all_kinds) CHECK(mend_named(key_of(kind)) == kind);
-  CHECK_FALSE(mend_named("all"));
-  CHECK_FALSE(mend_named(""));
+TEST_CASE("repair: names lead back to their kind", "[repair]") {
+  for (const RepairKind kind : all_kinds) CHECK(repair_named(key_of(kind)) == kind);
+  CHECK_FALSE(repair_named("all"));
+  CHECK_FALSE(repair_named(""));
 }
 
-TEST_CASE("mend: whatever is done to a mesh a plan makes it fit or there is none", "[mend]") {
+TEST_CASE("repair: whatever is done to a mesh a plan makes it fit or there is none", "[repair]") {
   std::mt19937 random(7);  // seeded: the same meshes each time
   std::size_t planned = 0;
   for (int round = 0; round < 400; ++round) {
@@ -244,9 +246,9 @@ TEST_CASE("mend: whatever is done to a mesh a plan makes it fit or there is none
       }
     }
     CAPTURE(round);
-    const MendPlan all = carry_out(mesh, {all_kinds.begin(), all_kinds.end()});
+    const RepairPlan all = carry_out(mesh, {all_kinds.begin(), all_kinds.end()});
     CHECK(all.mesh.positions.size() <= mesh.positions.size() + mesh.triangles.size());
-    const auto plan = plan_mends(mesh);
+    const auto plan = plan_repairs(mesh);
     if (!plan) continue;
     ++planned;
     CHECK_FALSE(check(mesh).fit());

@@ -1,0 +1,43 @@
+#include "knit/stitches/appendix.h"
+
+namespace knit {
+
+std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins, bool complete) {
+  std::vector<LabelRow> view;
+  const auto cast = [](std::int32_t size) {
+    return std::vector<Label>(static_cast<std::size_t>(size), Label::cast);
+  };
+  view.push_back({1, std::nullopt, cast(cast_on)});
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    const Join& t = *joins[i];
+    const bool last = complete && i + 1 == joins.size();
+    if (t.change() < 0) {
+      // Decreases are labelled in the row they start from: in its own list where that is plain.
+      const bool plain_below = i > 0 && joins[i - 1]->change() <= 0;
+      if (plain_below) {
+        view.back().labels = t.labels;
+      } else {
+        view.push_back({view.back().row, t.to, t.labels});
+      }
+      std::vector<Label> carried(static_cast<std::size_t>(t.above), Label::knit);
+      for (const std::int32_t main : t.mains) carried[static_cast<std::size_t>(main)] = Label::main;
+      view.push_back({t.to, std::nullopt, last ? cast(t.above) : std::move(carried)});
+    } else {
+      view.push_back({t.to, std::nullopt, last && t.change() == 0 ? cast(t.above) : t.labels});
+    }
+  }
+  return view;
+}
+
+std::string text_of(const LabelRow& row) {
+  std::string text = std::to_string(row.row);
+  if (row.into) text += " > " + std::to_string(*row.into);
+  text += ": [";
+  for (std::size_t i = 0; i < row.labels.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += std::to_string(static_cast<int>(row.labels[i]));
+  }
+  return text + "]";
+}
+
+}  // namespace knit
