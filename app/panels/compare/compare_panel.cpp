@@ -37,8 +37,8 @@ void draw_buttons(PanelFrame& frame) {
     frame.mark(mark);
     tooltip(frame, help);
   };
-  button("Swap", "compare/swap", "The pinned settings become the current ones, and the other way round. Key: X.",
-         SwapPinned{});
+  button("Swap", "compare/swap",
+         "The pinned settings become the current ones, and the other way round. Key: X.", SwapPinned{});
   ImGui::SameLine();
   button("Pin anew", "compare/pin", "Pin the current run instead.", PinRun{});
   ImGui::SameLine();
