@@ -342,9 +342,9 @@ TEST_CASE("where rows come from cannot change from here once they have begun") {
                   "whole run");
     CHECK(contains(session.outbox->notices.back().text, "from rings already"));
   }
-  apply_all(session,
-            {SeekPlace{{knit::Stage::cast_on, 0, 0}},
-             EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
+  apply_all(
+      session,
+      {SeekTo{0}, EditFromHere{with(session.document->timeline.parameters(), "rows", "contours")}, ToLast{}});
   CHECK(session.outbox->notices.size() == 2);
   CHECK(session.document->timeline.state().finished());
   CHECK(session.document->timeline.base_parameters().rows.source == knit::RowSource::rings);

@@ -10,12 +10,12 @@
 #include "tests/support/tube.h"
 
 using namespace knit;
-using test_support::Tube;
+using test_support::HandTube;
 
 namespace {
 
 // A square tube as wide as that of 4 stitches in a row with this radius.
-Tube square_tube(double radius) { return {{4, 4}, radius, 1.0, 0.0}; }
+HandTube square_tube(double radius) { return {{4, 4}, radius, 1.0, 0.0}; }
 
 Closeness between(const Mesh& mesh, const State& state) {
   const auto closeness = measure_closeness(*make_input(mesh), state);
@@ -49,7 +49,7 @@ double longest_in_a_face(const State& state) {
 }  // namespace
 
 TEST_CASE("closeness: a knit mesh is at no distance from itself, however skew its quads", "[closeness]") {
-  const State state = test_support::tube_state(Tube{{12, 16, 16, 13}, 1.0, 0.3, 0.2});
+  const State state = test_support::tube_state(HandTube{{12, 16, 16, 13}, 1.0, 0.3, 0.2});
   const Closeness self = between(test_support::mesh_of(state), state);
   CHECK(self.knit_to_mesh.max < 1e-12);
   CHECK(self.mesh_to_knit.max < 1e-12);
@@ -128,8 +128,8 @@ TEST_CASE("closeness: grown meshes keep their ratios", "[closeness]") {
 TEST_CASE("closeness: nothing before there are faces, or without a mesh", "[closeness]") {
   const auto input = test_support::small_sphere();
   CHECK_FALSE(measure_closeness(*input, State{}));
-  CHECK_FALSE(measure_closeness(*input, test_support::tube_state(Tube{{5}})));
-  CHECK_FALSE(measure_closeness(*make_input({}), test_support::tube_state(Tube{})));
+  CHECK_FALSE(measure_closeness(*input, test_support::tube_state(HandTube{{5}})));
+  CHECK_FALSE(measure_closeness(*make_input({}), test_support::tube_state(HandTube{})));
   State state = small_run();
   state.fabric = test_support::first_strips(state.fabric, 1);
   const auto begun = measure_closeness(*input, state);

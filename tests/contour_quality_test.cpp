@@ -82,7 +82,7 @@ Sizes mirrored(Sizes half, std::initializer_list<int> middle) {
 // 0.128; long_offset 0.62, offset 0.78.
 TEST_CASE("contour quality: even stitches on fine spheres", "[contour-quality]") {
   for (const Ball& ball : fine_spheres()) {
-    for (const auto& [height, wale_cv] : {Sized{0.1, 0.05}, Sized{0.072, 0.08}, Sized{0.048, 0.13}}) {
+    for (const auto& [height, wale_cv] : {Sized{0.1, 0.055}, Sized{0.072, 0.08}, Sized{0.048, 0.13}}) {
       INFO(ball.name << ", rows of " << height);
       const Parameters parameters = contours(TimingKind::arc_length, 0.1, height);
       const Quality quality = quality_of(*ball.input, finished(ball.input, parameters), parameters);

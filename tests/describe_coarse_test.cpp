@@ -109,7 +109,7 @@ TEST_CASE("in pieces coarse shapes are made over some frames, at once they are w
   const Scene whole = Describer().describe(session, showing);
   CHECK_FALSE(whole.unfinished);
   REQUIRE(whole.coarse > 1);
-  REQUIRE(triangles_of(whole) > 2 * cells_a_frame);
+  REQUIRE(triangles_of(whole) > cells_a_frame);
   showing.in_pieces = true;
   Describer describer;
   Scene scene = describer.describe(session, showing);

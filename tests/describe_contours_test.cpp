@@ -63,7 +63,7 @@ const knit::ContourWork& work_of(const Session& session) {
 }
 const knit::Ring& ring_of(const Session& session) {
   const knit::ContourWork& work = work_of(session);
-  return *work.plan->cuts[static_cast<std::size_t>(work.cut)].loops.front();
+  return work.curve ? *work.curve : knit::current_curve(*session.document->timeline.state().tubes, work);
 }
 
 std::size_t points_of(const Scene& scene, Colour colour) {
@@ -107,12 +107,12 @@ TEST_CASE("a loop is drawn through all its points and closed") {
   CHECK(lines[2].colour == dark_theme.anchor);
 }
 
-TEST_CASE("the plan of the rows shows every cut, once") {
+TEST_CASE("the plan of the tubes shows every curve, once") {
   Session session = contour_session();
-  seek_to<knit::RowsPlanned>(session, {});
+  seek_to<knit::TubesPlanned>(session, {});
   std::size_t points = 0;
-  for (const knit::Cut& cut : work_of(session).plan->cuts) {
-    for (const auto& loop : cut.loops) points += loop->points.size();
+  for (const knit::Tube& tube : session.document->timeline.state().tubes->tubes) {
+    for (const auto& curve : tube.curves) points += curve->points.size();
   }
   CHECK(lines_of(scene_of(session), dark_theme.ring) == points);
   apply(session, StepBy{});
@@ -133,8 +133,6 @@ TEST_CASE("a row from a contour: crossings, the loop with its start, its length,
   scene = scene_of(session);
   CHECK(points_of(scene, dark_theme.ring) == 0);
   CHECK(lines_of(scene, dark_theme.anchor) == static_cast<std::size_t>(closed.points));
-  CHECK(has_point(scene, ring_of(session).points.front(), dark_theme.anchor));
-  CHECK(points_of(scene, dark_theme.anchor) == 1);
   CHECK(scene.captions.empty());
 
   const auto measured = seek_to<knit::LengthMeasured>(session, row);
@@ -147,6 +145,11 @@ TEST_CASE("a row from a contour: crossings, the loop with its start, its length,
   CHECK(captions_of(scene) == Texts{std::to_string(chosen.count) + " stitches"});
   CHECK(points_of(scene, dark_theme.stitch) == 0);
   CHECK(lines_of(scene, dark_theme.anchor) == static_cast<std::size_t>(closed.points));
+
+  seek_to<knit::RoundBegun>(session, row);
+  scene = scene_of(session);
+  CHECK(has_point(scene, ring_of(session).points.front(), dark_theme.anchor));
+  CHECK(points_of(scene, dark_theme.anchor) == 1);
 
   for (int stitch = 1; stitch < chosen.count; ++stitch) {
     apply(session, StepBy{});
@@ -163,6 +166,7 @@ TEST_CASE("the stitches of the first row from a contour have the colour of the c
   Session session = contour_session();
   const auto chosen = seek_to<knit::CountChosen>(session, {Stage::cast_on, 1, 0});
   REQUIRE(chosen.count >= 3);
+  apply(session, StepBy{});  // where the round begins
   apply(session, StepBy{});
   apply(session, StepBy{});
   const Scene scene = scene_of(session);
@@ -172,7 +176,7 @@ TEST_CASE("the stitches of the first row from a contour have the colour of the c
 
 TEST_CASE("without the cycle's layer only the stitches are left, without theirs only the cycle") {
   Session session = contour_session();
-  seek_to<knit::CountChosen>(session, {Stage::rows, 5, 0});
+  seek_to<knit::RoundBegun>(session, {Stage::rows, 5, 0});
   apply(session, StepBy{});
   apply(session, SetLayer{Layer::criticals, false});
   apply(session, SetLayer{Layer::cycle, false});
@@ -259,32 +263,28 @@ TEST_CASE("critical points are marked from where they are found, and named there
   CHECK(count_marks(scene_of(session)) == 0);
 }
 
-TEST_CASE("where a run stops at a split the loops and the saddle to blame are shown, by name") {
-  const auto axis = GENERATE(knit::AxisKind::x, knit::AxisKind::y);
-  CAPTURE(axis);
-  Session session = torus_session(axis);
-  REQUIRE(stop_shown(session) != nullptr);
-  const auto& stopped = *knit::get_if<knit::Stopped>(*stop_shown(session));
-  REQUIRE(stopped.reason == knit::StopReason::splits);
-  const auto& criticals = session.document->timeline.state().timing->criticals;
-  const auto& place = session.document->timeline.input().mesh.positions[stopped.vertex];
+TEST_CASE("at a split the saddle is named, its two arcs have two colours, and the bridge grows between") {
+  Session session = torus_session(knit::AxisKind::x);
+  REQUIRE(stop_shown(session) == nullptr);
+  const auto found = seek_to<knit::GapsFound>(session, {Stage::rows, 2, 0});
+  REQUIRE(found.deal == knit::DealKind::split);
   Scene scene = scene_of(session);
-  CHECK(captions_of(scene) == Texts{"saddle"});
-  CHECK(scene.captions[0].position == glm::vec3(place));
-  CHECK(scene.captions[0].colour == dark_theme.problem);
-  CHECK(scene.points.size() == criticals.points.size());
-  const auto blamed = std::find_if(scene.points.begin(), scene.points.end(),
-                                   [](const Point& p) { return p.diameter_px > 10.0F; });
-  REQUIRE(blamed != scene.points.end());
-  CHECK(blamed->position == glm::vec3(place));
-  const knit::Cut& cut = work_of(session).plan->cuts.back();
-  REQUIRE(cut.loops.size() == 2);
-  CHECK(lines_of(scene, dark_theme.problem) == cut.loops[0]->points.size() + cut.loops[1]->points.size());
-
-  apply(session, StepBy{Unit::item, -1});
-  CHECK(scene_of(session).captions.empty());
-  CHECK(lines_of(scene_of(session), dark_theme.problem) == 0);
-  apply(session, ToLast{});
-  apply(session, SetLayer{Layer::criticals, false});
-  CHECK(scene_of(session).captions.empty());
+  CHECK(captions_of(scene) == Texts{"split"});
+  CHECK(scene.captions[0].position ==
+        glm::vec3(session.document->timeline.input().mesh.positions[found.vertex]));
+  CHECK(points_of(scene, dark_theme.of(knit::Label::m1r)) == static_cast<std::size_t>(found.one));
+  CHECK(points_of(scene, dark_theme.of(knit::Label::k2tog)) == static_cast<std::size_t>(found.two));
+  const auto bridge = static_cast<std::size_t>(work_of(session).deal->bridge.size());
+  REQUIRE(bridge > 0);
+  CHECK(points_of(scene, dark_theme.anchor) == 0);
+  apply(session, StepBy{});
+  CHECK(points_of(scene_of(session), dark_theme.anchor) == 1);
+  // Dealt, the loop that is not worked waits as a dashed thread.
+  const auto dealt = seek_to<knit::LoopsDealt>(session, {Stage::rows, 2, 0});
+  CHECK(dealt.bridge == static_cast<std::int32_t>(bridge));
+  CHECK(dealt.one + dealt.two == dealt.whole + 2 * dealt.bridge);
+  CHECK(captions_of(scene_of(session)).empty());
+  CHECK(lines_of(scene_of(session), dark_theme.warning) == static_cast<std::size_t>(dealt.one + dealt.two));
+  apply(session, StepBy{});
+  CHECK(lines_of(scene_of(session), dark_theme.warning) < static_cast<std::size_t>(dealt.one + dealt.two));
 }

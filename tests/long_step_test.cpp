@@ -39,8 +39,8 @@ std::vector<std::shared_ptr<const void>> long_products(const State& state) {
     all.insert(all.end(), {timing->net.pointer(), timing->heat.pointer(), timing->slopes.pointer(),
                            timing->field.pointer(), timing->scale.pointer(), timing->criticals.pointer()});
   }
-  if (const auto* contours = std::get_if<ContourWork>(&state.work))
-    all.emplace_back(contours->plan.pointer());
+  if (const auto* tubes = std::get_if<TubesWork>(&state.work))
+    all.insert(all.end(), {tubes->graph.pointer(), tubes->plan.pointer()});
   return all;
 }
 
@@ -60,28 +60,11 @@ TEST_CASE("what takes long on a large mesh is not taken by the way") {
   CHECK(timeline.furthest() == plain.furthest());
 }
 
-TEST_CASE("planning rows on a large mesh is not taken by the way either") {
-  const std::string planned(kind_name({{}, RowsPlanned{}}));
+TEST_CASE("finding and planning tubes on a large mesh is not taken by the way either") {
   Timeline timeline = large_run(TimingKind::linear);
-  CHECK(run_briefly(timeline).count(planned) == 0);
-  timeline.seek(timeline.position_of({Stage::rows, 6, 0}));
-  Parameters higher = timeline.parameters();
-  give_height(higher, 0.3);
-  timeline.edit_from_here(higher);
-  CHECK(run_briefly(timeline).count(planned) == 0);
-}
-
-TEST_CASE("planning very many rows is not taken by the way even on a small mesh") {
-  Parameters fine = large_parameters(TimingKind::linear);
-  fine.rows.source = RowSource::contours;
-  give_width(fine, 0.001);
-  give_height(fine, 0.001);
-  Timeline timeline(test_support::small_sphere(), fine);
-  while (timeline.furthest().stage() < Stage::cast_on) REQUIRE(timeline.extend_briefly(1));
-  CHECK(timeline.next_is_long());
-  const std::size_t known = timeline.known();
-  CHECK(timeline.extend_briefly(10));
-  CHECK(timeline.known() == known);
+  const std::set<std::string> brief = run_briefly(timeline);
+  CHECK(brief.count(std::string(kind_name({{}, GraphFound{}}))) == 0);
+  CHECK(brief.count(std::string(kind_name({{}, FieldSmoothed{}}))) == 0);
 }
 
 TEST_CASE("on a small mesh no step is long") {

@@ -68,7 +68,7 @@ TEST_CASE("rows and stages, forward and back, from every position") {
   }
 }
 
-TEST_CASE("going by stages visits all six, forward and back") {
+TEST_CASE("going by stages visits all that the run has, forward and back") {
   Timeline timeline = small_run();
   timeline.seek(0);
   std::vector<Stage> forward;
@@ -77,7 +77,9 @@ TEST_CASE("going by stages visits all six, forward and back") {
     timeline.seek(position_after(timeline, Unit::stage, 1));
     if (timeline.position() != last) forward.push_back(timeline.place().stage);
   }
-  CHECK(forward == std::vector<Stage>(knit::machine_stages.begin(), knit::machine_stages.end()));
+  std::vector<Stage> stages(knit::machine_stages.begin(), knit::machine_stages.end());
+  std::erase(stages, Stage::tubes);  // rings make none
+  CHECK(forward == stages);
   CHECK(timeline.position() == timeline.known());
 
   std::size_t jumps = 0;
@@ -85,7 +87,7 @@ TEST_CASE("going by stages visits all six, forward and back") {
     timeline.seek(position_after(timeline, Unit::stage, -1));
     ++jumps;
   }
-  CHECK(jumps == knit::machine_stages.size());
+  CHECK(jumps == stages.size());
 }
 
 TEST_CASE("forward works a run out as far as needed, and no further than a slice") {

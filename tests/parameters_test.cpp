@@ -80,7 +80,7 @@ TEST_CASE("the first reader of a change is the earliest among what differs") {
   give_epsilon(p, 0.01);
   CHECK(first_reader_of_change(base, p) == Stage::rows);
   give_width(p, 0.2);
-  CHECK(first_reader_of_change(base, p) == Stage::cast_on);
+  CHECK(first_reader_of_change(base, p) == Stage::tubes);
   p.timing.end = 3;
   CHECK(first_reader_of_change(base, p) == Stage::timing);
   p.mesh.weld = Weld::on;
@@ -251,6 +251,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
   const std::vector<std::string_view> of_rings{"level-tolerance", "metric",   "epsilon", "on-stall",
                                                "last-anchor",     "resample", "close"};
   const std::vector<std::string_view> of_nearest{"stacking-penalty", "follow-mains"};
+  const std::vector<std::string_view> of_contours{"field-smoothing", "smoothing-length", "smallest-limb",
+                                                  "round-start"};
   const auto among = [](const std::vector<std::string_view>& keys, std::string_view key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
@@ -263,6 +265,7 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
       for (const ParameterInfo& info : parameter_table()) {
         CAPTURE(info.key, rows, placement);
         const bool idle = (among(of_rings, info.key) && rows == RowSource::contours) ||
+                          (among(of_contours, info.key) && rows == RowSource::rings) ||
                           (among(of_nearest, info.key) && placement != PlacementPolicy::nearest);
         CHECK(is_read(info, p) == !idle);
       }

@@ -49,7 +49,7 @@ State tube_of(const std::vector<std::int32_t>& sizes, PlacementPolicy policy) {
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     Row row;
     row.id = static_cast<RowId>(i) + 1;
-    row.on = state.fabric.live();
+    row.on = state.fabric.live(0);
     row.stitches.resize(static_cast<std::size_t>(sizes[i]));
     state.fabric.add(std::move(row));
   }

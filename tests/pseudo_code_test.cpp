@@ -45,6 +45,28 @@ Session example_with(const std::string& name) {
   return session;
 }
 
+Session standing_torus(double width) {
+  Session session = test_support::example_session("torus");
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.timing.axis.kind = knit::AxisKind::x;
+  knit::give_width(parameters, width);
+  session.document->timeline.tune(parameters);
+  session.document->timeline.extend_to_end();
+  return session;
+}
+
+Session edited_on_the_way() {
+  Session session = run_changed([](knit::Parameters& p) { p.rows.source = knit::RowSource::contours; });
+  knit::Timeline& timeline = session.document->timeline;
+  timeline.seek(timeline.position_of({knit::Stage::rows, 4, 0}));
+  knit::Parameters parameters = timeline.parameters();
+  knit::give_height(parameters, 0.1);
+  timeline.edit_from_here(parameters);
+  timeline.extend_to_end();
+  return session;
+}
+
 // Together they take every way through the algorithm.
 std::vector<Session> all_ways() {
   using knit::Parameters;
@@ -72,6 +94,9 @@ std::vector<Session> all_ways() {
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 1e-7); });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_width(p, 9.0); });
   runs.push_back(example_with("torus"));
+  runs.push_back(standing_torus(0.2));
+  runs.push_back(standing_torus(1.2));
+  runs.push_back(edited_on_the_way());
   runs.push_back(example_with("thesis-sphere"));
   knit::Parameters contours = runs.back().document->timeline.parameters();
   contours.rows.source = knit::RowSource::contours;

@@ -11,7 +11,7 @@
 #include "tests/support/tube.h"
 
 using namespace knit;
-using test_support::Tube;
+using test_support::HandTube;
 
 namespace {
 
@@ -23,7 +23,7 @@ Quality measured(const State& state, double width, double height) {
   return measure_quality(*make_input(test_support::mesh_of(state)), state, width, height);
 }
 
-Quality measured(Tube tube) {
+Quality measured(HandTube tube) {
   const double side = side_of(tube.sizes.front());
   tube.row_height = side;
   return measured(test_support::tube_state(tube), side, side);
@@ -85,7 +85,7 @@ TEST_CASE("quality: a histogram's ends take what lies beyond", "[quality]") {
 }
 
 TEST_CASE("quality: a straight tube of squares is perfect", "[quality]") {
-  const Quality quality = measured(Tube{});
+  const Quality quality = measured(HandTube{});
   for (const Spread* spread : {&quality.course, &quality.long_course, &quality.wale}) {
     CHECK(spread->mean == Approx(1.0));
     CHECK(spread->cv == Approx(0.0).margin(1e-12));
@@ -117,7 +117,7 @@ TEST_CASE("quality: a straight tube of squares is perfect", "[quality]") {
 }
 
 TEST_CASE("quality: lengths are counted in the stitch asked for", "[quality]") {
-  Tube tube;
+  HandTube tube;
   tube.row_height = 0.6;
   const Quality quality = measured(test_support::tube_state(tube), 0.5, 0.4);
   CHECK(quality.stitch_width == 0.5);
@@ -129,7 +129,7 @@ TEST_CASE("quality: lengths are counted in the stitch asked for", "[quality]") {
 }
 
 TEST_CASE("quality: a twisted tube's offset and mirror error are chords", "[quality]") {
-  Tube tube;
+  HandTube tube;
   tube.twist = 0.02;
   const double side = side_of(16);
   const Quality quality = measured(tube);
@@ -145,7 +145,7 @@ TEST_CASE("quality: a twisted tube's offset and mirror error are chords", "[qual
 }
 
 TEST_CASE("quality: rows below 12 stitches are no long rows", "[quality]") {
-  Tube tube{{11, 11}, 1.0, 1.0, 0.02};
+  HandTube tube{{11, 11}, 1.0, 1.0, 0.02};
   Quality quality = measured(tube);
   CHECK(quality.course.count == 22);
   CHECK(quality.long_course.count == 0);
@@ -159,22 +159,22 @@ TEST_CASE("quality: rows below 12 stitches are no long rows", "[quality]") {
 }
 
 TEST_CASE("quality: an increase costs a triangle and a stitch its regularity", "[quality]") {
-  Quality quality = measured(Tube{{4, 4, 5}});
+  Quality quality = measured(HandTube{{4, 4, 5}});
   CHECK(quality.faces.quads == 8);
   CHECK(quality.faces.triangles == 1);
   CHECK(quality.quad_share == Approx(8.0 / 9.0));
   CHECK(quality.regular_share == 0.75);
   CHECK(quality.corner.count == 35);
   CHECK(quality.shaping.increases == 1);
-  quality = measured(Tube{{5, 4, 4, 4}});
+  quality = measured(HandTube{{5, 4, 4, 4}});
   CHECK(quality.regular_share == Approx(7.0 / 8.0));
   CHECK(quality.shaping.decreases == 1);
   // Shaping into or out of a row counts on the side of the smaller one.
-  CHECK(measured(Tube{{4, 5, 5}}).regular_share == 1.0);
+  CHECK(measured(HandTube{{4, 5, 5}}).regular_share == 1.0);
 }
 
 TEST_CASE("quality: an uneven row shows in its own cv, and in the worst", "[quality]") {
-  State state = test_support::tube_state(Tube{});
+  State state = test_support::tube_state(HandTube{});
   const auto squeeze = [](Row& row) {
     if (row.id == 2) row.stitches[3].position = row.stitches[2].position;
   };
@@ -187,7 +187,7 @@ TEST_CASE("quality: an uneven row shows in its own cv, and in the worst", "[qual
 }
 
 TEST_CASE("quality: the mirror does not care where rows and columns are counted from", "[quality]") {
-  State state = test_support::tube_state(Tube{{100, 100}});
+  State state = test_support::tube_state(HandTube{{100, 100}});
   const auto turn = [](Strip& strip) {
     std::rotate(strip.column_edges.begin(), strip.column_edges.begin() + 37, strip.column_edges.end());
     return true;
@@ -202,7 +202,7 @@ TEST_CASE("quality: the mirror does not care where rows and columns are counted 
 }
 
 TEST_CASE("quality: the mirror goes through the middle of the mesh, not of the rows", "[quality]") {
-  const State state = test_support::tube_state(Tube{});
+  const State state = test_support::tube_state(HandTube{});
   Mesh aside = test_support::mesh_of(state);
   for (glm::dvec3& p : aside.positions) p += glm::dvec3(0.05, 3.0, 2.0);
   const Quality quality = measure_quality(*make_input(aside), state, 0.5, 0.5);
@@ -212,7 +212,7 @@ TEST_CASE("quality: the mirror goes through the middle of the mesh, not of the r
 }
 
 TEST_CASE("quality: no mirror where rounds begin along the axis, or without an axis", "[quality]") {
-  State state = test_support::tube_state(Tube{});
+  State state = test_support::tube_state(HandTube{});
   Timing timing = *state.timing;
   timing.ends.direction = {0, 0, 2};
   state.timing = Shared<Timing>(timing);
@@ -222,7 +222,7 @@ TEST_CASE("quality: no mirror where rounds begin along the axis, or without an a
 }
 
 TEST_CASE("quality: all sizes grow together and no figure changes", "[quality]") {
-  const State state = test_support::tube_state(Tube{{12, 16, 13}, 1.0, 0.7, 0.1});
+  const State state = test_support::tube_state(HandTube{{12, 16, 13}, 1.0, 0.7, 0.1});
   const Quality small = measured(state, 0.4, 0.7);
   const State grown = test_support::moved(state, [](const glm::dvec3& p) { return 1000.0 * p; });
   const Quality large = measured(grown, 400.0, 700.0);
@@ -303,7 +303,7 @@ TEST_CASE("quality: an empty state, and one row", "[quality]") {
   CHECK(nothing.course.count == 0);
   CHECK(nothing.rows.empty());
   CHECK_FALSE(nothing.mirror);
-  const Quality one = measure_quality(*input, test_support::tube_state(Tube{{5}}), 0.1, 0.1);
+  const Quality one = measure_quality(*input, test_support::tube_state(HandTube{{5}}), 0.1, 0.1);
   CHECK(one.course.count == 5);
   CHECK(one.wale.count == 0);
   CHECK(one.quad_share == 0.0);

@@ -95,10 +95,10 @@ void check_moved(const Shape& shape, const std::string& how, const std::function
   const double size = input->bounds.diagonal();
   for (unsigned seed = 1; seed <= 3; ++seed) {
     CAPTURE(shape.name, how, seed);
-    CHECK(difference(still, knitted(make_input(shaken(*input, 1e-13 * size, seed)), parameters), 1e-8 * size)
-              .empty());
-    CHECK(difference(still, knitted(make_input(nudged(*input, 1e-13 * size, seed)), parameters), 1e-8 * size)
-              .empty());
+    CHECK(difference(still, knitted(make_input(shaken(*input, 1e-13 * size, seed)), parameters),
+                     1e-8 * size) == "");
+    CHECK(difference(still, knitted(make_input(nudged(*input, 1e-13 * size, seed)), parameters),
+                     1e-8 * size) == "");
   }
 }
 

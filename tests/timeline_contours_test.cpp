@@ -4,6 +4,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "knit/timing/heights.h"
+#include "tests/support/promises.h"
 #include "tests/support/scrub.h"
 
 using namespace knit;
@@ -96,10 +97,11 @@ TEST_CASE("every position of a run from contours has one hash: forward, back, at
 
 TEST_CASE("a run from contours that stops has one hash a position, too") {
   Parameters p = contours(TimingKind::arc_length);
-  give_width(p, 100.0);  // no cut is long enough
+  give_width(p, 100.0);  // no curve is long enough
+  Parameters too_fine = contours(TimingKind::linear);
+  give_height(too_fine, 1e-7);
   const auto stops =
-      GENERATE_COPY(std::pair(small_sphere(), p),
-                    std::pair(make_input(torus(24, 12, 0.7, 0.3)), contours(TimingKind::linear)));
+      GENERATE_COPY(std::pair(small_sphere(), p), std::pair(make_input(torus(24, 12, 0.7, 0.3)), too_fine));
   Timeline timeline(stops.first, stops.second);
   const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
   REQUIRE(timeline.stop() != nullptr);
@@ -145,18 +147,19 @@ TEST_CASE("a stitch height edited between two rows plans the rest anew and keeps
   const Parameters base = contours(TimingKind::arc_length);
   Edited run = edited(base, "stitch-height", "0.1");
   check_past(run);
-  const auto plans = steps_of<RowsPlanned>(run.timeline);
-  REQUIRE(plans.size() == 2);
+  const auto plans = steps_of<RowsReplanned>(run.timeline);
+  REQUIRE(plans.size() == 1);
   const State& end = run.timeline.furthest();
-  const double total = end.timing->scale.total();
-  CHECK(plans[1].stitch_height == 0.1);
-  CHECK(plans[1].height == Approx((1.0 - end.fabric.rows()[5]->time) * total));
-  CHECK(plans[1].row_height == Approx(plans[1].height / std::round(plans[1].height / 0.1)));
+  CHECK(plans[0].stitch_height == 0.1);
+  CHECK(plans[0].rows == end.fabric.row_count() - 6);
   CHECK(end.fabric.rows().size() > run.plain.furthest().fabric.rows().size());
+  const double total = end.timing->scale.total();
+  const double spacing = end.tubes->tube(0).spacing;
+  CHECK(spacing == Approx(0.1).epsilon(0.06));
   for (std::size_t row = 6; row < end.fabric.rows().size(); ++row) {
     CAPTURE(row);
     CHECK((end.fabric.rows()[row]->time - end.fabric.rows()[row - 1]->time) * total ==
-          Approx(plans[1].row_height));
+          Approx(spacing).epsilon(0.03));
   }
 }
 
@@ -168,8 +171,9 @@ TEST_CASE(
     give_height(base, height);
     Edited run = edited(base, "stitch-width", "0.2");
     check_past(run);
-    const auto plans = steps_of<RowsPlanned>(run.timeline);
-    REQUIRE(plans.size() == (height > 0.0 ? 1 : 2));
+    const auto plans = steps_of<RowsReplanned>(run.timeline);
+    REQUIRE(plans.size() == 1);
+    CHECK(plans.back().width == Approx(0.2));
     CHECK(plans.back().stitch_height == Approx(height > 0.0 ? 0.216 : 0.144));
     const auto counts = steps_of<CountChosen>(run.timeline);
     CHECK(counts[5].count == steps_of<CountChosen>(run.plain)[5].count);
@@ -194,7 +198,7 @@ TEST_CASE("an edited run from contours is the unedited one again when the edit i
 }
 
 // Found by fuzzing. Six vertices of three edges each stand on the axis, one above the other.
-TEST_CASE("contours: where the surface is pinched to a needle the run stops and says so") {
+TEST_CASE("contours: a surface pinched to a needle is knitted round it") {
   const std::vector<ProfilePoint> profile{{0.0, 0.0}, {1.0, 0.3}, {0.5, 1.0},
                                           {0.5, 2.0}, {1.0, 2.7}, {0.0, 3.0}};
   Mesh mesh = revolve("needle", profile, 6, false);
@@ -214,9 +218,8 @@ TEST_CASE("contours: where the surface is pinched to a needle the run stops and 
     give_height(parameters, height);
     Timeline timeline(make_input(mesh), parameters);
     timeline.extend_to_end();
-    REQUIRE(timeline.stop() != nullptr);
-    CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::not_a_ring);
-    CHECK(narrate(*timeline.stop(), parameters).find("pinched to a point") != std::string::npos);
+    CHECK(timeline.stop() == nullptr);
+    CHECK(test_support::broken_promise(timeline.furthest()) == "");
   }
 }
 

@@ -82,7 +82,7 @@ TEST_CASE("over then over back returns where both ends are borders of the same k
     wrong += back == position ? 0U : 1U;
   }
   CHECK(wrong == 0);
-  CHECK(stages == knit::machine_stages.size());
+  CHECK(stages + 1 == knit::machine_stages.size());  // rings make no tubes
   CHECK(returned > timeline.known() / 2);
 }
 

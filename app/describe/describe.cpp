@@ -9,6 +9,7 @@
 #include "app/describe/describe_selected.h"
 #include "app/describe/describe_step.h"
 #include "app/describe/describe_symbols.h"
+#include "app/describe/describe_tubes.h"
 #include "app/describe/describe_variable.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
@@ -87,9 +88,9 @@ void Describer::add_strips(const Session& session, Scene& scene) {
   for (std::size_t i = 0; i < strips.size(); ++i) {
     StripShapes& kept = strips_[i];
     const auto strip = strips[i].pointer();
-    auto rows = fabric.rows_about(strip->to);
-    if (kept.strip != strip || kept.rows != rows) {
-      kept = {strip, std::move(rows),
+    auto about = fabric.products_about(strip->to);
+    if (kept.strip != strip || kept.about != about) {
+      kept = {strip, std::move(about),
               std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), path)),
               std::make_shared<const std::vector<Line>>(
                   columns_of(*scene.theme, *strip, strip->column_edges.size(), path))};
@@ -105,8 +106,16 @@ namespace {
 std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
   const knit::Fabric& fabric = session.document->timeline.state().fabric;
   if (!session.view->shows(Layer::faces) || fabric.strips().empty() || scene.unfinished) return std::nullopt;
-  const knit::Row& last = fabric.row(fabric.strips().back()->to);
-  return TimeSpan{static_cast<float>(fabric.row(1).time), static_cast<float>(last.time)};
+  // Where tubes stand beside each other the times of one say nothing of the others.
+  const bool all = session.document->timeline.state().stage() > knit::Stage::faces;
+  if (!fabric.deals().empty() && !all) return std::nullopt;
+  TimeSpan span{static_cast<float>(fabric.row(1).time), static_cast<float>(fabric.row(1).time)};
+  const knit::RowId last = all ? fabric.row_count() : fabric.strips().back()->to;
+  for (knit::RowId id = 1; id <= last; ++id) {
+    span.from = std::min(span.from, static_cast<float>(fabric.row(id).time));
+    span.to = std::max(span.to, static_cast<float>(fabric.row(id).time));
+  }
+  return span;
 }
 
 }  // namespace
@@ -134,6 +143,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
     add_strips(session, scene);
   }
   scene.covered = covered_by_faces(session, scene);
+  describe_tubes(session, scene);
   ghost_.describe(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);

@@ -37,7 +37,7 @@ class Describer {
   };
   struct StripShapes {
     std::shared_ptr<const knit::Strip> strip;
-    std::vector<std::shared_ptr<const knit::Row>> rows;  // that it stands between
+    std::vector<std::shared_ptr<const void>> about;  // the rows and deals that it stands between
     std::shared_ptr<const FaceShape> faces;
     std::shared_ptr<const std::vector<Line>> columns;
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/explain/code_variables.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -22,18 +23,8 @@ const knit::Step* step_shown(const Session& session) {
   return stop != nullptr ? stop : last_step(session);
 }
 
-// So many that they can be told apart.
-void add_plan(const knit::CutPlan& plan, Scene& scene) {
-  const std::size_t stride = 1 + plan.cuts.size() / most_cuts_shown;
-  for (std::size_t i = 0; i < plan.cuts.size(); i += stride) {
-    for (const auto& loop : plan.cuts[i].loops) add_loop(*loop, scene.theme->ring, 1.2F, scene.lines);
-  }
-}
-
-void add_crossings(const knit::Cut& cut, Colour colour, Scene& scene) {
-  for (const auto& loop : cut.loops) {
-    for (const glm::dvec3& point : loop->points) scene.points.push_back({glm::vec3(point), colour, 4.5F});
-  }
+void add_crossings(const knit::Ring& curve, Colour colour, Scene& scene) {
+  for (const glm::dvec3& point : curve.points) scene.points.push_back({glm::vec3(point), colour, 4.5F});
 }
 
 void add_stitches(const Session& session, const knit::ContourWork& work, Scene& scene) {
@@ -78,30 +69,16 @@ void add_loop(const knit::Ring& ring, Colour colour, float width_px, std::vector
 }
 
 void describe_contours(const Session& session, const knit::ContourWork& work, Scene& scene) {
-  if (!work.plan || static_cast<std::size_t>(work.cut) >= work.plan->cuts.size()) return;
+  const knit::State& state = session.document->timeline.state();
+  const knit::Ring* curve = curve_shown(state);
   const knit::Step* step = step_shown(session);
+  if (curve == nullptr) return;
   if (step == nullptr || !session.view->shows(Layer::cycle)) return add_stitches(session, work, scene);
-  const knit::Cut& cut = work.plan->cuts[static_cast<std::size_t>(work.cut)];
-  if (knit::is<knit::RowsPlanned>(*step)) add_plan(*work.plan, scene);
-  if (knit::is_stop(*step)) {
-    for (const auto& loop : cut.loops) add_loop(*loop, scene.theme->problem, 3.0F, scene.lines);
-    return;
-  }
-  switch (work.phase) {
-    case knit::ContourPhase::plan:
-    case knit::ContourPhase::cut:
-      return;
-    case knit::ContourPhase::loop:
-      return add_crossings(cut, scene.theme->ring, scene);
-    case knit::ContourPhase::measure:
-    case knit::ContourPhase::count:
-    case knit::ContourPhase::place:
-      break;
-  }
-  const knit::Ring& ring = *cut.loops.front();
-  add_loop(ring, scene.theme->anchor, work.phase == knit::ContourPhase::place ? 1.6F : 2.6F, scene.lines);
-  const glm::vec3 start(ring.points.front());
-  scene.points.push_back({start, scene.theme->anchor, 10.0F});
+  if (work.phase == knit::ContourPhase::loop) return add_crossings(*curve, scene.theme->ring, scene);
+  const bool begun = work.phase == knit::ContourPhase::place;
+  add_loop(*curve, scene.theme->anchor, begun ? 1.6F : 2.6F, scene.lines);
+  const glm::vec3 start(curve->points.front());
+  if (begun) scene.points.push_back({start, scene.theme->anchor, 10.0F});
   if (const auto* measured = knit::get_if<knit::LengthMeasured>(*step))
     scene.captions.push_back({start, "L = " + knit::short_number(measured->length), scene.theme->anchor});
   if (const auto* chosen = knit::get_if<knit::CountChosen>(*step))

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::uint8_t soft = 170;  // what goes with a quantity and is not it
 
-glm::dvec3 centre_of(const knit::Ring& ring) {
-  glm::dvec3 sum(0.0);
-  for (const glm::dvec3& point : ring.points) sum += point;
-  return sum / static_cast<double>(ring.points.size());
-}
-
 glm::dvec3 unit(const glm::dvec3& way) {
   const double length = glm::length(way);
   return length > 0.0 ? way / length : glm::dvec3(0.0);

@@ -16,6 +16,7 @@
 #include "knit/rows/row_variables.h"
 #include "knit/stitches/stitch_variables.h"
 #include "knit/timing/timing_variables.h"
+#include "knit/tubes/tubes_variables.h"
 
 namespace app {
 
@@ -44,6 +45,9 @@ class VariableLight {
   void timing();
   void row();
   void walk();
+  void tubes();
+  void tube_curves(const knit::Tube& tube);
+  void deal(const knit::Deal& deal);
   void contour();
   void index();
   void strip();
@@ -262,23 +266,52 @@ void VariableLight::walk() {
   point(glm::vec3(knit::point_at(*row_.ring, cast_on->arc)), "s = " + knit::short_number(cast_on->arc));
 }
 
+void VariableLight::tube_curves(const knit::Tube& tube) {
+  for (const auto& curve : tube.curves) add_loop(*curve, colour_, 2.0F, scene_.lines);
+}
+
+void VariableLight::tubes() {
+  const auto* found = step_as<knit::NodeFound>();
+  if (found != nullptr) {
+    const glm::vec3 at = place(found->vertex);
+    return point(at, is(var::field_value) ? "t = " + knit::short_number(found->value) : "");
+  }
+  const auto* left = step_as<knit::TubeLeftOut>();
+  if (left != nullptr) return point(place(left->vertex), "");
+  if (!state_.tubes) return;
+  for (const knit::Tube& tube : state_.tubes->tubes) tube_curves(tube);
+}
+
+// Of a deal in progress: its two sides and its bridge.
+void VariableLight::deal(const knit::Deal& deal) {
+  if (is(var::saddle, var::saddle_gap)) return point(glm::vec3(deal.saddle), "");
+  if (is(var::bridge)) {
+    for (const knit::Stitch& stitch : deal.bridge) point(glm::vec3(stitch.position), "");
+    return;
+  }
+  const auto& sides = deal.kind == knit::DealKind::split ? deal.given : deal.taken;
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const bool meant = is(var::whole, var::arcs_tried) || (side == 0 ? is(var::one) : is(var::two));
+    if (!meant) continue;
+    for (const knit::StitchSpan& span : sides[side].spans) {
+      for (std::int32_t i = 0; i < span.count && span.row > 0; ++i) {
+        const glm::vec3 at(state_.fabric.position({span.row, span.first + i}));
+        scene_.points.push_back({at, colour_, 9.0F});
+      }
+    }
+  }
+}
+
 void VariableLight::contour() {
   const auto* work = std::get_if<knit::ContourWork>(&state_.work);
   const auto* placed = step_as<knit::StitchPlaced>();
-  if (is(var::rows, var::stitch_height, var::row_height)) {
-    if (work == nullptr || !work->plan) return;
-    for (const knit::Cut& cut : work->plan->cuts) {
-      for (const auto& loop : cut.loops) add_loop(*loop, colour_, 2.0F, scene_.lines);
-    }
-    return;
+  if (work != nullptr && work->deal) return deal(*work->deal);
+  if (is(var::tube, var::rows, var::stitch_height, var::row_height, var::surface_height)) {
+    if (work == nullptr || work->taken == 0) return;
+    return tube_curves(state_.tubes->tube(knit::current_tube(*state_.tubes, *work)));
   }
-  if (is(var::surface_height)) return ends_line("H");
-  if (is(var::edges, var::points, var::loops, var::time, var::level)) {
-    if (row_.ring != nullptr) return ring(row_.time ? "t = " + knit::short_number(*row_.time) : "");
-    if (work == nullptr || !work->plan || static_cast<std::size_t>(work->cut) >= work->plan->cuts.size())
-      return;
-    for (const auto& loop : work->plan->cuts[static_cast<std::size_t>(work->cut)].loops)
-      add_loop(*loop, colour_, 4.0F, scene_.lines);
+  if (is(var::points, var::time, var::level)) {
+    if (row_.ring != nullptr) ring(row_.time ? "t = " + knit::short_number(*row_.time) : "");
     return;
   }
   if (row_.ring == nullptr) return;
@@ -397,6 +430,8 @@ void describe_variable(const Session& session, Scene& scene) {
     case knit::Stage::import:
     case knit::Stage::timing:
       return light.timing();
+    case knit::Stage::tubes:
+      return light.tubes();
     case knit::Stage::cast_on:
     case knit::Stage::rows:
       return at->code == &knit::contour_code ? light.contour() : light.row();

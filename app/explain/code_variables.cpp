@@ -105,11 +105,12 @@ void add_row(const knit::State& state, std::int32_t row, Values& values) {
 void add_join(const knit::State& state, std::int32_t row, Values& values) {
   const knit::Fabric& fabric = state.fabric;
   const knit::RowId into = std::max(row, 2);
+  if (!fabric.has_row(into) || fabric.row(into).on.empty()) return;
   const knit::Row* below = fabric.row_below(into);
-  if (below == nullptr || !fabric.has_row(into)) return;
-  values.set(var::below, below->stitches.size());
+  values.set(var::below, fabric.row(into).on.size());
   values.set(var::above, fabric.row(into).stitches.size());
-  if (const knit::Join* before = fabric.join_into(below->id)) values.set(var::mains, before->mains.size());
+  if (const knit::Join* before = below != nullptr ? fabric.join_into(below->id) : nullptr)
+    values.set(var::mains, before->mains.size());
   const knit::Join* plan = join_shown(state, row);
   if (plan == nullptr) return;
   values.set(var::change, plan->change());
@@ -138,6 +139,7 @@ void add_stop(const knit::Stopped& stop, Values& values) {
       return values.set(var::count, stop.count);
     case knit::StopReason::no_extent:
     case knit::StopReason::no_row_levels:
+    case knit::StopReason::too_many_tubes:
     case knit::StopReason::too_fine:
       return;
   }
@@ -158,11 +160,6 @@ void add_step(const knit::Step& step, const knit::Input& input, const knit::Stat
     values.set(var::diff, vector_text(positions[timed->vertex] - positions[ends->start]));
   }
   if (knit::is<knit::LineWritten>(step)) values.set(var::row, step.place.row);
-}
-
-const knit::Cut* cut_of(const knit::ContourWork& work) {
-  const bool there = work.plan && static_cast<std::size_t>(work.cut) < work.plan->cuts.size();
-  return there ? &work.plan->cuts[static_cast<std::size_t>(work.cut)] : nullptr;
 }
 
 void take_level(const knit::State& state, std::int32_t level, RowShown& shown) {
@@ -201,13 +198,20 @@ RowShown row_shown(const knit::State& state, std::int32_t row) {
     if (cast_on->ring) shown.ring = &*cast_on->ring;
     take_level(state, cast_on->level, shown);
   } else if (const auto* contours = std::get_if<knit::ContourWork>(&state.work)) {
-    const knit::Cut* cut = cut_of(*contours);
-    if (cut == nullptr || contours->phase <= knit::ContourPhase::cut) return shown;
-    if (contours->phase > knit::ContourPhase::loop) shown.ring = &*cut->loops.front();
-    shown.level = contours->cut;
-    shown.time = cut->time;
+    shown.ring = curve_shown(state);
+    if (shown.ring == nullptr) return shown;
+    shown.level = contours->row;
+    shown.time = state.tubes->tube(knit::current_tube(*state.tubes, *contours))
+                     .values[static_cast<std::size_t>(contours->row)];
   }
   return shown;
+}
+
+const knit::Ring* curve_shown(const knit::State& state) {
+  const auto* work = std::get_if<knit::ContourWork>(&state.work);
+  if (work == nullptr || work->phase <= knit::ContourPhase::cut || work->phase >= knit::ContourPhase::bridge)
+    return nullptr;
+  return work->curve ? &*work->curve : &knit::current_curve(*state.tubes, *work);
 }
 
 const knit::Join* join_shown(const knit::State& state, std::int32_t row) {

@@ -34,6 +34,9 @@ RowShown row_shown(const knit::State& state, std::int32_t row);
 // The join that makes a row, once it is planned; else null.
 const knit::Join* join_shown(const knit::State& state, std::int32_t row);
 
+// The contour that a row is being made on; null: none is.
+const knit::Ring* curve_shown(const knit::State& state);
+
 // The ends, once they are found; else null.
 const knit::Ends* ends_shown(const knit::State& state);
 

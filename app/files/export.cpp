@@ -44,20 +44,24 @@ std::string mesh_text(const Session& session) {
   std::string text =
       "# knit-mesh: stitches row by row in knitting order, a group for each row with the faces below it.\n";
   text += "# A stack of closed rounds, not a helix: each round begins beside the end of the one before.\n";
-  for (const auto& row : state.fabric.rows()) {
-    for (const knit::Stitch& stitch : row->stitches) append_vertex(text, stitch.position);
-  }
-  std::size_t first = 1;
+  if (!state.fabric.deals().empty())
+    text +=
+        "# Where loops part or meet: the bridge's stitches after the row before, a group for each deal.\n";
+  for (const glm::dvec3& place : knit::knitting_path(state.fabric)) append_vertex(text, place);
   for (const auto& row : state.fabric.rows()) {
     if (const knit::Strip* strip = state.fabric.strip_into(row->id)) {
       text += "g " + row_name(row->id) + "\n";
       for (const knit::Face& face : strip->faces) append_face(text, face);
     } else if (state.fabric.strips().empty()) {
+      const std::size_t first = std::size_t{state.fabric.first_on_path(row->id)} + 1;
       text += "g " + row_name(row->id) + "\nl " + std::to_string(first);
       for (const auto& edge : knit::edges_of(*row)) text += " " + std::to_string(first + edge.to);
       text += "\n";
     }
-    first += row->stitches.size();
+  }
+  for (std::size_t i = 0; i < state.fabric.deals().size() && !state.fabric.strips().empty(); ++i) {
+    text += "g deal-" + std::to_string(i + 1) + "\n";
+    for (const knit::Face& face : state.fabric.deals()[i]->faces) append_face(text, face);
   }
   return text;
 }
@@ -104,7 +108,9 @@ std::optional<std::string> write_session(const Session& session, const std::file
 
 std::optional<std::string> write_pattern(const Session& session, const std::filesystem::path& path,
                                          Png picture) {
-  return write_file(path, pattern_file_text(session, *pattern_format_of(path), picture));
+  const PatternFormat format = *pattern_format_of(path);
+  if (auto missing = format_missing(session, format)) return missing;
+  return write_file(path, pattern_file_text(session, format, picture));
 }
 
 std::optional<std::string> write_gltf(const Session& session, const std::filesystem::path& path,
@@ -139,7 +145,7 @@ const std::array export_table{
                write_pattern, pattern_missing,
                ExportEndings{"a pattern", pattern_endings, has_format<pattern_format_of>}},
     ExportInfo{"chart", "chart", "-chart.svg", About::pattern, "write the chart as SVG",
-               as_text<chart_file_text>, pattern_missing},
+               as_text<chart_file_text>, chart_missing},
     ExportInfo{"steps", "log of steps", "-steps.jsonl", About::run, "write every step as JSON, one a line",
                as_text<steps_text>},
     ExportInfo{"gltf", "knit mesh as glTF", "-knit.glb", About::piece, "write the knit mesh as glTF",

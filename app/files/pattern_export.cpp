@@ -1,5 +1,6 @@
 #include "app/files/pattern_export.h"
 
+#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "knit/pattern/chart.h"
 #include "knit/pattern/fold.h"
 #include "knit/pattern/pattern_words.h"
+#include "knit/pattern/pieces.h"
 
 namespace app {
 
@@ -77,6 +79,13 @@ Json operations_json(const std::vector<knit::Operation>& operations) {
   return all;
 }
 
+Json round_json(const knit::Round& round) {
+  return {{"number", round.number},
+          {"before", round.before},
+          {"after", round.after},
+          {"operations", operations_json(round.operations)}};
+}
+
 Json stitch_json(const knit::GraphStitch& stitch, bool cast_on) {
   if (cast_on) return {{"hand", "cast on"}, {"below", Json::array()}};
   Json json{{"hand", json_word(stitch.hand)}, {"below", Json::array()}};
@@ -110,11 +119,7 @@ std::string pattern_knitspeak(const knit::Rounds& rounds) {
 
 std::string pattern_json(const knit::Rounds& rounds) {
   std::vector<Json> worked, graph;
-  for (const knit::Round& round : rounds.rounds)
-    worked.push_back({{"number", round.number},
-                      {"before", round.before},
-                      {"after", round.after},
-                      {"operations", operations_json(round.operations)}});
+  for (const knit::Round& round : rounds.rounds) worked.push_back(round_json(round));
   for (const std::vector<knit::GraphStitch>& row : knit::graph_of(rounds).rows) {
     Json stitches = Json::array();
     for (const knit::GraphStitch& stitch : row) stitches.push_back(stitch_json(stitch, graph.empty()));
@@ -123,6 +128,71 @@ std::string pattern_json(const knit::Rounds& rounds) {
   return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 1,\n  \"cast_on\": " +
          std::to_string(rounds.cast_on) + ",\n" + listed("rounds", worked) + ",\n" + listed("graph", graph) +
          "\n}\n";
+}
+
+namespace {
+
+std::string_view json_word(knit::LayKind kind) {
+  constexpr std::array<std::string_view, 6> words{"keep", "set aside", "take", "cast on", "pick up", "loops"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+std::string_view json_word(knit::PieceStart start) {
+  constexpr std::array<std::string_view, 5> words{"cast on", "provisional", "loops", "divided", "rejoined"};
+  return words.at(static_cast<std::size_t>(start));
+}
+std::string_view json_word(knit::PieceYarn yarn) {
+  constexpr std::array<std::string_view, 3> words{"begun", "goes on", "hangs"};
+  return words.at(static_cast<std::size_t>(yarn));
+}
+std::string_view json_word(knit::PieceEndKind kind) {
+  constexpr std::array<std::string_view, 4> words{"goes on", "held", "closed", "grafted"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+// Of a gap its number and the first of its stitches, else a piece and the first of its stitches.
+Json lay_json(const knit::Lay& lay) {
+  Json json{{"use", json_word(lay.kind)}};
+  if (lay.gap > 0)
+    json["gap"] = lay.gap;
+  else
+    json["piece"] = knit::piece_name(lay.piece);
+  json["first"] = lay.first;
+  json["count"] = lay.count;
+  return json;
+}
+
+Json end_json(const knit::PieceEnd& end) {
+  Json json{{"kind", json_word(end.kind)}, {"to", Json::array()}};
+  for (const std::int32_t piece : end.to) json["to"].push_back(knit::piece_name(piece));
+  if (end.yarn_for >= 0) json["yarn_for"] = knit::piece_name(end.yarn_for);
+  if (end.kind != knit::PieceEndKind::grafted) return json;
+  json["first"] = end.own_first;
+  json["others_first"] = end.other_first;
+  json["grafts"] = Json::array();
+  for (const knit::Grafted& graft : end.grafts) json["grafts"].push_back({graft.own, graft.others});
+  return json;
+}
+
+Json piece_json(const knit::Piece& piece, std::int32_t number) {
+  Json json{
+      {"name", knit::piece_name(number)}, {"start", json_word(piece.start)}, {"yarn", json_word(piece.yarn)},
+      {"stitches", piece.rounds.cast_on}, {"laid", Json::array()},           {"rounds", Json::array()}};
+  if (piece.inner) json["inner"] = true;
+  for (const knit::Lay& lay : piece.laid) json["laid"].push_back(lay_json(lay));
+  for (const knit::Round& round : piece.rounds.rounds) json["rounds"].push_back(round_json(round));
+  json["end"] = end_json(piece.end);
+  return json;
+}
+
+}  // namespace
+
+std::string pattern_json(const knit::Pieces& pieces) {
+  std::vector<Json> lines;
+  for (std::size_t i = 0; i < pieces.pieces.size(); ++i)
+    lines.push_back(piece_json(pieces.pieces[i], static_cast<std::int32_t>(i)));
+  return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 2,\n  \"yarns\": " +
+         std::to_string(pieces.yarns) + ",\n  \"holders\": " + std::to_string(pieces.held_most) +
+         ",\n  \"gaps\": " + Json(pieces.gaps).dump() + ",\n" + listed("pieces", lines) + "\n}\n";
 }
 
 namespace {
@@ -182,6 +252,11 @@ dd { margin: 0; }
 }
 )css";
 
+constexpr std::string_view style_of_pieces = R"css(.rounds .piece { margin: 4mm 0 1.2mm; padding-left: 0;
+  font-weight: 700; break-after: avoid; }
+@media print { .rounds .piece { margin: 2mm 0 .6mm; } }
+)css";
+
 // More lines than this are set in two columns.
 constexpr std::size_t long_list = 16;
 // Up to so many leave the sheet room for larger print.
@@ -205,15 +280,23 @@ std::string abbreviations(const knit::WrittenPattern& pattern) {
   return out + "</dl>\n";
 }
 
+using Instruction = knit::WrittenPattern::Instruction;
+
+// A step is ticked off as a round is.
+std::string_view class_of(const Instruction& instruction) {
+  if (instruction.round) return "round";
+  if (instruction.kind == Instruction::Kind::heading) return "piece";
+  return instruction.kind == Instruction::Kind::step ? "round step" : "remark";
+}
+
 std::string instructions(const knit::WrittenPattern& pattern) {
   std::string out = "<section class=\"instructions\">\n" + heading("Instructions") + "<p class=\"start\">" +
                     xml_text(pattern.start) + "</p>\n";
   const bool is_long = pattern.instructions.size() > long_list;
   out += is_long ? "<ul class=\"rounds long\">\n" : "<ul class=\"rounds\">\n";
   for (const auto& instruction : pattern.instructions) {
-    const bool remark = !instruction.round.has_value();
-    out += remark ? "<li class=\"remark\">" : "<li class=\"round\">";
-    out += xml_text(remark ? instruction.remark : instruction.round->text()) + "</li>\n";
+    out += "<li class=\"" + std::string(class_of(instruction)) + "\">";
+    out += xml_text(instruction.round ? instruction.round->text() : instruction.remark) + "</li>\n";
   }
   return out + "</ul>\n" + list("Finishing", "steps", pattern.finishing) + "</section>\n";
 }
@@ -234,7 +317,8 @@ std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart&
   const std::string title = xml_text(pattern.title);
   std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  out += "<title>" + title + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n";
+  out += "<title>" + title + "</title>\n<style>" + std::string(style) +
+         (pattern.in_pieces ? std::string(style_of_pieces) : "") + "</style>\n</head>\n";
   out += pattern.instructions.size() <= roomy_list ? "<body class=\"roomy\">\n" : "<body>\n";
   out += "<header>\n<h1>" + title + "</h1>\n";
   if (!pattern.level.empty()) out += "<p class=\"level\">Level: " + xml_text(pattern.level) + "</p>\n";
@@ -245,15 +329,46 @@ std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart&
   out += list("Finished size", "facts", pattern.size) + list("Materials", "facts", pattern.materials);
   if (!pattern.gauge.empty()) out += heading("Gauge") + "<p>" + xml_text(pattern.gauge) + "</p>\n";
   out += abbreviations(pattern) + list("Notes", "facts", pattern.notes) + instructions(pattern);
-  return out + chart_section(chart) + "</body>\n</html>\n";
+  if (!chart.rows.empty()) out += chart_section(chart);
+  return out + "</body>\n</html>\n";
 }
 
 namespace {
 
-knit::WrittenPattern written(const Session& session, const knit::Rounds& rounds) {
+const knit::State& state_of(const Session& session) { return session.document->timeline.state(); }
+
+template <class Work>
+knit::WrittenPattern written(const Session& session, const Work& work) {
   const knit::Timeline& timeline = session.document->timeline;
-  return knit::write_pattern(rounds, timeline.parameters().stitch.gauge, session.view->pattern,
+  return knit::write_pattern(work, timeline.parameters().stitch.gauge, session.view->pattern,
                              timeline.input().mesh.name);
+}
+
+knit::WrittenPattern written(const Session& session) {
+  const knit::State& state = state_of(session);
+  return knit::in_pieces(state) ? written(session, knit::pieces_of(state))
+                                : written(session, knit::rounds_of(state));
+}
+
+constexpr const char* no_chart_of_pieces =
+    "there is no chart for a pattern in pieces yet; save the pattern as text or as a page.";
+constexpr const char* no_knitspeak_of_pieces =
+    "knitspeak has no words for a pattern in pieces; save it as .txt, .md, .html or .json.";
+
+std::string file_in_pieces(const Session& session, PatternFormat format, std::span<const std::uint8_t> png) {
+  switch (format) {
+    case PatternFormat::text:
+      return knit::pattern_as_text(written(session));
+    case PatternFormat::markdown:
+      return knit::pattern_as_markdown(written(session));
+    case PatternFormat::html:
+      return pattern_html(written(session), {}, png);
+    case PatternFormat::json:
+      return pattern_json(knit::pieces_of(state_of(session)));
+    case PatternFormat::knitspeak:
+      break;
+  }
+  return std::string(no_knitspeak_of_pieces) + "\n";
 }
 
 }  // namespace
@@ -285,9 +400,21 @@ std::optional<std::string> pattern_missing(const Session& session) {
   return "the pattern is not there yet: not all stitches have their labels. Let the run go on to the faces.";
 }
 
+std::optional<std::string> chart_missing(const Session& session) {
+  if (auto missing = pattern_missing(session)) return missing;
+  if (knit::in_pieces(state_of(session))) return no_chart_of_pieces;
+  return std::nullopt;
+}
+
+std::optional<std::string> format_missing(const Session& session, PatternFormat format) {
+  if (auto missing = pattern_missing(session)) return missing;
+  if (format == PatternFormat::knitspeak && knit::in_pieces(state_of(session))) return no_knitspeak_of_pieces;
+  return std::nullopt;
+}
+
 std::vector<std::string> pattern_instructions(const Session& session) {
   if (pattern_missing(session)) return {};
-  const knit::WrittenPattern pattern = written(session, knit::rounds_of(session.document->timeline.state()));
+  const knit::WrittenPattern pattern = written(session);
   std::vector<std::string> lines{pattern.start};
   for (const auto& step : pattern.instructions)
     lines.push_back(step.round ? step.round->text() : step.remark);
@@ -296,7 +423,8 @@ std::vector<std::string> pattern_instructions(const Session& session) {
 
 std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png) {
-  const knit::Rounds rounds = knit::rounds_of(session.document->timeline.state());
+  if (knit::in_pieces(state_of(session))) return file_in_pieces(session, format, picture_png);
+  const knit::Rounds rounds = knit::rounds_of(state_of(session));
   switch (format) {
     case PatternFormat::text:
       return knit::pattern_as_text(written(session, rounds)) + knit::chart_as_text(knit::chart_of(rounds));
@@ -314,7 +442,8 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
 }
 
 std::string chart_file_text(const Session& session) {
-  const knit::Rounds rounds = knit::rounds_of(session.document->timeline.state());
+  if (knit::in_pieces(state_of(session))) return std::string(no_chart_of_pieces) + "\n";
+  const knit::Rounds rounds = knit::rounds_of(state_of(session));
   ChartLook look;
   look.title = session.view->pattern.title.empty() ? session.document->timeline.input().mesh.name
                                                    : session.view->pattern.title;

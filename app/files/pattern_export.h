@@ -11,6 +11,7 @@
 
 #include "app/session/session.h"
 #include "knit/pattern/chart.h"
+#include "knit/pattern/pieces.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
 
@@ -21,10 +22,12 @@ std::string pattern_knitspeak(const knit::Rounds& rounds);
 
 // Operations run-length encoded, a round a line; the graph a row a line.
 std::string pattern_json(const knit::Rounds& rounds);
+// A piece a line.
+std::string pattern_json(const knit::Pieces& pieces);
 
 // The written pattern as one page to print: no other file is needed.
 
-// The parts in the order of the written pattern, then the chart. Each round line is one <li class="round">,
+// The parts in the order of the written pattern, then the chart, if it has rows. Each round line is one <li class="round">,
 // its text exactly RoundLine::text(). `picture_png`: of the finished object; may be empty.
 std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart& chart,
                          std::span<const std::uint8_t> picture_png = {});
@@ -43,6 +46,10 @@ inline constexpr const char* needle_range = "a number from 0.5 to 50";
 
 // Why there is no pattern yet; nothing when it can be written.
 std::optional<std::string> pattern_missing(const Session& session);
+
+// Why there is no chart, or no pattern in this format: also because it is in pieces.
+std::optional<std::string> chart_missing(const Session& session);
+std::optional<std::string> format_missing(const Session& session, PatternFormat format);
 
 // How to begin, the rounds and the remarks between them, as on the written page; empty while there is no pattern.
 std::vector<std::string> pattern_instructions(const Session& session);

@@ -297,16 +297,28 @@ Truth ending(const Session& session, const JudgeCall& /*call*/) {
   if (!timeline.complete()) return not_yet();
   const knit::Step* stop = timeline.stop();
   if (stop == nullptr) return {{"finishes"}, "The run goes on to its last stage; nothing stops it.", 0.0};
-  constexpr std::array<const char*, 7> keys{"no-extent", "no-row-levels",    "not-a-ring", "splits",
-                                            "stall",     "changes-too-much", "too-fine"};
-  const auto reason = static_cast<std::size_t>(knit::get_if<knit::Stopped>(*stop)->reason);
-  return {{keys.at(reason)}, knit::narrate(*stop, timeline.parameters_of_stop()), 0.0};
+  std::string key(knit::name_of(knit::get_if<knit::Stopped>(*stop)->reason));
+  std::replace(key.begin(), key.end(), ' ', '-');
+  return {{key}, knit::narrate(*stop, timeline.parameters_of_stop()), 0.0};
+}
+
+// Where tubes part in the plan that is knitted.
+Truth planned_splits(const Session& session, const knit::TubePlan& plan) {
+  Truth truth{{}, "", near_enough(session)};
+  for (const knit::TubeEvent& event : plan.events) {
+    if (event.kind == knit::EventKind::split) truth.answers.push_back(vertex_name(event.vertex));
+  }
+  truth.reason = "The run parts at " + std::to_string(truth.answers.size()) +
+                 (truth.answers.size() == 1 ? " saddle." : " saddles.");
+  return truth.answers.empty() ? untold("Nothing splits in this run; set the page up again.") : truth;
 }
 
 Truth split_vertex(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Step* stop = timeline.stop();
   const auto* what = stop != nullptr ? knit::get_if<knit::Stopped>(*stop) : nullptr;
+  if (what == nullptr && timeline.furthest().tubes)
+    return planned_splits(session, *timeline.furthest().tubes);
   if (what == nullptr || what->reason != knit::StopReason::splits) {
     return timeline.complete() ? untold("Nothing splits in this run; set the page up again.")
                                : ending(session, call);

@@ -12,6 +12,7 @@
 // clang-format off
 #define KNIT_SIDE_PANELS(SIDE) \
   SIDE(step, "Step")           \
+  SIDE(tubes, "Tubes")         \
   SIDE(report, "Report")       \
   SIDE(pattern, "Pattern")     \
   SIDE(compare, "Compare")     \

@@ -8,6 +8,12 @@ namespace knit {
 
 namespace {
 
+const LiveLoop* loop_of(const std::vector<LiveLoop>& live, TubeId tube) {
+  const auto found =
+      std::find_if(live.begin(), live.end(), [&](const LiveLoop& loop) { return loop.tube == tube; });
+  return found != live.end() ? &*found : nullptr;
+}
+
 // Both lists rise by the row they lead to, which leaves out only cast ons.
 template <class Product>
 const Shared<Product>* leading_to(const std::vector<Shared<Product>>& products, RowId id) {
@@ -35,18 +41,48 @@ const Strip* Fabric::strip_into(RowId id) const {
 
 const Shared<Strip>& Fabric::shared_strip(RowId id) const { return *leading_to(strips_, id); }
 
+RowId Fabric::next_worked(RowId id) const {
+  for (RowId next = id + 1; next <= row_count(); ++next) {
+    if (!row(next).on.empty()) return next;
+  }
+  return 0;
+}
+
+LiveStitches Fabric::live(TubeId tube) const {
+  const auto* loop = loop_of(live_, tube);
+  return loop != nullptr ? loop->stitches : LiveStitches{};
+}
+
+std::int32_t Fabric::live_count() const {
+  std::int32_t count = 0;
+  for (const LiveLoop& loop : live_) count += loop.stitches.size();
+  return count;
+}
+
+LiveStitches Fabric::live_below(RowId id) const {
+  if (has_row(id)) return row(id).on;
+  return rows_.empty() ? LiveStitches{} : live(rows_.back()->tube);
+}
+
 const Row* Fabric::row_below(RowId id) const {
   if (id < 1 || id > next_row()) return nullptr;
-  const LiveStitches& below = live_below(id);
-  const bool one = below.spans.size() == 1 && below.size() == size_of(row(below.spans.front().row));
+  const LiveStitches below = live_below(id);
+  const bool one = below.spans.size() == 1 && has_row(below.spans.front().row) &&
+                   below.size() == size_of(row(below.spans.front().row));
   return one ? &row(below.spans.front().row) : nullptr;
 }
 
-std::vector<std::shared_ptr<const Row>> Fabric::rows_about(RowId id) const {
-  std::vector<std::shared_ptr<const Row>> rows;
-  for (const StitchSpan& span : row(id).on.spans) rows.push_back(shared_row(span.row).pointer());
-  rows.push_back(shared_row(id).pointer());
-  return rows;
+std::vector<std::shared_ptr<const void>> Fabric::products_about(RowId id) const {
+  std::vector<std::shared_ptr<const void>> products;
+  for (const StitchSpan& span : row(id).on.spans) {
+    if (span.row > 0) {
+      products.push_back(shared_row(span.row).pointer());
+    } else {
+      products.push_back(deals_[static_cast<std::size_t>(-span.row) - 1].pointer());
+    }
+  }
+  products.push_back(shared_row(id).pointer());
+  return products;
 }
 
 std::vector<RowId> Fabric::rows_on(RowId id) const {
@@ -57,7 +93,25 @@ std::vector<RowId> Fabric::rows_on(RowId id) const {
   return above;
 }
 
-bool Fabric::is_live(RowId id) const { return has_stitches_of(live_, id); }
+bool Fabric::is_live(RowId id) const {
+  return std::any_of(live_.begin(), live_.end(),
+                     [&](const LiveLoop& loop) { return has_stitches_of(loop.stitches, id); });
+}
+
+const Stitch& Fabric::stitch(const StitchRef& ref) const {
+  const auto i = static_cast<std::size_t>(ref.stitch);
+  if (is_bridge(ref)) return deals_[static_cast<std::size_t>(deal_of(ref)) - 1]->bridge[i];
+  return row(ref.row).stitches[i];
+}
+
+std::vector<Stitch> Fabric::stitches_of(const LiveStitches& live) const {
+  std::vector<Stitch> stitches;
+  stitches.reserve(static_cast<std::size_t>(live.size()));
+  for (const StitchSpan& span : live.spans) {
+    for (std::int32_t i = 0; i < span.count; ++i) stitches.push_back(stitch({span.row, span.first + i}));
+  }
+  return stitches;
+}
 
 LiveStitches Fabric::larger(const Join& join) const {
   return cells_above(join) ? all_of(row(join.to)) : join.from;
@@ -67,9 +121,16 @@ LiveStitches Fabric::smaller(const Join& join) const {
   return cells_above(join) ? join.from : all_of(row(join.to));
 }
 
+// A bridge lies behind the last row made before it, and behind the bridges dealt before.
 std::uint32_t Fabric::first_on_path(RowId id) const {
   std::size_t first = 0;
-  for (RowId before = 1; before < id; ++before) first += row(before).stitches.size();
+  const bool bridge = id < 0;
+  const RowId end = bridge ? deals_[static_cast<std::size_t>(-id) - 1]->after + 1 : id;
+  for (RowId before = 1; before < end; ++before) first += row(before).stitches.size();
+  for (std::size_t deal = 0; deal < deals_.size(); ++deal) {
+    const bool earlier = bridge ? deal + 1 < static_cast<std::size_t>(-id) : deals_[deal]->after < id;
+    if (earlier) first += deals_[deal]->bridge.size();
+  }
   return static_cast<std::uint32_t>(first);
 }
 
@@ -85,37 +146,69 @@ std::vector<std::uint32_t> Fabric::path_indices(const LiveStitches& live) const 
 std::size_t Fabric::stitch_count() const { return first_on_path(next_row()); }
 
 void Fabric::add(Row row) {
-  if (row.id != next_row() || row.on != live_) throw Bug("a row takes all that hangs on the needle");
-  live_ = all_of(row);
+  if (row.id != next_row() || row.on != live(row.tube)) throw Bug("a row takes all that hangs on its needle");
+  std::erase_if(live_, [&](const LiveLoop& loop) { return loop.tube == row.tube; });
+  live_.push_back({row.tube, all_of(row)});
   rows_.emplace_back(std::move(row));
+}
+
+void Fabric::add(Deal deal) {
+  if (deal.kind != DealKind::ring_cast_on) {
+    for (std::size_t i = 0; i < deal.from.size(); ++i) {
+      if (deal.taken[i] != live(deal.from[i])) throw Bug("a deal takes all that hangs on its needles");
+    }
+    std::erase_if(live_, [&](const LiveLoop& loop) {
+      return std::find(deal.from.begin(), deal.from.end(), loop.tube) != deal.from.end();
+    });
+  }
+  for (std::size_t i = 0; i < deal.to.size(); ++i) live_.push_back({deal.to[i], deal.given[i]});
+  deals_.emplace_back(std::move(deal));
 }
 
 void Fabric::add(Shared<Join> join) { joins_.push_back(std::move(join)); }
 void Fabric::add(Shared<Strip> strip) { strips_.push_back(std::move(strip)); }
 
 std::size_t Fabric::copy_bytes() const {
-  return sizeof(void*) * 2 * (rows_.size() + joins_.size() + strips_.size()) +
-         sizeof(StitchSpan) * live_.spans.size();
+  std::size_t bytes = sizeof(void*) * 2 * (rows_.size() + deals_.size() + joins_.size() + strips_.size());
+  for (const LiveLoop& loop : live_)
+    bytes += sizeof(LiveLoop) + sizeof(StitchSpan) * loop.stitches.spans.size();
+  return bytes;
 }
 
 KnittingPath::KnittingPath(const Fabric& fabric) : fabric_(&fabric) {
   std::uint32_t first = 0;
+  std::size_t deal = 0;
+  const auto add = [&](RowId row, std::size_t stitches) {
+    if (stitches == 0) return;
+    stretches_.push_back({first, row});
+    first += static_cast<std::uint32_t>(stitches);
+  };
   for (const auto& row : fabric.rows()) {
-    first_.push_back(first);
-    first += static_cast<std::uint32_t>(row->stitches.size());
+    add(row->id, row->stitches.size());
+    for (; deal < fabric.deals().size() && fabric.deals()[deal]->after == row->id; ++deal)
+      add(bridge_row(static_cast<std::int32_t>(deal) + 1), fabric.deals()[deal]->bridge.size());
   }
 }
 
 StitchRef KnittingPath::at(std::uint32_t number) const {
-  const auto next = std::upper_bound(first_.begin(), first_.end(), number);
-  return {static_cast<RowId>(next - first_.begin()), static_cast<std::int32_t>(number - *std::prev(next))};
+  const auto next =
+      std::upper_bound(stretches_.begin(), stretches_.end(), number,
+                       [](std::uint32_t n, const Stretch& stretch) { return n < stretch.first; });
+  const Stretch& stretch = *std::prev(next);
+  return {stretch.row, static_cast<std::int32_t>(number - stretch.first)};
 }
 
 std::vector<glm::dvec3> knitting_path(const Fabric& fabric) {
   std::vector<glm::dvec3> path;
   path.reserve(fabric.stitch_count());
+  const auto add = [&](const std::vector<Stitch>& stitches) {
+    for (const Stitch& stitch : stitches) path.push_back(stitch.position);
+  };
+  std::size_t deal = 0;
   for (const auto& row : fabric.rows()) {
-    for (const Stitch& stitch : row->stitches) path.push_back(stitch.position);
+    add(row->stitches);
+    for (; deal < fabric.deals().size() && fabric.deals()[deal]->after == row->id; ++deal)
+      add(fabric.deals()[deal]->bridge);
   }
   return path;
 }

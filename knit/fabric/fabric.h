@@ -1,33 +1,45 @@
-// The knitted thing as a graph: rows, what joins each to the stitches it is worked on, and the faces between.
+// The knitted thing as a graph: rows, what joins each to the stitches it is worked on, the faces between, and the deals.
 //
 // A row is worked on live stitches: it takes a stretch of what hangs on the needle and puts its own stitches in
-// their place. A cast on takes none. So with L(0) = nothing,
-//   L(k) = L(k - 1) with row k's `on` replaced by row k,
-// and every stitch is taken by at most one row. Today a row takes all of L, a round on a round; splits, short rows and
-// pieces only deal live stitches otherwise. Nobody outside asks for the row "before": what a row hangs on is asked for
-// here, and so is whether it is closed.
+// their place. A cast on takes none. Each tube has a loop of live stitches from its first row, or from the deal that
+// begins it, on. So with L(t) the loop of tube t,
+//   a row of t    takes L(t) and becomes L(t)
+//   a split of t  takes L(t) and gives L(u), L(v); a join the other way round; a graft takes two and gives none
+// and every stitch is taken once, a stitch of a bridge twice. Nobody outside asks for the row "before": what a row hangs
+// on is asked for here, and so is whether it is closed.
 //
-// Rows come first, then their joins, then their strips, each in working order; what is there is never changed.
+// Rows and deals come first, then joins, then strips, each in working order; what is there is never changed.
 #pragma once
 
 #include <vector>
 
+#include "knit/fabric/deal.h"
 #include "knit/fabric/join.h"
 #include "knit/fabric/row.h"
 #include "knit/fabric/strip.h"
 
 namespace knit {
 
+struct LiveLoop {
+  TubeId tube = 0;
+  LiveStitches stitches;
+  [[nodiscard]] auto fields() const { return std::tie(tube, stitches); }
+  friend bool operator==(const LiveLoop&, const LiveLoop&) = default;
+};
+
 class Fabric {
  public:
   // In working order.
   [[nodiscard]] const std::vector<Shared<Row>>& rows() const { return rows_; }
+  [[nodiscard]] const std::vector<Shared<Deal>>& deals() const { return deals_; }
   [[nodiscard]] const std::vector<Shared<Join>>& joins() const { return joins_; }
   [[nodiscard]] const std::vector<Shared<Strip>>& strips() const { return strips_; }
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   [[nodiscard]] RowId row_count() const { return static_cast<RowId>(rows_.size()); }
   [[nodiscard]] RowId next_row() const { return row_count() + 1; }
   [[nodiscard]] bool has_row(RowId id) const { return id >= 1 && id <= row_count(); }
+  // The first row after this one that is worked on others, so that it has a join and a strip; 0: there is none.
+  [[nodiscard]] RowId next_worked(RowId id) const;
 
   // Requires has_row(id).
   [[nodiscard]] const Row& row(RowId id) const { return *rows_[static_cast<std::size_t>(id) - 1]; }
@@ -42,51 +54,56 @@ class Fabric {
   [[nodiscard]] const Join* join_into(RowId id) const;
   [[nodiscard]] const Strip* strip_into(RowId id) const;
 
-  // What hangs on the needle now.
-  [[nodiscard]] const LiveStitches& live() const { return live_; }
-  // What a row is worked on; of the row to come, what hangs on the needle.
-  [[nodiscard]] const LiveStitches& live_below(RowId id) const { return has_row(id) ? row(id).on : live_; }
+  // What hangs on needle and holders now, in the order in which it came there.
+  [[nodiscard]] const std::vector<LiveLoop>& live() const { return live_; }
+  // None where the tube is not begun, or dealt already.
+  [[nodiscard]] LiveStitches live(TubeId tube) const;
+  [[nodiscard]] std::int32_t live_count() const;
+  // What a row is worked on; of the row to come, what the last one left on the needle.
+  [[nodiscard]] LiveStitches live_below(RowId id) const;
   // The one row that all of these are; null: there are none, or it is more than one.
   [[nodiscard]] const Row* row_below(RowId id) const;
-  // All rows that a row's join and strip stand between: those below, then itself.
-  [[nodiscard]] std::vector<std::shared_ptr<const Row>> rows_about(RowId id) const;
+  // All rows and deals that a row's join and strip stand between: those below, then itself.
+  [[nodiscard]] std::vector<std::shared_ptr<const void>> products_about(RowId id) const;
   // The rows that are worked on stitches of this one, rising.
   [[nodiscard]] std::vector<RowId> rows_on(RowId id) const;
-  // Whether stitches of it hang on the needle; those of a finished piece are bound off.
+  // Whether stitches of it hang on a needle; those of a finished piece are bound off.
   [[nodiscard]] bool is_live(RowId id) const;
 
-  [[nodiscard]] const Stitch& stitch(const StitchRef& ref) const {
-    return row(ref.row).stitches[static_cast<std::size_t>(ref.stitch)];
-  }
+  [[nodiscard]] const Stitch& stitch(const StitchRef& ref) const;
   [[nodiscard]] const glm::dvec3& position(const StitchRef& ref) const { return stitch(ref).position; }
+  [[nodiscard]] std::vector<Stitch> stitches_of(const LiveStitches& live) const;
 
   // The two sides of a join whose row is there: the stitches that its cells are, and those that they hang on.
   [[nodiscard]] LiveStitches larger(const Join& join) const;
   [[nodiscard]] LiveStitches smaller(const Join& join) const;
 
-  // Along the knitting path, through all rows in working order, from 0.
+  // Along the knitting path, through all rows and bridges in working order, from 0.
   [[nodiscard]] std::uint32_t first_on_path(RowId id) const;
   [[nodiscard]] std::vector<std::uint32_t> path_indices(const LiveStitches& live) const;
   [[nodiscard]] std::size_t stitch_count() const;
 
-  // Each takes its place after what is there. A row has the next number and takes all that hangs on the needle.
+  // Each takes its place after what is there. A row has the next number and takes its tube's loop whole; a deal takes the
+  // loops of its tubes whole.
   void add(Row row);
+  void add(Deal deal);
   void add(Shared<Join> join);
   void add(Shared<Strip> strip);
 
   // What a copy costs: pointers, not what is shared.
   [[nodiscard]] std::size_t copy_bytes() const;
-  [[nodiscard]] auto fields() const { return std::tie(rows_, joins_, strips_, live_); }
+  [[nodiscard]] auto fields() const { return std::tie(rows_, deals_, joins_, strips_, live_); }
   friend bool operator==(const Fabric&, const Fabric&) = default;
 
  private:
   std::vector<Shared<Row>> rows_;
+  std::vector<Shared<Deal>> deals_;
   std::vector<Shared<Join>> joins_;    // by the rows they make, rising
   std::vector<Shared<Strip>> strips_;  // likewise
-  LiveStitches live_;
+  std::vector<LiveLoop> live_;
 };
 
-// The stitches by their numbers along the path. Refers to the fabric, and knows the rows that are there now.
+// The stitches by their numbers along the path. Refers to the fabric, and knows what is there now.
 class KnittingPath {
  public:
   explicit KnittingPath(const Fabric& fabric);
@@ -96,8 +113,12 @@ class KnittingPath {
   }
 
  private:
+  struct Stretch {
+    std::uint32_t first;
+    RowId row;  // or a bridge's
+  };
   const Fabric* fabric_;
-  std::vector<std::uint32_t> first_;  // of each row, rising
+  std::vector<Stretch> stretches_;  // rising
 };
 
 // All positions along the path.

@@ -18,6 +18,10 @@ struct StitchSpan {
   friend bool operator==(const StitchSpan&, const StitchSpan&) = default;
 };
 
+// Of a round: the stitches from `first` on, `count` of them, round and round.
+struct LiveStitches;
+LiveStitches stretch_of(const LiveStitches& live, std::int32_t first, std::int32_t count);
+
 struct LiveStitches {
   std::vector<StitchSpan> spans;
   bool closed = true;  // the first stitch follows the last: a round
@@ -33,8 +37,41 @@ struct LiveStitches {
     while (i >= span->count) i -= (span++)->count;
     return {span->row, span->first + i};
   }
+  // After what is there; a stretch that goes on with the last one is one with it.
+  void append(const StitchSpan& span) {
+    if (span.count == 0) return;
+    StitchSpan* last = spans.empty() ? nullptr : &spans.back();
+    if (last != nullptr && last->row == span.row && last->first + last->count == span.first) {
+      last->count += span.count;
+    } else {
+      spans.push_back(span);
+    }
+  }
+  void append(const LiveStitches& more) {
+    for (const StitchSpan& span : more.spans) append(span);
+  }
   [[nodiscard]] auto fields() const { return std::tie(spans, closed); }
   friend bool operator==(const LiveStitches&, const LiveStitches&) = default;
 };
+
+inline LiveStitches stretch_of(const LiveStitches& live, std::int32_t first, std::int32_t count) {
+  LiveStitches stretch{{}, live.closed};
+  std::int32_t skip = first, left = count;
+  while (left > 0) {
+    for (const StitchSpan& span : live.spans) {
+      const std::int32_t skipped = skip < span.count ? skip : span.count;
+      const std::int32_t taken = left < span.count - skipped ? left : span.count - skipped;
+      stretch.append({span.row, span.first + skipped, taken});
+      skip -= skipped;
+      left -= taken;
+    }
+  }
+  return stretch;
+}
+
+// The same round, begun at its stitch `first`.
+inline LiveStitches begun_at(const LiveStitches& live, std::int32_t first) {
+  return stretch_of(live, first, live.size());
+}
 
 }  // namespace knit

@@ -12,7 +12,8 @@ struct Sentence {
   Telling at;
 
   std::string operator()(const Stopped& stop) const {
-    return stop.reason == StopReason::no_extent ? timing_stop_sentence(stop) : rows_stop_sentence(stop, at);
+    if (stop.reason == StopReason::no_extent) return timing_stop_sentence(stop);
+    return at.place.stage == Stage::tubes ? tubes_stop_sentence(stop) : rows_stop_sentence(stop, at);
   }
   std::string operator()(const auto& event) const { return event.sentence(at); }
 };
@@ -24,7 +25,7 @@ std::string narrate(const Step& step, const Parameters& parameters) {
 }
 
 std::string_view work_ahead(const State& state) {
-  if (std::holds_alternative<ContourWork>(state.work)) return "cutting the surface";
+  if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return work_ahead(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr ? work_ahead(*timing) : "working";
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/ring.h"
 #include "knit/model/shared.h"
 
 namespace knit {
@@ -109,19 +110,6 @@ struct Timing {
 
 // --- what rows stand on
 // -------------------------------------------------------------------------------------------------
-
-enum class OrderedBy : std::uint8_t { angle, edges, cut };
-
-// A closed polyline in working order from where rounds begin: a level's vertices, or a cut through edges.
-struct Ring {
-  std::vector<VertexId> vertices;  // one a point, copies of the first come last; empty for a cut
-  std::vector<glm::dvec3> points;
-  std::vector<double> arc;  // of each point, along the polyline from the first; rising, within [0, length]
-  double length = 0.0;      // of the closed polyline
-  OrderedBy ordered_by = OrderedBy::angle;
-  [[nodiscard]] auto fields() const { return std::tie(vertices, points, arc, length, ordered_by); }
-  friend bool operator==(const Ring&, const Ring&) = default;
-};
 
 // The surface cut at one time.
 struct Cut {

@@ -22,6 +22,10 @@ struct Axis {
 };
 
 enum class TimingKind : std::uint8_t { linear, arc_length, geodesic, harmonic };
+// Of the field, before its level sets are followed from contour to contour. by_itself: where they form more than one tube.
+enum class Smoothing : std::uint8_t { by_itself, off, on };
+// follow: on the wale that the round below begins on. direction: all on one side.
+enum class RoundStart : std::uint8_t { follow, direction };
 enum class RowSource : std::uint8_t { rings, contours };  // the mesh's own vertices, or cuts through edges
 enum class Metric : std::uint8_t { euclidean, arc, geodesic };  // the ruler of Algorithm 2
 enum class SizesFrom : std::uint8_t { mesh, gauge };      // which view of the stitch size is the given one
@@ -87,8 +91,16 @@ struct WidthShare {
   }
 };
 
+struct TubeSettings {
+  Smoothing smoothing = Smoothing::by_itself;
+  double smoothing_length = 1.0;  // in stitch heights
+  int smallest_limb = 1;          // rows
+  friend bool operator==(const TubeSettings&, const TubeSettings&) = default;
+};
+
 struct RowsSettings {
   RowSource source = RowSource::rings;
+  RoundStart round_start = RoundStart::follow;
   std::optional<glm::dvec3> start_direction;  // where rounds begin, any length but zero; none: -z, or -x
   int cast_on = 0;                            // 0: 6 for rings, as the length says for contours
   Metric metric = Metric::euclidean;
@@ -112,6 +124,7 @@ struct Settings {
   MeshSettings mesh;
   TimingSettings timing;
   SizeSettings size;
+  TubeSettings tubes;
   RowsSettings rows;
   StitchSettings stitches;
   friend bool operator==(const Settings&, const Settings&) = default;

@@ -26,6 +26,7 @@ constexpr Choice choice(std::span<const std::string_view> names) {
 }
 
 bool is_of_rings(const Parameters& p) { return p.rows.source == RowSource::rings; }
+bool is_of_contours(const Parameters& p) { return p.rows.source == RowSource::contours; }
 bool is_of_nearest(const Parameters& p) { return p.stitches.placement == PlacementPolicy::nearest; }
 
 // The views of the stitch size, and what goes with it.
@@ -36,6 +37,8 @@ constexpr Access<Gauge> gauge{[](const Parameters& p) { return p.stitch.gauge; }
 constexpr Access<double> epsilon{[](const Parameters& p) { return p.epsilon(); }, give_epsilon};
 
 constexpr std::array<std::string_view, 4> timing_names{"linear", "arc-length", "geodesic", "harmonic"};
+constexpr std::array<std::string_view, 3> smoothing_names{"auto", "off", "on"};
+constexpr std::array<std::string_view, 2> round_start_names{"follow", "direction"};
 constexpr std::array<std::string_view, 2> source_names{"rings", "contours"};
 constexpr std::array<std::string_view, 3> metric_names{"euclidean", "arc", "geodesic"};
 constexpr std::array<std::string_view, 2> sizes_names{"mesh", "gauge"};
@@ -92,12 +95,12 @@ constexpr std::array table{
     ParameterInfo{keys::stitch_width, "Stitch width w", "mesh units",
                   "How wide a stitch is: the distance that Algorithm 2 looks for between neighbouring "
                   "stitches, and what the length of a contour is divided by.",
-                  "Stitch size", Stage::cast_on, Number{{stitch_width}, 0.0, no_limit}, nullptr,
-                  Tie::mesh_view, "3 % of the bounding box's diagonal"},
+                  "Stitch size", Stage::tubes, Number{{stitch_width}, 0.0, no_limit}, nullptr, Tie::mesh_view,
+                  "3 % of the bounding box's diagonal"},
     ParameterInfo{"stitch-height", "Stitch height h", "mesh units",
                   "How high a row is: contours lie this far apart on the surface. auto: 0.72 of the width. "
                   "Rings lie where the mesh has them; there it only judges.",
-                  "Stitch size", Stage::cast_on, Number{{stitch_height}, 0.0, no_limit, Zero::means_auto},
+                  "Stitch size", Stage::tubes, Number{{stitch_height}, 0.0, no_limit, Zero::means_auto},
                   nullptr, Tie::mesh_view},
     ParameterInfo{keys::gauge, "Gauge", "stitches, rounds in 10 cm",
                   "What a swatch of the yarn counts in 10 cm: stitches across and rounds up, as 22,32.",
@@ -107,19 +110,39 @@ constexpr std::array table{
                   "How high the finished object shall be along the axis; it ties centimetres to mesh units.",
                   "Stitch size", Stage::done,
                   Number{field<&Settings::size, &SizeSettings::height_cm>(), 0.0, 10000.0}},
+    ParameterInfo{"field-smoothing", "Smooth the time", "",
+                  "Whether the time is smoothed before its level sets are followed, so that what is smaller "
+                  "than a stitch "
+                  "makes no tube. auto: where there is more than one tube.",
+                  "Tubes", Stage::tubes, choice<&Settings::tubes, &TubeSettings::smoothing>(smoothing_names),
+                  is_of_contours},
+    ParameterInfo{"smoothing-length", "Smoothing length", "stitch heights",
+                  "Over how many stitch heights the time is smoothed.", "Tubes", Stage::tubes,
+                  Number{field<&Settings::tubes, &TubeSettings::smoothing_length>(), 0.0, 10.0},
+                  is_of_contours},
+    ParameterInfo{"smallest-limb", "Smallest limb", "rounds",
+                  "A limb lower than this is left out. More makes a tidier pattern and a rougher shape.",
+                  "Tubes", Stage::tubes,
+                  Count{field<&Settings::tubes, &TubeSettings::smallest_limb>(), 1, 20}, is_of_contours},
     ParameterInfo{
         keys::rows,
         "Rows from",
         "",
         "rings: Algorithm 2 picks stitches from the mesh's own vertices. contours: the surface is cut "
-        "at equal steps of time, and stitches stand at equal arcs along each cut.",
+        "at equal heights, tube by tube, and stitches stand at equal arcs along each cut: any shape.",
         "Rows",
-        Stage::cast_on,
+        Stage::timing,
         choice<&Settings::rows, &RowsSettings::source>(source_names),
         nullptr,
         Tie::none,
         {},
         "Rows have begun from {} already; set where they come from for the whole run, not from here."},
+    ParameterInfo{"round-start", "Rounds begin on", "",
+                  "follow: on the wale that the round below begins on, wherever the wales are shortest. "
+                  "direction: all on "
+                  "one side.",
+                  "Rows", Stage::cast_on,
+                  choice<&Settings::rows, &RowsSettings::round_start>(round_start_names), is_of_contours},
     ParameterInfo{
         "start-direction", "Rounds begin at", "",
         "The side on which every round begins: a direction X,Y,Z across the axis, or auto for -z (-x "

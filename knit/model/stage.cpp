@@ -3,7 +3,7 @@
 namespace knit {
 
 namespace {
-constexpr std::array<std::string_view, 8> stage_names{"import",   "timing", "cast-on", "rows",
+constexpr std::array<std::string_view, 9> stage_names{"import",   "timing", "tubes",   "cast-on", "rows",
                                                       "stitches", "faces",  "pattern", "done"};
 }
 

@@ -16,6 +16,8 @@ std::string_view name_of(StopReason reason) {
       return "stall";
     case StopReason::changes_too_much:
       return "changes too much";
+    case StopReason::too_many_tubes:
+      return "too many tubes";
     case StopReason::too_fine:
       return "too fine";
   }

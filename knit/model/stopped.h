@@ -15,6 +15,7 @@ enum class StopReason : std::uint8_t {
   splits,            // the level set falls into several loops
   stall,             // nothing in the band, and the person asked to stop
   changes_too_much,  // more than double or less than half, and resampling is off
+  too_many_tubes,    // the level sets fall into more tubes than a shape has
   too_fine,          // more rows or stitches than can be held
 };
 std::string_view name_of(StopReason reason);  // "no extent"

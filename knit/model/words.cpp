@@ -59,6 +59,13 @@ std::string plural(std::int64_t count, std::string_view one, std::string_view ma
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
 std::string stitch_count_text(std::int64_t count) { return plural(count, "stitch", "stitches"); }
+std::string tube_name(std::int32_t tube) {
+  std::string name;
+  for (std::int32_t left = tube; left >= 0; left = left / 26 - 1)
+    name.insert(name.begin(), static_cast<char>('A' + left % 26));
+  return name;
+}
+
 std::string vertex_text(VertexId vertex) { return "vertex " + std::to_string(vertex); }
 
 }  // namespace knit

@@ -41,6 +41,10 @@ std::string instruction_text(const WrittenPattern::Instruction& instruction) {
   return instruction.round ? instruction.round->text() : instruction.remark;
 }
 
+bool is_heading(const WrittenPattern::Instruction& instruction) {
+  return !instruction.round && instruction.kind == WrittenPattern::Instruction::Kind::heading;
+}
+
 std::string explained(const std::pair<std::string, std::string>& abbreviation) {
   return abbreviation.first + ": " + abbreviation.second;
 }
@@ -76,6 +80,7 @@ std::string pattern_as_text(const WrittenPattern& pattern) {
   heading("INSTRUCTIONS");
   text += wrapped(pattern.start);
   for (const auto& instruction : pattern.instructions) {
+    if (is_heading(instruction)) text += "\n";
     text += instruction.round ? instruction_text(instruction) + "\n" : wrapped(instruction.remark);
   }
   heading("FINISHING");
@@ -101,6 +106,7 @@ std::string pattern_as_markdown(const WrittenPattern& pattern) {
   heading("Instructions");
   text += pattern.start + "\n\n";
   for (const auto& instruction : pattern.instructions) {
+    if (is_heading(instruction)) text += "### ";
     text += instruction_text(instruction) + "\n\n";
   }
   text.pop_back();

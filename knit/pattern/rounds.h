@@ -27,7 +27,7 @@ struct Rounds {
   friend bool operator==(const Rounds&, const Rounds&) = default;
 };
 
-// Of the joins that are there. Requires at least one row.
+// Of the joins that are there. Requires at least one row, and a single chain of them: else there are pieces (pieces.h).
 Rounds rounds_of(const State& state);
 
 // One stitch and what it was worked from: stitches `first`, `first` + 1 ... of the row below, `count` of them.
@@ -43,7 +43,7 @@ struct KnitGraph {
   friend bool operator==(const KnitGraph&, const KnitGraph&) = default;
 };
 
-// Read off labels and links, without the operations: what a written pattern must lead back to.
+// Read off labels and links, without the operations: what a written pattern must lead back to. Of a single chain of rows.
 KnitGraph graph_of(const State& state);
 
 // Works the operations on live stitches. Requires that every round consumes exactly what is there.

@@ -20,6 +20,7 @@
 
 #include "knit/model/settings.h"
 #include "knit/pattern/fold.h"
+#include "knit/pattern/pieces.h"
 #include "knit/pattern/rounds.h"
 
 namespace knit {
@@ -45,6 +46,8 @@ struct PatternSizes {
   int weight_class = 3;  // Craft Yarn Council, 0 Lace to 7 Jumbo
 };
 PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge);
+// Length and height are not known, and 0: they depend on how the pieces lie.
+PatternSizes sizes_of(const Pieces& pieces, const Gauge& gauge);
 
 // Up to so many stitches are drawn together with the yarn's end, at the cast on too; more are bound off, or
 // stay open.
@@ -61,6 +64,8 @@ struct RoundLine {
   std::int32_t first = 1, last = 1;
   std::string words;          // "[K4, m1l] 6 times", without label, stop and count
   std::int32_t stitches = 0;  // afterwards
+  // Of the fabric, that come before round 1: rounds of a piece are numbered from 1.
+  std::int32_t rows_before = 0;
   [[nodiscard]] std::string text() const;
 };
 
@@ -71,16 +76,24 @@ struct WrittenPattern {
   std::string gauge;
   std::vector<std::pair<std::string, std::string>> abbreviations;  // only those used
   std::vector<std::string> notes;
-  std::string start;  // "Using double-pointed needles, CO 6 sts. Join ... Place marker."
+  // "Using double-pointed needles, CO 6 sts. Join ... Place marker." Of pieces: that they follow.
+  std::string start;
   struct Instruction {
-    std::optional<RoundLine> round;  // or else a remark: stuffing, and last how the end is closed
+    // remark: stuffing, and last how the end is closed. heading: of a piece. step: how a piece begins, done like a round.
+    enum class Kind : std::uint8_t { remark, heading, step };
+    std::optional<RoundLine> round;  // or else words
     std::string remark;
+    Kind kind = Kind::remark;
+    std::int32_t row = 0;  // of the fabric, that a step casts on; 0: none
   };
   std::vector<Instruction> instructions;
   std::vector<std::string> finishing;
+  bool in_pieces = false;  // each has a heading among the instructions
 };
 
 WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
+                             const std::string& mesh_name);
+WrittenPattern write_pattern(const Pieces& pieces, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name);
 
 // Lines of at most 100 columns, but a round is always one line. No line begins like a round but the rounds.

@@ -19,13 +19,15 @@ struct Surface {
 Surface knit_surface(const State& state) {
   Surface surface;
   surface.positions = knitting_path(state.fabric);
-  for (const auto& strip : state.fabric.strips()) {
-    for (const Face& face : strip->faces) {
+  const auto add = [&](const std::vector<Face>& faces) {
+    for (const Face& face : faces) {
       const auto& c = face.corners;
       surface.triangles.push_back({c[0], c[1], c[2]});
       if (face.corner_count == 4) surface.triangles.push_back({c[0], c[2], c[3]});
     }
-  }
+  };
+  for (const auto& strip : state.fabric.strips()) add(strip->faces);
+  for (const auto& deal : state.fabric.deals()) add(deal->faces);
   return surface;
 }
 
@@ -51,6 +53,9 @@ std::vector<glm::dvec3> knit_samples(const State& state, const std::vector<glm::
       samples.push_back((path[lower] + path[upper]) * 0.5);
     }
     for (const Face& face : strip->faces) append_samples(samples, face, path);
+  }
+  for (const auto& deal : state.fabric.deals()) {
+    for (const Face& face : deal->faces) append_samples(samples, face, path);
   }
   return samples;
 }

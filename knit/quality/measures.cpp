@@ -40,6 +40,10 @@ LengthFigures wale_figures(const State& state) {
     for (const auto& [lower, upper] : strip->column_edges)
       lengths.push_back(glm::distance(path[lower], path[upper]));
   }
+  for (const auto& deal : state.fabric.deals()) {
+    for (const auto& [lower, upper] : deal->column_edges)
+      lengths.push_back(glm::distance(path[lower], path[upper]));
+  }
   return figures_of(lengths);
 }
 
@@ -55,9 +59,11 @@ ShapingFigures shaping_figures(const State& state) {
 
 FaceCounts count_faces(const State& state) {
   FaceCounts counts;
-  for (const auto& strip : state.fabric.strips()) {
-    for (const Face& face : strip->faces) ++(face.corner_count == 4 ? counts.quads : counts.triangles);
-  }
+  const auto add = [&](const std::vector<Face>& faces) {
+    for (const Face& face : faces) ++(face.corner_count == 4 ? counts.quads : counts.triangles);
+  };
+  for (const auto& strip : state.fabric.strips()) add(strip->faces);
+  for (const auto& deal : state.fabric.deals()) add(deal->faces);
   return counts;
 }
 
@@ -67,6 +73,7 @@ std::int64_t euler_characteristic(const State& state) {
   for (const auto& row : state.fabric.rows()) edges += static_cast<std::int64_t>(edges_of(*row).size());
   for (const auto& strip : state.fabric.strips())
     edges += static_cast<std::int64_t>(strip->column_edges.size());
+  for (const auto& deal : state.fabric.deals()) edges += static_cast<std::int64_t>(edge_count(*deal));
   const FaceCounts faces = count_faces(state);
   return vertices - edges + static_cast<std::int64_t>(faces.quads + faces.triangles);
 }

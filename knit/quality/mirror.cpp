@@ -16,7 +16,8 @@ struct Plane {
 };
 
 std::optional<Plane> mirror_plane(const Input& input, const State& state) {
-  if (!state.timing || state.fabric.empty()) return std::nullopt;
+  // Of one tube: what branches has its mirror image in another tube.
+  if (!state.timing || state.fabric.empty() || !state.fabric.deals().empty()) return std::nullopt;
   const auto largest =
       std::max_element(state.fabric.rows().begin(), state.fabric.rows().end(),
                        [](const auto& a, const auto& b) { return a->stitches.size() < b->stitches.size(); });

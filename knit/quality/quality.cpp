@@ -30,11 +30,18 @@ struct Stop {
 // The stitches along the knitting path.
 std::vector<Stop> stops_of(const State& state) {
   std::vector<Stop> stops;
+  std::size_t deal = 0;
+  const auto& deals = state.fabric.deals();
   for (const auto& row : state.fabric.rows()) {
     const std::size_t n = row->stitches.size();
     for (std::size_t i = 0; i < n; ++i) {
       const glm::dvec3 along = after(*row, i).position - before(*row, i).position;
       stops.push_back({row->stitches[i].position, unit(along), n});
+    }
+    // A bridge stands in no row; it is short.
+    for (; deal < deals.size() && deals[deal]->after == row->id; ++deal) {
+      for (const Stitch& stitch : deals[deal]->bridge)
+        stops.push_back({stitch.position, glm::dvec3(0.0), deals[deal]->bridge.size()});
     }
   }
   return stops;
@@ -73,8 +80,8 @@ double along_rows(const Stop& lower, const Stop& upper) {
 
 void measure_wales(Quality& quality, const State& state, const std::vector<Stop>& stops) {
   std::vector<double> lengths;
-  for (const auto& strip : state.fabric.strips()) {
-    for (const auto& [p, q] : strip->column_edges) {
+  const auto measure = [&](const std::vector<std::array<std::uint32_t, 2>>& column_edges) {
+    for (const auto& [p, q] : column_edges) {
       const Stop& lower = stops[p];
       const Stop& upper = stops[q];
       lengths.push_back(glm::distance(lower.position, upper.position) / quality.stitch_height);
@@ -84,7 +91,9 @@ void measure_wales(Quality& quality, const State& state, const std::vector<Stop>
         quality.long_offset = std::max(quality.long_offset, offset);
       }
     }
-  }
+  };
+  for (const auto& strip : state.fabric.strips()) measure(strip->column_edges);
+  for (const auto& deal : state.fabric.deals()) measure(deal->column_edges);
   quality.wale = spread_of(lengths, 0.0, 2.0, 40);
 }
 
@@ -124,7 +133,7 @@ double regular_share(const State& state, std::size_t stitches) {
     all += up[i] > 0 && down[i] > 0 ? 1 : 0;
     regular += up[i] == 1 && down[i] == 1 ? 1 : 0;
   }
-  return static_cast<double>(regular) / static_cast<double>(all);
+  return all > 0 ? static_cast<double>(regular) / static_cast<double>(all) : 0.0;
 }
 
 Histogram histogram_of(std::span<const double> values, double low, double high, std::size_t bins) {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "knit/model/ties.h"
-#include "knit/rows/ring.h"
+#include "knit/rows/follow.h"
 
 namespace knit {
 
@@ -112,70 +112,15 @@ std::vector<glm::dvec3> points_on(const Input& input, const std::vector<double>&
   return points;
 }
 
-glm::dvec3 centre_of(const std::vector<glm::dvec3>& points) {
-  glm::dvec3 sum(0.0);
-  double length = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3& next = points[(i + 1) % points.size()];
-    const double step = glm::distance(points[i], next);
-    sum += step * 0.5 * (points[i] + next);
-    length += step;
-  }
-  return length > 0.0 ? sum / length : points.front();
-}
-
-// A place on the loop: after point `segment`, a share of the way to the next.
-struct Start {
-  std::size_t segment = 0;
-  glm::dvec3 point{0.0};
-};
-
-Start find_start(const std::vector<glm::dvec3>& points, const RowFrame& frame, const glm::dvec3& centre,
-                 const std::optional<glm::dvec3>& below) {
-  std::optional<Start> best;
-  double best_rank = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::dvec3& a = points[i];
-    const glm::dvec3& b = points[(i + 1) % points.size()];
-    const double from = glm::dot(a - centre, frame.ahead);
-    const double to = glm::dot(b - centre, frame.ahead);
-    if ((from < 0.0) == (to < 0.0)) continue;
-    const glm::dvec3 point = a + (from / (from - to)) * (b - a);
-    const double out = glm::dot(point - centre, frame.right);
-    if (out <= 0.0) continue;
-    const double rank = below ? glm::distance(point, *below) : -out;
-    if (best && !clearly_less(rank, best_rank, out)) continue;
-    best = Start{i, point};
-    best_rank = rank;
-  }
-  if (best) return *best;
-  // The loop does not go round its centre there: the point farthest on that side.
-  std::size_t farthest = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (clearly_less(glm::dot(points[farthest] - centre, frame.right),
-                     glm::dot(points[i] - centre, frame.right), glm::distance(points[i], centre)))
-      farthest = i;
-  }
-  return {farthest, points[farthest]};
-}
-
 Ring ring_from(std::vector<glm::dvec3> points, const RowFrame& frame,
                const std::optional<glm::dvec3>& below) {
-  const glm::dvec3 centre = centre_of(points);
-  if (runs_backwards(points, frame, centre)) std::reverse(points.begin(), points.end());
-  const Start start = find_start(points, frame, centre, below);
-  const auto after = static_cast<std::ptrdiff_t>((start.segment + 1) % points.size());
-  std::rotate(points.begin(), points.begin() + after, points.end());
   Ring ring;
   ring.ordered_by = OrderedBy::cut;
-  if (points.front() != start.point && points.back() != start.point) ring.points.push_back(start.point);
-  if (points.back() == start.point) {
-    ring.points.push_back(start.point);
-    points.pop_back();
-  }
-  ring.points.insert(ring.points.end(), points.begin(), points.end());
+  ring.points = std::move(points);
+  if (runs_backwards(ring.points, frame, centre_of(ring)))
+    std::reverse(ring.points.begin(), ring.points.end());
   measure_arcs(ring);
-  return ring;
+  return begun_at(ring, arc_towards(ring, frame, below));
 }
 
 }  // namespace

@@ -5,22 +5,32 @@
 #include <string_view>
 #include <variant>
 
+#include "knit/fabric/deal.h"
 #include "knit/model/event.h"
 
 namespace knit {
 
-struct RowsPlanned {
-  static constexpr std::string_view kind = "rows-planned";
-  std::int32_t rows, passed_over;
-  double height, row_height, stitch_height;  // still to go along the surface; of a row; what was asked
+struct TubeTaken {
+  static constexpr std::string_view kind = "tube-taken";
+  std::int32_t tube, rows, live;  // live: stitches that it is worked on; 0: it is cast on
+  float height, spacing;          // of the tube; from row to row
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
-  friend bool operator==(const RowsPlanned&, const RowsPlanned&) = default;
+  friend bool operator==(const TubeTaken&, const TubeTaken&) = default;
+};
+
+struct RowsReplanned {
+  static constexpr std::string_view kind = "rows-replanned";
+  std::int32_t rows;            // still to come, in all tubes
+  double width, stitch_height;  // that they are planned for now
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const RowsReplanned&, const RowsReplanned&) = default;
 };
 
 struct CutFound {
   static constexpr std::string_view kind = "cut-found";
-  std::int32_t level, edges, loops;
+  std::int32_t tube, level;  // level: of the tube's rows, from 0
   double time;
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
@@ -62,6 +72,15 @@ struct CountChosen {
   friend bool operator==(const CountChosen&, const CountChosen&) = default;
 };
 
+struct RoundBegun {
+  static constexpr std::string_view kind = "round-begun";
+  std::int32_t passes;               // 0: it begins on the chosen side, or anywhere
+  double arc, slid, sum_of_squares;  // along the curve; how far it was moved; of the wales in stitch heights
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const RoundBegun&, const RoundBegun&) = default;
+};
+
 struct StitchPlaced {
   static constexpr std::string_view kind = "stitch-placed";
   std::int32_t stitch, of;
@@ -71,7 +90,39 @@ struct StitchPlaced {
   friend bool operator==(const StitchPlaced&, const StitchPlaced&) = default;
 };
 
-using ContourEvent =
-    std::variant<RowsPlanned, CutFound, LoopClosed, LengthMeasured, CountChosen, StitchPlaced>;
+// --- deals, between a tube and the next
+
+struct GapsFound {
+  static constexpr std::string_view kind = "gaps-found";
+  DealKind deal;
+  VertexId vertex;        // of the saddle
+  std::int32_t tried;     // arcs; join: gaps
+  std::int32_t one, two;  // stitches of the two sides
+  float gap;              // across the saddle, in stitch widths
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const GapsFound&, const GapsFound&) = default;
+};
+
+struct BridgeCastOn {
+  static constexpr std::string_view kind = "bridge-cast-on";
+  std::int32_t stitch, of;
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const BridgeCastOn&, const BridgeCastOn&) = default;
+};
+
+struct LoopsDealt {
+  static constexpr std::string_view kind = "loops-dealt";
+  DealKind deal;
+  std::int32_t one, two, whole, bridge;  // stitches of the two loops, and of the one
+  std::int32_t held;                     // loops that wait on holders now
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const LoopsDealt&, const LoopsDealt&) = default;
+};
+
+using ContourEvent = std::variant<TubeTaken, RowsReplanned, CutFound, LoopClosed, LengthMeasured, CountChosen,
+                                  RoundBegun, StitchPlaced, GapsFound, BridgeCastOn, LoopsDealt>;
 
 }  // namespace knit

@@ -1,113 +1,297 @@
 #include "knit/rows/contour_stage.h"
 
+#include <algorithm>
 #include <utility>
-#include <variant>
 
+#include "knit/model/bug.h"
 #include "knit/rows/contour_rows.h"
-#include "knit/rows/ring.h"
+#include "knit/rows/dealing.h"
+#include "knit/rows/follow.h"
+#include "knit/rows/frame.h"
+#include "knit/timing/heights.h"
 
 namespace knit {
 
 namespace {
 
-const Cut& cut_at_hand(const ContourWork& work) {
-  return work.plan->cuts[static_cast<std::size_t>(work.cut)];
-}
-const Ring& ring_at_hand(const ContourWork& work) { return *cut_at_hand(work).loops.front(); }
-
-Advanced<ContourEvent> plan(const Input& input, const RowsSettings& rows, const StitchSize& stitch,
-                            const ContourRow& at, ContourWork& work) {
-  auto planned = plan_cuts(input, at.timing, rows, stitch, at.from);
-  if (const auto* stopped = std::get_if<Stopped>(&planned)) return *stopped;
-  work.plan = Shared(std::get<CutPlan>(std::move(planned)));
-  work.cut = 0;
-  work.phase = ContourPhase::cut;
-  const CutPlan& cuts = *work.plan;
-  const RowsPlanned step{static_cast<std::int32_t>(cuts.cuts.size()), cuts.passed_over, cuts.height,
-                         cuts.row_height, cuts.stitch_height};
-  return {step, cuts.cuts.empty() ? Ended::stage : Ended::step};
+const Tube& tube_in_work(const ContourAt& at, const ContourWork& work) {
+  return at.plan.tube(current_tube(at.plan, work));
 }
 
-CutFound find_cut(ContourWork& work) {
-  const Cut& cut = cut_at_hand(work);
-  work.phase = ContourPhase::loop;
-  return {work.cut, cut.edges, static_cast<std::int32_t>(cut.loops.size()), cut.time};
+// --- what comes next -----------------------------------------------------------------------------------------
+
+// Whether the tube has been taken up and all its rows are made.
+bool is_done(const ContourAt& at, const ContourWork& work, TubeId tube) {
+  const auto& order = at.plan.order;
+  const auto end = order.begin() + work.taken;
+  const auto found = std::find(order.begin(), end, tube);
+  if (found == end) return false;
+  return found + 1 != end || work.row == at.plan.tube(tube).rows();
 }
 
-Advanced<ContourEvent> close_loop(std::int32_t row, ContourWork& work) {
-  const Cut& cut = cut_at_hand(work);
-  if (const auto& split = work.plan->split; split && split->level == work.cut) {
-    return Stopped{StopReason::splits, split->cause, work.cut, split->loops, row,
-                   split->vertex,      split->time,  cut.time};
+bool has_row(const Fabric& fabric, TubeId tube) {
+  return std::any_of(fabric.rows().begin(), fabric.rows().end(),
+                     [&](const auto& row) { return row->tube == tube; });
+}
+
+bool is_deal(const TubeEvent& event) {
+  return event.kind != EventKind::cast_on && event.kind != EventKind::bind_off;
+}
+
+bool can_be_dealt(const ContourAt& at, const ContourWork& work, const TubeEvent& event) {
+  if (event.kind == EventKind::ring_cast_on)
+    return std::all_of(event.above.begin(), event.above.end(),
+                       [&](TubeId tube) { return has_row(at.fabric, tube); });
+  return std::all_of(event.below.begin(), event.below.end(),
+                     [&](TubeId tube) { return is_done(at, work, tube); });
+}
+
+// The first event that can be dealt now and is not; -1: none.
+std::int32_t next_deal(const ContourAt& at, const ContourWork& work) {
+  for (std::size_t i = 0; i < at.plan.events.size(); ++i) {
+    const bool dealt = i < work.dealt.size() && work.dealt[i] != 0;
+    if (!dealt && is_deal(at.plan.events[i]) && can_be_dealt(at, work, at.plan.events[i]))
+      return static_cast<std::int32_t>(i);
   }
-  // Where the surface is pinched to a point there is nothing to go round.
-  if (cut.loops.empty())
-    return Stopped{StopReason::not_a_ring, {}, work.cut, cut.edges, 0, no_vertex, 0.0, cut.time};
-  work.phase = ContourPhase::measure;
-  return LoopClosed{static_cast<std::int32_t>(ring_at_hand(work).points.size())};
+  return -1;
 }
 
-LengthMeasured measure(const StitchSize& stitch, ContourWork& work) {
+bool all_is_dealt(const ContourAt& at, const ContourWork& work) {
+  for (std::size_t i = 0; i < at.plan.events.size(); ++i) {
+    if (is_deal(at.plan.events[i]) && (i >= work.dealt.size() || work.dealt[i] == 0)) return false;
+  }
+  return true;
+}
+
+// Whether a tube without a row is left in the order; it makes no step that a stage could end with.
+bool nothing_follows(const ContourAt& at, const ContourWork& work) {
+  return work.taken == static_cast<std::int32_t>(at.plan.order.size()) && all_is_dealt(at, work);
+}
+
+// --- deals ---------------------------------------------------------------------------------------------------
+
+std::size_t brings_yarn(const ContourAt& at, const TubeEvent& event) {
+  const auto place = [&](TubeId tube) { return std::find(at.plan.order.begin(), at.plan.order.end(), tube); };
+  return place(event.below[0]) > place(event.below[1]) ? 0 : 1;
+}
+
+Advanced<ContourEvent> find_gaps(const ContourAt& at, const StitchSize& stitch, std::int32_t event,
+                                 ContourWork& work) {
+  const DealAt deal_at{at.input, at.plan, at.fabric, event, stitch.width};
+  const TubeEvent& what = at.plan.event(event);
+  std::int64_t tried = 0;
+  Deal deal;
+  if (what.kind == EventKind::split) {
+    const std::vector<Stitch> loop = at.fabric.stitches_of(at.fabric.live(what.below.front()));
+    const ArcFound arc = find_arc(
+        loop, {&*at.plan.tube(what.above[0]).lowest, &*at.plan.tube(what.above[1]).lowest}, what.position);
+    deal = deal_split(deal_at, arc);
+    tried = arc.tried;
+  } else if (what.kind == EventKind::join) {
+    deal = deal_join(deal_at, brings_yarn(at, what));
+    tried = deal.arcs[0] + deal.arcs[1];
+  } else {
+    deal = deal_ring(deal_at);
+  }
+  const GapsFound step{
+      deal.kind,    what.vertex,  static_cast<std::int32_t>(std::min<std::int64_t>(tried, INT32_MAX)),
+      deal.arcs[0], deal.arcs[1], static_cast<float>(deal.gap / stitch.width)};
+  work.phase = deal.bridge.empty() ? ContourPhase::give : ContourPhase::bridge;
+  work.deal = Shared(std::move(deal));
+  work.bridged = 0;
+  return step;
+}
+
+BridgeCastOn cast_on_bridge(ContourWork& work) {
+  const auto stitches = static_cast<std::int32_t>(work.deal->bridge.size());
+  ++work.bridged;
+  if (work.bridged == stitches) work.phase = ContourPhase::give;
+  return {work.bridged, stitches};
+}
+
+Advanced<ContourEvent> give_loops(const ContourAt& at, ContourWork& work, std::optional<Deal>& made) {
+  const Deal& deal = *work.deal;
+  const bool split = deal.kind == DealKind::split;
+  const auto& loops = split ? deal.given : deal.taken;
+  LoopsDealt step{
+      deal.kind, loops[0].size(), loops[1].size(), 0, static_cast<std::int32_t>(deal.bridge.size()), 0};
+  if (split) step.whole = deal.taken.front().size();
+  if (deal.kind == DealKind::join) step.whole = deal.given.front().size();
+  const auto live = static_cast<std::int32_t>(at.fabric.live().size());
+  const std::int32_t change =
+      deal.kind == DealKind::ring_cast_on
+          ? 0
+          : static_cast<std::int32_t>(deal.to.size()) - static_cast<std::int32_t>(deal.from.size());
+  step.held = std::max(0, live + change - 1);
+  work.dealt.resize(at.plan.events.size(), 0);
+  work.dealt[static_cast<std::size_t>(deal.event)] = 1;
+  made = deal;
+  work.deal = {};
+  work.phase = ContourPhase::take;
+  return {step, nothing_follows(at, work) ? Ended::stage : Ended::step};
+}
+
+// --- rows ----------------------------------------------------------------------------------------------------
+
+CutFound find_cut(const ContourAt& at, ContourWork& work) {
+  const Tube& tube = tube_in_work(at, work);
+  work.phase = ContourPhase::loop;
+  return {current_tube(at.plan, work), work.row, tube.values[static_cast<std::size_t>(work.row)]};
+}
+
+Advanced<ContourEvent> take_tube(const ContourAt& at, ContourWork& work) {
+  if (work.taken == static_cast<std::int32_t>(at.plan.order.size()))
+    throw Bug("no tube is left, and no deal");
+  ++work.taken;
+  work.row = 0;
+  const TubeId id = current_tube(at.plan, work);
+  const Tube& tube = at.plan.tube(id);
+  work.phase = tube.rows() > 0 ? ContourPhase::cut : ContourPhase::take;
+  const TubeTaken step{id, tube.rows(), at.fabric.live(id).size(), static_cast<float>(tube.height),
+                       static_cast<float>(tube.spacing)};
+  return {step, tube.rows() == 0 && nothing_follows(at, work) ? Ended::stage : Ended::step};
+}
+
+// The stitch was changed on the way: what is left is planned for it.
+Advanced<ContourEvent> replan(const StitchSize& stitch, const ContourAt& at, ContourWork& work,
+                              std::optional<TubePlan>& plan) {
+  std::vector<std::int32_t> made(at.plan.tubes.size(), 0);
+  for (const auto& row : at.fabric.rows()) ++made[static_cast<std::size_t>(row->tube)];
+  plan = replan_rows(at.graph, at.plan, {stitch.width, stitch.height, 1}, made);
+  RowsReplanned step{0, stitch.width, stitch.height};
+  for (std::size_t id = 0; id < made.size(); ++id) step.rows += plan->tubes[id].rows() - made[id];
+  const ContourAt then{at.input, at.timing, at.graph, *plan, at.fabric};
+  return {step, step.rows == 0 && nothing_follows(then, work) ? Ended::stage : Ended::step};
+}
+
+// Between rows: deals first, then the next row of the tube, then the next tube.
+Advanced<ContourEvent> go_on(const StitchSize& stitch, const ContourAt& at, ContourWork& work,
+                             std::optional<TubePlan>& plan) {
+  if (at.plan.stitch_width != stitch.width || at.plan.stitch_height != stitch.height)
+    return replan(stitch, at, work, plan);
+  if (const std::int32_t event = next_deal(at, work); event >= 0) return find_gaps(at, stitch, event, work);
+  if (work.taken > 0 && work.row < tube_in_work(at, work).rows()) return find_cut(at, work);
+  return take_tube(at, work);
+}
+
+LoopClosed close_loop(const ContourAt& at, ContourWork& work) {
+  work.phase = ContourPhase::measure;
+  return {static_cast<std::int32_t>(current_curve(at.plan, work).points.size())};
+}
+
+LengthMeasured measure(const StitchSize& stitch, const ContourAt& at, ContourWork& work) {
   work.phase = ContourPhase::count;
-  const double length = ring_at_hand(work).length;
+  const double length = current_curve(at.plan, work).length;
   return {length, length / stitch.width};
 }
 
-CountChosen count(const RowsSettings& rows, const StitchSize& stitch, std::int32_t below, ContourWork& work) {
-  const ChosenCount chosen = choose_count(*work.plan, work.cut, below, rows, stitch);
+// What the first row of a ring's second tube stands against.
+std::int32_t across_the_ring(const ContourAt& at, TubeId tube) {
+  const TubeEvent& bottom = at.plan.event(at.plan.tube(tube).bottom);
+  if (bottom.kind != EventKind::ring_cast_on) return 0;
+  for (const auto& row : at.fabric.rows()) {
+    const bool other = row->tube != tube &&
+                       std::find(bottom.above.begin(), bottom.above.end(), row->tube) != bottom.above.end();
+    if (other) return size_of(*row);
+  }
+  return 0;
+}
+
+CountChosen count(const RowsSettings& rows, const StitchSize& stitch, const ContourAt& at,
+                  ContourWork& work) {
+  const TubeId id = current_tube(at.plan, work);
+  const Tube& tube = at.plan.tube(id);
+  std::int32_t below = at.fabric.live(id).size();
+  if (below == 0) below = across_the_ring(at, id);
+  const bool first = at.fabric.empty();
+  const auto lengths = std::span(tube.lengths).subspan(static_cast<std::size_t>(work.row));
+  const ChosenCount chosen = choose_count(lengths, below, stitch.width, first ? rows.cast_on : 0);
   work.count = chosen.count;
+  work.phase = ContourPhase::begin;
+  return {chosen.count, below, chosen.reason, chosen.ideal,
+          current_curve(at.plan, work).length / chosen.count};
+}
+
+RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const ContourAt& at,
+                       ContourWork& work) {
+  const Ring& curve = current_curve(at.plan, work);
+  const LiveStitches live = at.fabric.live(current_tube(at.plan, work));
+  RoundBegun step{0, 0.0, 0.0, 0.0};
+  if (!live.empty() && rows.round_start == RoundStart::follow) {
+    const BegunRound begun = follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0);
+    step = {begun.passes, begun.arc, begun.slid, begun.sum_of_squares / (stitch.height * stitch.height)};
+  } else {
+    const RowFrame frame = row_frame(at.timing.ends.direction, rows.start_direction);
+    std::optional<glm::dvec3> below;
+    if (!live.empty()) below = at.fabric.position(live.at(0));
+    step.arc = arc_towards(curve, frame, below);
+  }
+  work.curve = Shared(begun_at(curve, step.arc));
   work.phase = ContourPhase::place;
-  return {chosen.count, below, chosen.reason, chosen.ideal, ring_at_hand(work).length / chosen.count};
+  return step;
 }
 
-// True when no row follows.
-bool finish_row(const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
-  const Cut& cut = cut_at_hand(work);
-  row = Row{0, at.number, at.on, work.cut, cut.time, cut.loops.front(), std::move(work.stitches)};
-  ContourWork next;
-  next.phase = ContourPhase::cut;
-  next.plan = work.plan;
-  next.cut = work.cut + 1;
-  work = std::move(next);
-  return work.cut == static_cast<std::int32_t>(work.plan->cuts.size());
+// The tube's value as a time.
+double time_at(const Timing& timing, double value) {
+  return timing.retimed ? height_at(timing.scale, value) / timing.scale.total() : value;
 }
 
-Advanced<ContourEvent> place(const ContourRow& at, ContourWork& work, std::optional<Row>& row) {
+void finish_row(const ContourAt& at, ContourWork& work, std::optional<Row>& row) {
+  const TubeId id = current_tube(at.plan, work);
+  const double value = at.plan.tube(id).values[static_cast<std::size_t>(work.row)];
+  row = Row{id,         at.fabric.next_row(),    at.fabric.live(id), work.row, time_at(at.timing, value),
+            work.curve, std::move(work.stitches)};
+  work.stitches.clear();
+  work.curve = {};
+  work.count = 0;
+  ++work.row;
+  work.phase = ContourPhase::take;
+}
+
+Advanced<ContourEvent> place(const ContourAt& at, ContourWork& work, std::optional<Row>& row) {
   const auto placed = static_cast<std::int32_t>(work.stitches.size());
-  const Ring& ring = ring_at_hand(work);
-  const StitchPlaced step{placed + 1, work.count, ring.length * placed / work.count};
-  work.stitches.push_back({point_at(ring, step.arc), no_vertex});
+  const Ring& curve = *work.curve;
+  const StitchPlaced step{placed + 1, work.count, curve.length * placed / work.count};
+  work.stitches.push_back({point_at(curve, step.arc), no_vertex});
   if (step.stitch < step.of) return step;
-  return {step, finish_row(at, work, row) ? Ended::stage : Ended::row};
+  const bool last_of_tube = work.row + 1 == tube_in_work(at, work).rows();
+  finish_row(at, work, row);
+  return {step, last_of_tube && nothing_follows(at, work) ? Ended::stage : Ended::row};
 }
 
 }  // namespace
 
-Advanced<ContourEvent> advance_contours(const Input& input, const RowsSettings& rows,
-                                        const StitchSize& stitch, const ContourRow& at, ContourWork& work,
-                                        std::optional<Row>& row) {
+TubeId current_tube(const TubePlan& plan, const ContourWork& work) {
+  return work.taken > 0 ? plan.order[static_cast<std::size_t>(work.taken) - 1] : -1;
+}
+
+const Ring& current_curve(const TubePlan& plan, const ContourWork& work) {
+  return *plan.tube(current_tube(plan, work)).curves[static_cast<std::size_t>(work.row)];
+}
+
+Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const StitchSize& stitch,
+                                        const ContourAt& at, ContourWork& work, ContourMade made) {
   switch (work.phase) {
-    case ContourPhase::plan:
-      return plan(input, rows, stitch, at, work);
+    case ContourPhase::take:
+      return go_on(stitch, at, work, made.plan);
     case ContourPhase::cut:
-      // The stitch height may be edited on the way; then the rest of the surface is planned anew.
-      if (next_plans_cuts(stitch, work)) return plan(input, rows, stitch, at, work);
-      return find_cut(work);
+      return find_cut(at, work);
     case ContourPhase::loop:
-      return close_loop(at.number, work);
+      return close_loop(at, work);
     case ContourPhase::measure:
-      return measure(stitch, work);
+      return measure(stitch, at, work);
     case ContourPhase::count:
-      return count(rows, stitch, at.on.size(), work);
+      return count(rows, stitch, at, work);
+    case ContourPhase::begin:
+      return begin_round(rows, stitch, at, work);
+    case ContourPhase::bridge:
+      return cast_on_bridge(work);
+    case ContourPhase::give:
+      return give_loops(at, work, made.deal);
     case ContourPhase::place:
       break;
   }
-  return place(at, work, row);
-}
-
-bool next_plans_cuts(const StitchSize& stitch, const ContourWork& work) {
-  return work.phase == ContourPhase::plan ||
-         (work.phase == ContourPhase::cut && work.plan->stitch_height != stitch.height);
+  return place(at, work, made.row);
 }
 
 }  // namespace knit

@@ -1,46 +1,64 @@
-// Stages 2 and 3 with contours, one smallest step at a time: rows from cuts through the surface.
+// Stages 2 and 3 with contours, one smallest step at a time: tube after tube in working order, a row for each of its curves,
+// and between tubes the deals that their events make.
+//
+// A deal is done as soon as all loops that it takes are live, before the next tube is taken up; its steps count towards the
+// row to come.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "knit/fabric/row.h"
+#include "knit/fabric/fabric.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
 #include "knit/rows/contour_events.h"
+#include "knit/tubes/plan.h"
 
 namespace knit {
 
-enum class ContourPhase : std::uint8_t { plan, cut, loop, measure, count, place };
+enum class ContourPhase : std::uint8_t { take, cut, loop, measure, count, begin, place, bridge, give };
 struct ContourWork {
-  ContourPhase phase = ContourPhase::plan;
-  Shared<CutPlan> plan;
-  std::int32_t cut = 0;    // of plan->cuts: the current one
+  ContourPhase phase = ContourPhase::take;
+  std::int32_t taken =
+      0;                 // tubes of the plan's order that were taken up; the last of them is the current one
+  std::int32_t row = 0;  // of the current tube: the one in progress, from 0
   std::int32_t count = 0;  // of stitches, once chosen
+  Shared<Ring> curve;      // begun where the round begins
   std::vector<Stitch> stitches;
+  Shared<Deal> deal;                // in progress
+  std::int32_t bridged = 0;         // of its bridge
+  std::vector<std::uint8_t> dealt;  // per event of the plan, once there is one
   // Roughly, beside its own size.
-  [[nodiscard]] std::size_t copy_bytes() const { return stitches.size() * sizeof(Stitch); }
-  [[nodiscard]] auto fields() const { return std::tie(phase, plan, cut, count, stitches); }
+  [[nodiscard]] std::size_t copy_bytes() const { return stitches.size() * sizeof(Stitch) + dealt.size(); }
+  [[nodiscard]] auto fields() const {
+    return std::tie(phase, taken, row, count, curve, stitches, deal, bridged, dealt);
+  }
   friend bool operator==(const ContourWork&, const ContourWork&) = default;
 };
 
-// Where a row is worked.
-struct ContourRow {
-  const Timing& timing;
-  RowId number;            // the row's
-  const LiveStitches& on;  // what it is worked on; none: it is cast on
-  double from;             // the time of the row below, or 0
-};
-// `row`: the product, once the row has ended; then `work` is that of the next row.
-Advanced<ContourEvent> advance_contours(const Input& input, const RowsSettings& rows,
-                                        const StitchSize& stitch, const ContourRow& at, ContourWork& work,
-                                        std::optional<Row>& row);
+// The tube that is worked now; -1 before the first.
+TubeId current_tube(const TubePlan& plan, const ContourWork& work);
+// Of the row in progress; requires a tube with rows.
+const Ring& current_curve(const TubePlan& plan, const ContourWork& work);
 
-// Whether the step to come plans cuts.
-bool next_plans_cuts(const StitchSize& stitch, const ContourWork& work);
+// What a row or a deal is made on.
+struct ContourAt {
+  const Input& input;
+  const Timing& timing;
+  const TubeGraph& graph;
+  const TubePlan& plan;
+  const Fabric& fabric;
+};
+// A product, once it has ended.
+struct ContourMade {
+  std::optional<Row>& row;
+  std::optional<Deal>& deal;
+  std::optional<TubePlan>& plan;  // in place of the one before, when the stitch was changed on the way
+};
+Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const StitchSize& stitch,
+                                        const ContourAt& at, ContourWork& work, ContourMade made);
 
 }  // namespace knit

@@ -30,34 +30,38 @@ std::string_view word_of(CountReason reason) {
 
 }  // namespace
 
-std::string RowsPlanned::sentence(const Telling& at) const {
-  if (rows == 0) return at.row() + ": nothing is left to cut.";
-  std::string text = at.row() + ": the surface goes on for " + short_number(height) +
-                     "; at a stitch height of " + short_number(stitch_height) + " it is cut " +
-                     plural(rows, "time", "times") + ", " + short_number(row_height) + " apart.";
-  if (passed_over > 0)
-    text += " " + plural(passed_over, "cut was", "cuts were") + " too short for three half stitches.";
-  return text;
+std::string TubeTaken::sentence(const Telling& at) const {
+  const std::string name = "Tube " + tube_name(tube);
+  if (rows == 0) return name + " is passed through without a round.";
+  const std::string where = live == 0 ? " is cast on" : " is worked on " + stitch_count_text(live);
+  return at.row() + ": " + name + where + ", " + plural(rows, "round", "rounds") + " of " +
+         short_number(static_cast<double>(spacing)) + " over a height of " +
+         short_number(static_cast<double>(height)) + ".";
 }
-StepFields RowsPlanned::numbers() const {
-  return {{var::rows, rows},
-          {var::passed_over, passed_over},
-          {"height", &var::surface_height, height},
-          {var::row_height, row_height},
-          {var::stitch_height, stitch_height}};
+StepFields TubeTaken::numbers() const {
+  return {{var::tube, tube},
+          {var::rows, rows},
+          {var::below, live},
+          {"height", &var::surface_height, static_cast<double>(height)},
+          {var::row_height, static_cast<double>(spacing)}};
+}
+
+std::string RowsReplanned::sentence(const Telling& at) const {
+  return at.row() + ": the stitch has changed to " + short_number(width) + " by " +
+         short_number(stitch_height) + "; " + plural(rows, "round is", "rounds are") +
+         " planned for what is left.";
+}
+StepFields RowsReplanned::numbers() const {
+  return {{var::rows, rows}, {"width", &var::width, width}, {var::stitch_height, stitch_height}};
 }
 
 std::string CutFound::sentence(const Telling& at) const {
-  return at.row() + ": at t = " + short_number(time) + " the surface is cut through " +
-         plural(edges, "edge", "edges") + " of the mesh.";
+  return at.row() + ": tube " + tube_name(tube) + " is cut at t = " + short_number(time) + ".";
 }
-StepFields CutFound::numbers() const {
-  return {{var::level, level}, {var::time, time}, {var::edges, edges}, {var::loops, loops}};
-}
+StepFields CutFound::numbers() const { return {{var::tube, tube}, {var::level, level}, {var::time, time}}; }
 
 std::string LoopClosed::sentence(const Telling& at) const {
-  return at.row() + ": the cut closes to one loop of " + plural(points, "point", "points") +
-         ", from where rounds begin.";
+  return at.row() + ": the cut closes to one loop of " + plural(points, "point", "points") + ".";
 }
 StepFields LoopClosed::numbers() const { return {{var::points, points}}; }
 
@@ -95,12 +99,81 @@ StepFields CountChosen::numbers() const {
           {var::course, course}};
 }
 
+std::string RoundBegun::sentence(const Telling& at) const {
+  if (passes == 0) return at.row() + ": the round begins " + short_number(arc) + " along the loop.";
+  return at.row() + ": matched to the stitches below and slid by " + short_number(slid) + ", in " +
+         plural(passes, "pass", "passes") + ", the wales' squares sum to " + short_number(sum_of_squares) +
+         ".";
+}
+StepFields RoundBegun::numbers() const {
+  return {
+      {var::passes, passes}, {var::arc, arc}, {var::slid, slid}, {"squares", &var::squares, sum_of_squares}};
+}
+
 std::string StitchPlaced::sentence(const Telling& at) const {
   return at.row() + ": stitch " + std::to_string(stitch) + " of " + std::to_string(of) + " is placed, " +
          short_number(arc) + " along the loop.";
 }
 StepFields StitchPlaced::numbers() const {
   return {{"stitch", &var::item, stitch}, {"of", &var::n, of}, {var::arc, arc}};
+}
+
+std::string GapsFound::sentence(const Telling& /*at*/) const {
+  const std::string sides = std::to_string(one) + " and " + std::to_string(two) + " stitches";
+  const std::string across = short_number(static_cast<double>(gap)) + " stitch widths apart";
+  switch (deal) {
+    case DealKind::split:
+      return "At the saddle at " + vertex_text(vertex) + " the loop is cut into arcs of " + sides +
+             ", the best of " + std::to_string(tried) + "; the cuts are " + across + ".";
+    case DealKind::join:
+      return "At the saddle at " + vertex_text(vertex) + " two loops of " + sides +
+             " are opened where they are nearest, " + across + ".";
+    case DealKind::ring_cast_on:
+      return "Two tubes of " + sides + " start from one cast-on edge.";
+    case DealKind::ring_bind_off:
+      return "Two tubes of " + sides + " end edge to edge.";
+  }
+  return "";
+}
+StepFields GapsFound::numbers() const {
+  return {{var::saddle, vertex},
+          {"tried", &var::arcs_tried, tried},
+          {var::one, one},
+          {var::two, two},
+          {"gap", &var::saddle_gap, static_cast<double>(gap)}};
+}
+
+std::string BridgeCastOn::sentence(const Telling& /*at*/) const {
+  return "Stitch " + std::to_string(stitch) + " of " + std::to_string(of) +
+         " is cast on across the gap; both sides will be worked on it.";
+}
+StepFields BridgeCastOn::numbers() const {
+  return {{"stitch", &var::item, stitch}, {"of", &var::bridge, of}};
+}
+
+std::string LoopsDealt::sentence(const Telling& /*at*/) const {
+  const std::string waits =
+      held == 0 ? "." : "; " + plural(held, "loop waits on a holder.", "loops wait on holders.");
+  const std::string two_loops = std::to_string(one) + " and " + std::to_string(two);
+  switch (deal) {
+    case DealKind::split:
+      return "The loop of " + std::to_string(whole) + " is dealt into loops of " + two_loops + " stitches" +
+             waits;
+    case DealKind::join:
+      return "The loops of " + two_loops + " become one of " + std::to_string(whole) + " stitches" + waits;
+    case DealKind::ring_cast_on:
+      return "The first rounds of " + two_loops + " stitches share their edge" + waits;
+    case DealKind::ring_bind_off:
+      return "The loops of " + two_loops + " stitches are grafted to each other" + waits;
+  }
+  return "";
+}
+StepFields LoopsDealt::numbers() const {
+  return {{var::one, one},
+          {var::two, two},
+          {var::whole, whole},
+          {var::bridge, bridge},
+          {"held", &var::loops, held}};
 }
 
 }  // namespace knit

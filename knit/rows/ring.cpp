@@ -202,30 +202,6 @@ std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends, st
   return assemble(input, level, std::move(order), first, OrderedBy::angle);
 }
 
-void measure_arcs(Ring& ring) {
-  ring.arc.reserve(ring.points.size());
-  for (std::size_t i = 0; i < ring.points.size(); ++i) {
-    ring.arc.push_back(ring.length);
-    ring.length += glm::distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
-  }
-}
-
-bool too_short(const Ring& ring, double stitch_width) {
-  return clearly_less(ring.length, 1.5 * stitch_width, stitch_width);
-}
-
-glm::dvec3 point_at(const Ring& ring, double arc) {
-  double wrapped = std::fmod(arc, ring.length);
-  if (wrapped < 0.0) wrapped += ring.length;
-  const auto after = std::upper_bound(ring.arc.begin(), ring.arc.end(), wrapped);
-  const auto i = static_cast<std::size_t>(after - ring.arc.begin()) - 1;
-  const double next_arc = i + 1 < ring.arc.size() ? ring.arc[i + 1] : ring.length;
-  const glm::dvec3& from = ring.points[i];
-  const glm::dvec3& to = ring.points[(i + 1) % ring.points.size()];
-  const double span = next_arc - ring.arc[i];
-  return span > 0.0 ? from + (to - from) * ((wrapped - ring.arc[i]) / span) : from;
-}
-
 std::vector<Stitch> spread_evenly(const Ring& ring, std::int32_t count) {
   std::vector<Stitch> stitches;
   stitches.reserve(static_cast<std::size_t>(count));

@@ -26,15 +26,6 @@ struct NotARing {
 std::variant<Ring, NotARing> order_ring(const Input& input, const Ends& ends, std::span<const VertexId> level,
                                         const std::optional<glm::dvec3>& start_direction = std::nullopt);
 
-// Fills in the arcs and the length of a ring whose points are there.
-void measure_arcs(Ring& ring);
-
-// Shorter than three half stitches: it makes no row.
-bool too_short(const Ring& ring, double stitch_width);
-
-// The place at `arc` along the closed polyline, for any arc (it wraps).
-glm::dvec3 point_at(const Ring& ring, double arc);
-
 // `count` places spread evenly from the ring's first point on.
 std::vector<Stitch> spread_evenly(const Ring& ring, std::int32_t count);
 

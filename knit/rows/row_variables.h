@@ -54,14 +54,27 @@ inline constexpr CodeVariable gap_after{"gap_after", "g after",
                                         "The closing gap once it has been shared out."};
 
 // of contours
-inline constexpr CodeVariable rows{"rows", "rows", "How many cuts are planned."};
+inline constexpr CodeVariable rows{"rows", "rows", "How many rounds the tube gets."};
 inline constexpr CodeVariable stitch_height{"stitch_height", "h",
                                             "The stitch height: how far apart rows should be."};
 inline constexpr CodeVariable surface_height{"surface_height", "H",
-                                             "The height of the surface that is still to be cut, along it."};
-inline constexpr CodeVariable row_height{"row_height", "row height", "How far apart the cuts come out."};
-inline constexpr CodeVariable edges{"edges", "edges", "How many edges of the mesh the cut goes through."};
-inline constexpr CodeVariable loops{"loops", "loops", "Into how many loops the level set falls."};
+                                             "The height of the tube, along the surface."};
+inline constexpr CodeVariable row_height{"row_height", "row height", "How far apart its rounds lie."};
+inline constexpr CodeVariable tube{"tube", "tube", "The tube that is worked, by its number."};
+inline constexpr CodeVariable passes{"passes", "passes", "How often the round was matched and slid."};
+inline constexpr CodeVariable slid{"slid", "shift", "By how much the round was moved along its loop."};
+inline constexpr CodeVariable squares{"squares", "\xCE\xA3",
+                                      "The sum of the squared lengths of the wales below the row."};
+inline constexpr CodeVariable saddle{"saddle", "S", "The saddle at which loops part or meet."};
+inline constexpr CodeVariable arcs_tried{"arcs_tried", "tried",
+                                         "How many ways of cutting the loop were tried."};
+inline constexpr CodeVariable one{"one", "l1", "How many stitches the first side has."};
+inline constexpr CodeVariable two{"two", "l2", "How many stitches the second side has."};
+inline constexpr CodeVariable whole{"whole", "l", "How many stitches the one loop has."};
+inline constexpr CodeVariable saddle_gap{"saddle_gap", "D / w",
+                                         "How wide the gap across the saddle is, in stitch widths."};
+inline constexpr CodeVariable bridge{"bridge", "g", "How many stitches are cast on across the gap."};
+inline constexpr CodeVariable loops{"loops", "held", "How many loops wait on holders."};
 inline constexpr CodeVariable points{"points", "N", "How many points the loop has."};
 inline constexpr CodeVariable ideal{"ideal", "L / w",
                                     "How many stitches of the stitch width the length holds."};

@@ -35,13 +35,10 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
   const std::string level = "level " + std::to_string(s.level) + " at t = " + short_number(s.time);
   switch (s.reason) {
     case StopReason::no_extent:
+    case StopReason::too_many_tubes:
+    case StopReason::too_fine:
       break;
     case StopReason::no_row_levels:
-      if (at.parameters.rows.source == RowSource::contours) {
-        return "Cast on: none of " + plural(s.level, "cut", "cuts") +
-               " is long enough for three half stitches; make the stitches narrower than " +
-               short_number(s.value) + " or lower.";
-      }
       return "Cast on: none of the " + std::to_string(s.level) +
              " levels of this mesh makes a first row between start and end; use a mesh with rings across the "
              "axis, "
@@ -64,10 +61,6 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
     case StopReason::changes_too_much:
       return where + ": " + stitch_count_text(s.count) + " cannot follow " + std::to_string(s.other) +
              "; a row may at most double or halve. Change the stitch width, or let such rows be resampled.";
-    case StopReason::too_fine:
-      return where + ": stitches as small as these make " +
-             (s.value > 0.0 ? short_number(s.value) + " stitches" : std::to_string(s.count) + " rows") +
-             ", more than the " + std::to_string(s.other) + " that can be worked; make them wider or higher.";
   }
   return where;
 }

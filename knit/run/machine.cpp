@@ -1,9 +1,10 @@
 #include "knit/run/machine.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "knit/model/bug.h"
+#include "knit/stitches/nearest.h"
 
 namespace knit {
 
@@ -32,12 +33,14 @@ void keep(Fabric& fabric, Shared<Strip>&& made) {
 }
 
 Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
-  const LiveStitches on = state.fabric.live();
-  const Row* below = state.fabric.row_below(state.fabric.next_row());
-  const ContourRow at{*state.timing, state.next.row, on, below != nullptr ? below->time : 0.0};
+  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric};
   std::optional<Row> row;
-  Taken taken = advance_contours(input, parameters.rows, parameters.stitch, at, work, row);
+  std::optional<Deal> deal;
+  std::optional<TubePlan> plan;
+  Taken taken = advance_contours(parameters.rows, parameters.stitch, at, work, {row, deal, plan});
   keep(state.fabric, std::move(row));
+  keep(state.fabric, std::move(deal));
+  if (plan) state.tubes = Shared(std::move(*plan));
   return taken;
 }
 
@@ -49,25 +52,17 @@ Taken take_cast_on(const Input& input, const Parameters& parameters, State& stat
   return taken;
 }
 
-// The first step of the cast on decides where rows come from.
 Taken take_first_row(const Input& input, const Parameters& parameters, State& state) {
-  if (state.next.item == 0) {
-    const bool contours = parameters.rows.source == RowSource::contours;
-    state.work = contours ? Work(ContourWork{}) : Work(CastOnWork{});
-  }
-  if (auto* rings = std::get_if<CastOnWork>(&state.work)) {
+  if (auto* rings = std::get_if<CastOnWork>(&state.work))
     return take_cast_on(input, parameters, state, *rings);
-  }
-  Taken taken = take_contours(input, parameters, state, std::get<ContourWork>(state.work));
-  if (state.next.item == 0 && is<Stopped>(taken.what)) state.work = CastOnWork{};
-  return taken;
+  return take_contours(input, parameters, state, std::get<ContourWork>(state.work));
 }
 
 Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   if (auto* contours = std::get_if<ContourWork>(&state.work)) {
     return take_contours(input, parameters, state, *contours);
   }
-  const LiveStitches on = state.fabric.live();
+  const LiveStitches on = state.fabric.live(0);
   const RingRow at{*state.timing, state.last_level, state.next.row, on};
   std::optional<Row> row;
   Taken taken =
@@ -76,17 +71,44 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
-// The join into row state.next.row; where the cast on is the only row, there is none to make.
+// Of live stitches, one by one: what the joins that made them say.
+struct BelowJoins {
+  std::vector<std::int32_t> mains;  // rising
+  std::vector<std::uint8_t> shaped;
+  bool cast_on = true;  // all of them
+};
+
+BelowJoins joins_below(const Fabric& fabric, const LiveStitches& live) {
+  BelowJoins below;
+  std::int32_t place = 0;
+  for (const StitchSpan& span : live.spans) {
+    const Join* join = fabric.join_into(span.row);
+    if (join != nullptr) below.cast_on = false;
+    const std::vector<std::uint8_t> shaped = join != nullptr ? shaped_by(*join) : std::vector<std::uint8_t>{};
+    for (std::int32_t i = 0; i < span.count; ++i, ++place) {
+      const std::int32_t stitch = span.first + i;
+      below.shaped.push_back(join != nullptr ? shaped[static_cast<std::size_t>(stitch)] : 0);
+      const bool main = join != nullptr && std::binary_search(join->mains.begin(), join->mains.end(), stitch);
+      if (main) below.mains.push_back(place);
+    }
+  }
+  // Loops that met have brought theirs together.
+  if (live.spans.size() > 1) below.mains = thinned_mains(below.mains, live.size());
+  return below;
+}
+
+// The join into row state.next.row; where no row is worked on another, there is none to make.
 Taken take_join(const Parameters& parameters, State& state) {
   const Fabric& fabric = state.fabric;
-  const RowId row = state.next.row;
-  const Row* below = fabric.row_below(row);
-  const JoinAt at{row,
-                  *below,
-                  fabric.live_below(row),
-                  fabric.find_row(row),
-                  fabric.join_into(below->id),
-                  !fabric.has_row(row + 1)};
+  const RowId id = state.next.row;
+  const Row* row = fabric.find_row(id);
+  if (row != nullptr && row->on.empty()) row = nullptr;
+  const LiveStitches from = row != nullptr ? row->on : all_of(fabric.row(1));
+  const std::vector<Stitch> below = fabric.stitches_of(from);
+  const BelowJoins joins = joins_below(fabric, from);
+  const bool follows = state.tubes && parameters.rows.round_start == RoundStart::follow;
+  const JoinAt at{
+      id, from, below, joins.mains, joins.shaped, joins.cast_on, row, follows, fabric.next_worked(id) == 0};
   Shared<Join> join;
   Taken taken =
       advance_index(parameters.stitches, parameters.stitch, at, std::get<IndexWork>(state.work), join);
@@ -96,7 +118,7 @@ Taken take_join(const Parameters& parameters, State& state) {
 
 Taken take_strip(State& state) {
   const RowId row = state.next.row;
-  const StripAt at{state.fabric, *state.fabric.join_into(row), !state.fabric.has_row(row + 1)};
+  const StripAt at{state.fabric, *state.fabric.join_into(row), state.fabric.next_worked(row) == 0};
   Shared<Strip> strip;
   Taken taken = advance_faces(at, std::get<FacesWork>(state.work), strip);
   keep(state.fabric, std::move(strip));
@@ -117,6 +139,9 @@ Taken take(const Input& input, const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
       return advance_timing(input, parameters.timing, std::get<TimingWork>(state.work), state.timing);
+    case Stage::tubes:
+      return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
+                           std::get<TubesWork>(state.work), {state.graph, state.tubes});
     case Stage::cast_on:
       return take_first_row(input, parameters, state);
     case Stage::rows:
@@ -141,10 +166,15 @@ void begin(State& state, Stage stage, std::int32_t row, Work work) {
   state.next = {stage, row, 0};
 }
 
-void begin_next_stage(State& state) {
+RowId first_worked(const State& state) { return std::max(state.fabric.next_worked(0), 2); }
+
+void begin_next_stage(const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
+      if (parameters.rows.source == RowSource::contours) return begin(state, Stage::tubes, 0, TubesWork{});
       return begin(state, Stage::cast_on, 1, CastOnWork{});
+    case Stage::tubes:
+      return begin(state, Stage::cast_on, 1, ContourWork{});
     case Stage::cast_on:
       // From contours the stage cast on ends only where no row follows; rings may have levels left.
       if (const Row* cast_on = state.fabric.find_row(1); cast_on != nullptr &&
@@ -152,12 +182,12 @@ void begin_next_stage(State& state) {
                                                          cast_on->level < state.last_level) {
         return begin(state, Stage::rows, 2, row_work_at(cast_on->level + 1));
       }
-      return begin(state, Stage::stitches, 2, IndexWork{});
+      return begin(state, Stage::stitches, first_worked(state), IndexWork{});
     case Stage::rows:
-      return begin(state, Stage::stitches, 2, IndexWork{});
+      return begin(state, Stage::stitches, first_worked(state), IndexWork{});
     case Stage::stitches:
       if (state.fabric.joins().empty()) return begin(state, Stage::pattern, 1, PatternWork{});
-      return begin(state, Stage::faces, 2, FacesWork{});
+      return begin(state, Stage::faces, first_worked(state), FacesWork{});
     case Stage::faces:
       return begin(state, Stage::pattern, 1, PatternWork{});
     case Stage::pattern:
@@ -167,18 +197,24 @@ void begin_next_stage(State& state) {
   }
 }
 
-void hand_on(State& state, Ended ended) {
+// Joins and strips lead to the rows that are worked on others; all other stages go from row to row.
+RowId row_after(const State& state) {
+  const bool by_joins = state.next.stage == Stage::stitches || state.next.stage == Stage::faces;
+  return by_joins ? state.fabric.next_worked(state.next.row) : state.next.row + 1;
+}
+
+void hand_on(const Parameters& parameters, State& state, Ended ended) {
   switch (ended) {
     case Ended::step:
       ++state.next.item;
       return;
     case Ended::row: {
       const bool first_row = state.next.stage == Stage::cast_on;
-      state.next = {first_row ? Stage::rows : state.next.stage, state.next.row + 1, 0};
+      state.next = {first_row ? Stage::rows : state.next.stage, row_after(state), 0};
       return;
     }
     case Ended::stage:
-      return begin_next_stage(state);
+      return begin_next_stage(parameters, state);
   }
 }
 
@@ -187,32 +223,21 @@ void hand_on(State& state, Ended ended) {
 Step advance(const Input& input, const Parameters& parameters, State& state) {
   const Place place = state.next;
   Taken taken = take(input, parameters, state);
-  if (!is<Stopped>(taken.what)) hand_on(state, taken.ended);
+  if (!is<Stopped>(taken.what)) hand_on(parameters, state, taken.ended);
   return {place, taken.what};
 }
 
 namespace {
 
 constexpr std::size_t many_triangles = 20000;
-constexpr double many_crossings = 20000.0;  // of cuts and edges: some milliseconds
-
-// The cuts of all rows, each of which goes through about as many triangles as lie side by side.
-bool planning_is_long(const Input& input, const Parameters& parameters) {
-  const auto triangles = static_cast<double>(input.mesh.triangles.size());
-  const double cuts = input.bounds.diagonal() / parameters.stitch.height;
-  return input.mesh.triangles.size() >= many_triangles || cuts * std::sqrt(triangles) > many_crossings;
-}
 
 }  // namespace
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
-  if (const auto* contours = std::get_if<ContourWork>(&state.work))
-    return next_plans_cuts(parameters.stitch, *contours) && planning_is_long(input, parameters);
-  if (state.next == Place{Stage::cast_on, 1, 0})
-    return parameters.rows.source == RowSource::contours && planning_is_long(input, parameters);
+  if (input.mesh.triangles.size() < many_triangles) return false;
+  if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
-  return timing != nullptr && input.mesh.triangles.size() >= many_triangles &&
-         next_is_a_solve(input, parameters.timing, *timing);
+  return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);
 }
 
 const Join* planned_join(const State& state, RowId into) {

@@ -18,6 +18,7 @@
 #include "knit/stitches/index_stage.h"
 #include "knit/stitches/pattern_stage.h"
 #include "knit/timing/timing_stage.h"
+#include "knit/tubes/tubes_stage.h"
 
 namespace knit {
 
@@ -26,12 +27,14 @@ struct Finished {
   friend bool operator==(const Finished&, const Finished&) = default;
 };
 
-using Work =
-    std::variant<TimingWork, CastOnWork, RowWork, ContourWork, IndexWork, FacesWork, PatternWork, Finished>;
+using Work = std::variant<TimingWork, TubesWork, CastOnWork, RowWork, ContourWork, IndexWork, FacesWork,
+                          PatternWork, Finished>;
 
 struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come
   Shared<Timing> timing;
+  Shared<TubeGraph> graph;       // with contours: of the time, or of the smoothed one
+  Shared<TubePlan> tubes;        // with contours: what is knitted
   std::int32_t last_level = -1;  // the last level that makes a row, once cast on
   Fabric fabric;
   std::vector<Shared<CountedLine>> lines;
@@ -40,7 +43,7 @@ struct State {
   [[nodiscard]] Stage stage() const { return next.stage; }
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
-    return std::tie(next.stage, next.row, next.item, timing, last_level, fabric, lines, work);
+    return std::tie(next.stage, next.row, next.item, timing, graph, tubes, last_level, fabric, lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };

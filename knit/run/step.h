@@ -18,11 +18,12 @@
 #include "knit/stitches/index_events.h"
 #include "knit/stitches/pattern_events.h"
 #include "knit/timing/timing_events.h"
+#include "knit/tubes/tubes_events.h"
 
 namespace knit {
 
-using Event = std::variant<TimingEvent, CastOnEvent, RingEvent, ContourEvent, IndexEvent, FacesEvent,
-                           PatternEvent, Stopped>;
+using Event = std::variant<TimingEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent, IndexEvent,
+                           FacesEvent, PatternEvent, Stopped>;
 
 struct Step {
   Place place;

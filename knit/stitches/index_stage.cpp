@@ -11,10 +11,10 @@ namespace knit {
 
 namespace {
 
+std::int32_t count_of(std::span<const Stitch> stitches) { return static_cast<std::int32_t>(stitches.size()); }
+
 RowBelow row_below(const JoinAt& at) {
-  RowBelow below{size_of(at.below), {}, at.before == nullptr};
-  if (at.before != nullptr) below.mains = at.before->mains;
-  return below;
+  return {count_of(at.below), {at.mains.begin(), at.mains.end()}, at.cast_on};
 }
 
 Ended finish_join(const JoinAt& at, IndexWork& work, Shared<Join>& join) {
@@ -37,13 +37,11 @@ Join plan(const StitchSettings& settings, const StitchSize& stitch, const JoinAt
   const Placement& placement = placement_of(settings.placement);
   const RowBelow below = row_below(at);
   if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});
-  const std::vector<std::uint8_t> shaped =
-      at.before != nullptr ? shaped_by(*at.before) : std::vector<std::uint8_t>{};
   const double square = stitch.width * stitch.width;
   const NearestPenalties penalties{settings.stacking_penalty * square,
                                    settings.follow_mains == FollowMains::on ? square : 0.0};
   return placement.plan(
-      {below, size_of(*at.above), at.row, at.below.stitches, at.above->stitches, shaped, penalties});
+      {below, size_of(*at.above), at.row, at.below, at.above->stitches, at.shaped, penalties, at.follows});
 }
 
 Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
@@ -87,7 +85,7 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
 Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
                                    IndexWork& work, Shared<Join>& join) {
   if (at.above == nullptr) {
-    const std::int32_t only = size_of(at.below);
+    const std::int32_t only = count_of(at.below);
     return {JoinCounted{only, only, 0, 0, 0}, Ended::stage};
   }
   switch (work.phase) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <tuple>
 
 #include "knit/fabric/join.h"
@@ -23,12 +24,15 @@ struct IndexWork {
 
 // Where a join is planned.
 struct JoinAt {
-  RowId row;  // the one that it makes
-  const Row& below;
-  const LiveStitches& from;  // what it takes
-  const Row* above;          // null: the cast on is the only row, and there is nothing to do
-  const Join* before;        // into the row below; null: that is the cast on
-  bool last;                 // no row follows
+  RowId row;                             // the one that it makes
+  const LiveStitches& from;              // what it takes
+  std::span<const Stitch> below;         // the same as stitches
+  std::span<const std::int32_t> mains;   // places among them, rising; none: nothing below is shaped yet
+  std::span<const std::uint8_t> shaped;  // per stitch of them: 1 where shaping made it
+  bool cast_on;                          // all of them were cast on
+  const Row* above;                      // null: the cast on is the only row, and there is nothing to do
+  bool follows;                          // its round begins where its wales are shortest
+  bool last;                             // no row follows
 };
 // `join`: the product, once it has ended; then `work` is that of the next one.
 Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,

@@ -11,8 +11,6 @@ namespace knit {
 
 namespace {
 
-constexpr std::int32_t most_mains = 6;
-
 double squared(const Stitch& a, const Stitch& b) {
   const glm::dvec3 d = a.position - b.position;
   return d.x * d.x + d.y * d.y + d.z * d.z;
@@ -26,8 +24,8 @@ double round_squares(std::span<const Stitch> row) {
 }
 
 std::vector<std::int32_t> mains_of(const NearestRows& rows) {
-  if (!rows.mains.empty()) return {rows.mains.begin(), rows.mains.end()};
   const auto size = static_cast<std::int32_t>(rows.below.size());
+  if (!rows.mains.empty()) return {rows.mains.begin(), rows.mains.end()};
   std::int32_t count = std::min(size, most_mains);
   // The main opposite the first needs a stitch that stands there.
   if (count % 2 == 0 && size % 2 != 0) --count;
@@ -81,6 +79,10 @@ class Matcher {
     std::vector<double> cost(width, never);
     cost[0] = squared(small_[0], big_[0]);
     std::vector<std::uint8_t> took(stitches * width, 0);
+    if (rows_.first_may_double && doublings > 0) {
+      cost[1] = cost[0] + squared(small_[0], big_[1]) + penalty(0, 0);
+      took[1] = 1;
+    }
     for (std::size_t j = 1; j < stitches; ++j) {
       std::vector<double> next(width, never);
       for (std::size_t k = 0; k < width; ++k) {
@@ -249,6 +251,24 @@ Join plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, st
     t.longest_square = std::max(t.longest_square, square);
   }
   return t;
+}
+
+std::vector<std::int32_t> thinned_mains(std::span<const std::int32_t> mains, std::int32_t size) {
+  if (mains.size() <= most_mains) return {mains.begin(), mains.end()};
+  std::vector<std::int32_t> kept;
+  std::size_t next = 0;
+  for (std::int32_t i = 0; i < most_mains; ++i) {
+    const std::size_t last =
+        mains.size() - static_cast<std::size_t>(most_mains - i);  // leaves enough for the others
+    std::size_t best = next;
+    for (std::size_t main = next; main <= last; ++main) {
+      const auto away = [&](std::size_t m) { return std::abs(most_mains * mains[m] - i * size); };
+      if (away(main) < away(best)) best = main;
+    }
+    kept.push_back(mains[best]);
+    next = best + 1;
+  }
+  return kept;
 }
 
 std::vector<std::uint8_t> shaped_by(const Join& join) {

@@ -3,7 +3,7 @@
 //
 // A monotone matching of two closed rows that begins at both first stitches and never crosses the beginning of
 // the round: each cell of the larger row has one link, each stitch of the smaller row one or two; the first stitch
-// has one, unless all have two. Of all such matchings the one with the least sum of squared wale lengths (plus
+// has one, unless all have two, or the row was turned to what is below it. Of all such matchings the one with the least sum of squared wale lengths (plus
 // penalties, if asked for) is found by dynamic programming over stitches and doublings. Labels follow from the
 // links: a doubled stitch is shaping, leaning by the side on which the nearest main stands. Mains are wales: up to
 // six, spread over the cast on and carried from row to row along the links.
@@ -26,6 +26,7 @@ struct NearestRows {
   std::span<const Stitch> below, above;
   std::span<const std::int32_t> mains;         // stitches of the row below; none: it is the cast on
   std::span<const std::uint8_t> shaped_below;  // per stitch below: 1 where shaping made it; may be empty
+  bool first_may_double = false;               // where the row was turned so that wales are shortest
 };
 
 // In squared mesh units.
@@ -36,6 +37,10 @@ struct NearestPenalties {
 
 // Requires ceil(below / 2) <= above <= 2 * below. `row` is the row made.
 Join plan_nearest(const NearestRows& rows, const NearestPenalties& penalties, std::int32_t row);
+
+// A round has so many at most. Where loops met there may be more: of those the ones that stand nearest to even places.
+inline constexpr std::int32_t most_mains = 6;
+std::vector<std::int32_t> thinned_mains(std::span<const std::int32_t> mains, std::int32_t size);
 
 // Per stitch of the row that a join makes: 1 where its shaping took part.
 std::vector<std::uint8_t> shaped_by(const Join& join);

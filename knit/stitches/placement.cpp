@@ -12,8 +12,9 @@ Join plan_by_sections(const PlacementRows& rows) {
 }
 
 Join plan_by_place(const PlacementRows& rows) {
-  return plan_nearest({rows.stitches_below, rows.stitches_above, rows.below.mains, rows.shaped_below},
-                      rows.penalties, rows.row);
+  return plan_nearest(
+      {rows.stitches_below, rows.stitches_above, rows.below.mains, rows.shaped_below, rows.follows},
+      rows.penalties, rows.row);
 }
 
 using Policy = PlacementPolicy;

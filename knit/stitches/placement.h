@@ -20,6 +20,8 @@ struct PlacementRows {
   std::span<const Stitch> stitches_below, stitches_above;
   std::span<const std::uint8_t> shaped_below;  // per stitch below: 1 where shaping made it
   NearestPenalties penalties = {};
+  bool follows =
+      false;  // the round begins where wales are shortest: its first stitch may be doubled like any
 };
 
 // What a plan fills: `to`, `below`, `above`; `labels`, one a cell of the larger side, |change()| of them shaping;

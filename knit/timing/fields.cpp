@@ -195,4 +195,18 @@ std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intr
   return to_vertices(input, unknowns, solve_pinned(intrinsic, unknowns, zero, pins).cwiseMin(1.0));
 }
 
+std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrinsic,
+                                 const std::vector<double>& field, double length) {
+  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+  Vector rough = Vector::Zero(unknowns.count);
+  for (std::size_t v = 0; v < field.size(); ++v)
+    if (unknowns.of_vertex[v] >= 0) rough[unknowns.of_vertex[v]] = field[v];
+  const Vector masses = lumped_masses(intrinsic, unknowns);
+  Matrix matrix = make_laplacian(intrinsic, unknowns) * (length * length);
+  matrix.diagonal() += masses;
+  const Vector smooth = solve(matrix, masses.cwiseProduct(rough));
+  // But for rounding the extremes are never passed, as no weight is negative.
+  return to_vertices(input, unknowns, smooth.cwiseMax(rough.minCoeff()).cwiseMin(rough.maxCoeff()));
+}
+
 }  // namespace knit

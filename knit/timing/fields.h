@@ -38,4 +38,9 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                    VertexId end);
 
+// The field with its level sets smoothed over about `length`: solves (M + length^2 L) f' = M f with the lumped masses M.
+// Between the least and the greatest of the field everywhere.
+std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrinsic,
+                                 const std::vector<double>& field, double length);
+
 }  // namespace knit

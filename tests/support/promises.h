@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,17 +23,18 @@ inline std::string at_row(const char* what, knit::RowId row) {
   return std::string(what) + " (row " + std::to_string(row) + ")";
 }
 
-// Rows of three stitches or more, numbered from 1, times rising, every stitch at a finite place.
+// Rows of three stitches or more, numbered from 1, times rising in each tube, every stitch at a finite place.
 inline std::string broken_rows(const knit::State& state) {
-  double before = -1.0;
+  std::map<knit::TubeId, double> before;
   knit::RowId number = 0;
   for (const auto& shared : state.fabric.rows()) {
     const knit::Row& row = *shared;
     if (row.id != ++number) return at_row("rows are numbered from 1", number);
     if (row.stitches.size() < 3) return at_row("a row has three stitches at least", row.id);
     if (!(row.time >= 0.0 && row.time <= 1.0)) return at_row("a row's time lies in 0 to 1", row.id);
-    if (!(row.time > before)) return at_row("rows' times rise", row.id);
-    before = row.time;
+    const auto last = before.find(row.tube);
+    if (last != before.end() && !(row.time > last->second)) return at_row("a tube's times rise", row.id);
+    before[row.tube] = row.time;
     for (const knit::Stitch& stitch : row.stitches) {
       const glm::dvec3& p = stitch.position;
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -42,20 +44,48 @@ inline std::string broken_rows(const knit::State& state) {
   return {};
 }
 
-// A row is worked on stitches of rows before it, each stitch is taken once, and what nobody has taken is live.
+// A row is worked on live stitches, each stitch is taken once, a bridge's twice, and what nobody has taken is live. Deals
+// conserve stitches: what they give is what they take and each side of their bridge.
 inline std::string broken_live(const knit::State& state) {
   const knit::Fabric& fabric = state.fabric;
-  std::set<knit::StitchRef> live;
-  for (const auto& row : fabric.rows()) {
-    for (std::int32_t i = 0; i < row->on.size(); ++i) {
-      if (live.erase(row->on.at(i)) != 1) return at_row("a row takes what is live", row->id);
+  std::multiset<knit::StitchRef> live;
+  const auto take = [&](const knit::LiveStitches& stitches) {
+    for (std::int32_t i = 0; i < stitches.size(); ++i) {
+      const auto found = live.find(stitches.at(i));
+      if (found == live.end()) return false;
+      live.erase(found);
     }
-    for (std::int32_t i = 0; i < knit::size_of(*row); ++i) live.insert({row->id, i});
+    return true;
+  };
+  const auto give = [&](const knit::LiveStitches& stitches) {
+    for (std::int32_t i = 0; i < stitches.size(); ++i) live.insert(stitches.at(i));
+  };
+  std::size_t deal = 0;
+  for (const auto& row : fabric.rows()) {
+    if (!take(row->on)) return at_row("a row takes what is live", row->id);
+    give(knit::all_of(*row));
+    for (; deal < fabric.deals().size() && fabric.deals()[deal]->after == row->id; ++deal) {
+      const knit::Deal& dealt = *fabric.deals()[deal];
+      if (dealt.kind == knit::DealKind::ring_cast_on) continue;
+      std::int32_t taken = 0, given = 0;
+      for (const knit::LiveStitches& loop : dealt.taken) {
+        taken += loop.size();
+        if (!take(loop)) return at_row("a deal takes what is live", row->id);
+      }
+      for (const knit::LiveStitches& loop : dealt.given) {
+        given += loop.size();
+        give(loop);
+        if (loop.size() < 3) return at_row("a loop has three stitches", row->id);
+      }
+      const auto bridge = static_cast<std::int32_t>(dealt.bridge.size());
+      const std::int32_t wanted = dealt.kind == knit::DealKind::ring_bind_off ? 0 : taken + 2 * bridge;
+      if (given != wanted) return at_row("a deal gives what it takes and its bridge twice", row->id);
+    }
   }
-  for (std::int32_t i = 0; i < fabric.live().size(); ++i) {
-    if (live.erase(fabric.live().at(i)) != 1) return "what hangs on the needle is taken by no row";
+  for (const knit::LiveLoop& loop : fabric.live()) {
+    if (!take(loop.stitches)) return "what hangs on a needle is taken by no row";
   }
-  return live.empty() ? "" : "what no row takes hangs on the needle";
+  return live.empty() ? "" : "what no row takes hangs on a needle";
 }
 
 // Each stitch of the smaller side has one or two links, in order, first to first and last to last.
@@ -123,55 +153,64 @@ inline std::string broken_strips(const knit::State& state) {
   return {};
 }
 
-// Every edge has one face on each side, which run along it in opposite directions; the edges of one face alone are
-// those of the first and the last row, one loop each.
+// Every edge has one face on each side, which run along it in opposite directions; the edges of one face alone are those of
+// the cast ons and the bind offs, one loop each, and V - E + F is 2 - 2 genus less their number: of a tube 0.
 inline std::string broken_faces(const knit::State& state) {
-  if (state.fabric.strips().empty() || state.fabric.strips().size() + 1 != state.fabric.rows().size())
-    return {};
+  const knit::Fabric& fabric = state.fabric;
+  const auto cast_on = [](const auto& row) { return row->on.empty(); };
+  const auto cast_ons =
+      static_cast<std::size_t>(std::count_if(fabric.rows().begin(), fabric.rows().end(), cast_on));
+  const bool whole = state.stage() > knit::Stage::faces && !fabric.strips().empty();
+  if (!whole || fabric.strips().size() + cast_ons != fabric.rows().size()) return {};
   std::vector<std::array<std::uint32_t, 2>> sides;
-  for (const auto& strip : state.fabric.strips()) {
-    for (const knit::Face& face : strip->faces) {
+  const auto add = [&](const std::vector<knit::Face>& faces) {
+    for (const knit::Face& face : faces) {
       const auto corners = static_cast<std::size_t>(face.corner_count);
       for (std::size_t k = 0; k < corners; ++k)
         sides.push_back({face.corners.at(k), face.corners.at((k + 1) % corners)});
     }
-  }
+  };
+  for (const auto& strip : fabric.strips()) add(strip->faces);
+  for (const auto& deal : fabric.deals()) add(deal->faces);
   std::sort(sides.begin(), sides.end());
   if (std::adjacent_find(sides.begin(), sides.end()) != sides.end())
     return "no two faces run along an edge in the same direction";
-  const std::size_t all = state.fabric.stitch_count();
-  const std::size_t first = state.fabric.row(1).stitches.size();
-  const auto last = static_cast<std::size_t>(state.fabric.live().size());
-  std::vector<std::uint32_t> after(all, UINT32_MAX);  // along the rim
-  std::size_t rim = 0;
+  const std::size_t all = fabric.stitch_count();
+  std::vector<std::uint32_t> after(all, UINT32_MAX);  // along the rims
   for (const auto& [from, to] : sides) {
     if (from >= all || to >= all) return "a face's corners are stitches";
     if (std::binary_search(sides.begin(), sides.end(), std::array{to, from})) continue;
-    if (after[from] != UINT32_MAX) return "the rim passes a stitch once";
+    if (after[from] != UINT32_MAX) return "a rim passes a stitch once";
     after[from] = to;
-    ++rim;
   }
-  if (rim != first + last) return "the rim is the first and the last row";
-  const auto is_loop = [&](std::size_t begin, std::size_t count) {
-    std::size_t steps = 0;
-    auto at = static_cast<std::uint32_t>(begin);
-    do {
-      at = after[at];
-      if (at == UINT32_MAX || at < begin || at >= begin + count) return false;
-    } while (++steps < count && at != begin);
-    return steps == count && at == begin;
-  };
-  if (!is_loop(0, first)) return "the first row is one loop of the rim";
-  if (!is_loop(all - last, last)) return "the last row is one loop of the rim";
-  return knit::euler_characteristic(state) == 0 ? "" : "an open tube has Euler characteristic 0";
+  std::size_t rims = 0;
+  std::vector<std::uint8_t> seen(all, 0);
+  for (std::uint32_t first = 0; first < all; ++first) {
+    if (after[first] == UINT32_MAX || seen[first] != 0) continue;
+    ++rims;
+    for (std::uint32_t at = first; seen[at] == 0; at = after[at]) {
+      seen[at] = 1;
+      if (after[at] == UINT32_MAX) return "a rim is a loop";
+    }
+  }
+  std::size_t rings = 0;
+  for (const auto& deal : fabric.deals()) rings += deal->kind == knit::DealKind::ring_cast_on ? 2 : 0;
+  if (rims != cast_ons - rings + fabric.live().size()) return "there is a rim for each cast on and bind off";
+  const std::int32_t genus = state.tubes ? knit::genus_of(*state.tubes) : 0;
+  const auto euler = knit::euler_characteristic(state);
+  return euler == 2 - 2 * genus - static_cast<std::int64_t>(rims) ? "" : "V - E + F is 2 - 2 genus - rims";
 }
 
 // Lines and operations take what the row before made.
 inline std::string broken_pattern(const knit::State& state) {
-  for (std::size_t i = 1; i < state.lines.size(); ++i) {
-    if (state.lines[i]->consumed != state.lines[i - 1]->produced)
-      return at_row("a line takes what the one before made", static_cast<knit::RowId>(i) + 1);
+  for (const auto& line : state.lines) {
+    const knit::Row* row = state.fabric.find_row(line->row);
+    const bool bind_off = line->produced == 0;
+    if (row == nullptr || line->consumed != (bind_off ? knit::size_of(*row) : row->on.size()) ||
+        (!bind_off && line->produced != knit::size_of(*row)))
+      return at_row("a line takes what its row is worked on and makes its row", line->row);
   }
+  if (!state.fabric.deals().empty()) return {};
   if (state.fabric.empty() || state.fabric.joins().size() + 1 != state.fabric.rows().size()) return {};
   const knit::Rounds rounds = knit::rounds_of(state);
   std::int32_t there = rounds.cast_on;

@@ -13,14 +13,14 @@
 namespace test_support {
 
 // Rows of equally spaced stitches on a cylinder about y, from y = 0 up, each from direction -z on.
-struct Tube {
+struct HandTube {
   std::vector<int> sizes{16, 16, 16};
   double radius = 1.0;
   double row_height = 1.0;
   double twist = 0.0;  // each row against the one below, radians
 };
 
-inline knit::Row tube_row(const Tube& tube, std::size_t row) {
+inline knit::Row tube_row(const HandTube& tube, std::size_t row) {
   knit::Row made;
   made.id = static_cast<knit::RowId>(row + 1);
   const double turn = 2.0 * std::numbers::pi / tube.sizes[row];
@@ -48,7 +48,7 @@ inline knit::Join tube_join(int below, int above, std::size_t row) {
   return made;
 }
 
-inline knit::State tube_state(const Tube& tube) {
+inline knit::State tube_state(const HandTube& tube) {
   knit::State state;
   knit::Timing timing;
   timing.ends.direction = {0.0, tube.row_height * static_cast<double>(tube.sizes.size()), 0.0};
@@ -56,7 +56,7 @@ inline knit::State tube_state(const Tube& tube) {
   knit::Fabric& fabric = state.fabric;
   for (std::size_t i = 0; i < tube.sizes.size(); ++i) {
     knit::Row row = tube_row(tube, i);
-    row.on = fabric.live();
+    row.on = fabric.live(0);
     fabric.add(std::move(row));
     if (i == 0) continue;
     knit::Join join = tube_join(tube.sizes[i - 1], tube.sizes[i], i);

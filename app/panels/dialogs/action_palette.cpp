@@ -36,9 +36,8 @@ bool needs_mesh(const CommandInfo& info) {
 }
 
 std::string why_not(const Session& session, const CommandInfo& info) {
-  if (!session.document && needs_mesh(info)) return no_mesh;
-  const Travel nowhere;
-  const Travel& travel = session.document ? session.document->travel : nowhere;
+  if (!session.document) return needs_mesh(info) ? no_mesh : "";
+  const Travel& travel = session.document->travel;
   switch (info.command) {
     case Command::undo:
       return unless(!session.document->changes.undo.empty(), "There is nothing to undo.");

@@ -1,6 +1,7 @@
 #include "app/panels/pattern/chart_cache.h"
 
 #include "knit/model/hash.h"
+#include "knit/pattern/pieces.h"
 
 namespace app {
 
@@ -12,6 +13,7 @@ std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
   hasher.add(state.fabric.empty() ? 0 : state.fabric.rows().front().content_hash());
   for (const auto& join : state.fabric.joins()) hasher.add(join.content_hash());
   hasher.add(state.fabric.rows().size());
+  for (const auto& deal : state.fabric.deals()) hasher.add(deal.content_hash());
   for (const std::string* words : {&options.title, &options.yarn, &options.colour})
     knit::hash_into(hasher, std::string_view(*words));
   for (const double number : {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds})
@@ -30,7 +32,10 @@ void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOpti
   key_ = key;
   chart_ = {};
   pattern_ = {};
-  if (state.fabric.joins().empty()) return;
+  in_pieces_ = knit::in_pieces(state);
+  if (in_pieces_ && knit::pieces_are_known(state))
+    pattern_ = knit::write_pattern(knit::pieces_of(state), gauge, options, timeline.input().mesh.name);
+  if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
   pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);

@@ -253,7 +253,9 @@ void draw_chart(PanelFrame& frame) {
   const knit::Chart& chart = cache.chart();
   if (frame.timeline() == nullptr || chart.rows.empty()) {
     ImGui::SetCursorPos(ImVec2(frame.units(14.0f), frame.units(12.0f)));
-    faint_text("The chart appears once the stitches have their labels.");
+    faint_text(frame.timeline() != nullptr && cache.in_pieces()
+                   ? "There is no chart for a pattern in pieces yet; the tab Pattern has it in words."
+                   : "The chart appears once the stitches have their labels.");
     ImGui::End();
     return;
   }

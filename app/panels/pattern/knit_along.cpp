@@ -80,7 +80,9 @@ void draw_knit_along(PanelFrame& frame) {
                    ImGuiWindowFlags_NoFocusOnAppearing);
   pop_raised_look();
   if (last == 0) {
-    faint_text("There is nothing to knit yet: the stitches have no labels.");
+    faint_text(cache.in_pieces()
+                   ? "Knitting along is for one piece only; the tab Pattern has all pieces in words."
+                   : "There is nothing to knit yet: the stitches have no labels.");
   } else {
     const std::int32_t round = std::clamp(*along, 1, last);
     draw_turning(frame, round, last);

@@ -30,14 +30,31 @@ std::string unbroken(std::string text) {
 PatternLine line_of_round(const knit::RoundLine& round) {
   const std::string text = unbroken(round.text());
   const std::size_t colon = text.find(": ");
-  if (colon == std::string::npos) return {Kind::round, {}, text, RoundSpan{round.first, round.last}};
-  return {Kind::round, text.substr(0, colon + 1), text.substr(colon + 2), RoundSpan{round.first, round.last}};
+  const RoundSpan rows{round.first + round.rows_before, round.last + round.rows_before};
+  if (colon == std::string::npos) return {Kind::round, {}, text, rows};
+  return {Kind::round, text.substr(0, colon + 1), text.substr(colon + 2), rows};
+}
+
+// Of pieces: what they are called, how they begin, and what is to be thought of.
+PatternLine line_of_words(const knit::WrittenPattern::Instruction& instruction) {
+  using Words = knit::WrittenPattern::Instruction::Kind;
+  switch (instruction.kind) {
+    case Words::heading:
+      return {Kind::piece, {}, unbroken(instruction.remark), {}};
+    case Words::step:
+      if (instruction.row == 0) return {Kind::round, {}, unbroken(instruction.remark), {}};
+      return {Kind::round, {}, unbroken(instruction.remark), RoundSpan{instruction.row, instruction.row}};
+    case Words::remark:
+      break;
+  }
+  return {Kind::remark, {}, instruction.remark, {}};
 }
 
 // Space before a kind of line, in plain units; the fonts' own leading is not counted.
 float space_before(Kind kind) {
   switch (kind) {
     case Kind::heading:
+    case Kind::piece:
       return 12.0f;
     case Kind::remark:
       return 6.0f;
@@ -61,7 +78,7 @@ float width_of(const std::string& words, ImFont* font) {
 
 // Labels of a kind stand in one column; a label that would leave the words too little room does not widen it.
 struct LabelColumns {
-  std::array<float, 8> widths{};
+  std::array<float, 9> widths{};
   [[nodiscard]] float& of(Kind kind) { return widths[static_cast<std::size_t>(kind)]; }
 };
 
@@ -82,6 +99,7 @@ ImFont* font_of(PatternLine::Kind kind, const Fonts& fonts) {
     case Kind::title:
       return fonts.heading;
     case Kind::heading:
+    case Kind::piece:
       return fonts.strong;
     case Kind::faint:
     case Kind::plain:
@@ -110,14 +128,10 @@ std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern) {
   for (const auto& [word, meaning] : pattern.abbreviations) lines.push_back({Kind::entry, word, meaning, {}});
   add_all("Notes", Kind::item, pattern.notes);
   add(Kind::heading, "Instructions");
-  lines.push_back({Kind::round, {}, unbroken(pattern.start), RoundSpan{1, 1}});
-  for (const auto& instruction : pattern.instructions) {
-    if (instruction.round) {
-      lines.push_back(line_of_round(*instruction.round));
-    } else {
-      add(Kind::remark, instruction.remark);
-    }
-  }
+  lines.push_back({pattern.in_pieces ? Kind::plain : Kind::round, {}, unbroken(pattern.start), {}});
+  if (!pattern.in_pieces) lines.back().rounds = RoundSpan{1, 1};
+  for (const auto& instruction : pattern.instructions)
+    lines.push_back(instruction.round ? line_of_round(*instruction.round) : line_of_words(instruction));
   add_all("Finishing", Kind::plain, pattern.finishing);
   return lines;
 }

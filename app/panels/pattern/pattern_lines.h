@@ -16,11 +16,11 @@
 namespace app {
 
 struct PatternLine {
-  enum class Kind : std::uint8_t { title, faint, heading, plain, item, entry, round, remark };
+  enum class Kind : std::uint8_t { title, faint, heading, piece, plain, item, entry, round, remark };
   Kind kind = Kind::plain;
   std::string label;                // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
   std::string words;                // wrapped
-  std::optional<RoundSpan> rounds;  // that it says
+  std::optional<RoundSpan> rounds;  // that it says, as the fabric's rows are numbered
 };
 
 // In the document's order.

@@ -255,7 +255,7 @@ void draw_side<SidePanel::pattern>(PanelFrame& frame) {
   draw_pattern_fields(frame);
   if (frame.timeline() != nullptr)
     frame.own<ChartCache>().refresh(*frame.timeline(), frame.session.view->pattern);
-  if (frame.timeline() == nullptr || frame.own<ChartCache>().rounds() == 0) {
+  if (frame.timeline() == nullptr || !frame.own<ChartCache>().has_pattern()) {
     wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
   } else {
     if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);

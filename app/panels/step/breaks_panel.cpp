@@ -82,9 +82,11 @@ void draw_head(PanelFrame& frame) {
 
 // "12", or "12..." while the run is not known to its end.
 std::string count_words(const PanelFrame& frame, std::size_t i) {
-  const BreakHits none;
-  const BreakHits& hits = frame.session.document ? frame.session.document->travel.hits : none;
-  return with_commas(hits.count(i)) + (hits.whole() ? "" : "...");
+  const auto words = [&](const BreakHits& hits) {
+    return with_commas(hits.count(i)) + (hits.whole() ? "" : "...");
+  };
+  if (!frame.session.document) return words({});
+  return words(frame.session.document->travel.hits);
 }
 
 void draw_condition(PanelFrame& frame, std::size_t i) {

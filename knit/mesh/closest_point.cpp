@@ -1,0 +1,53 @@
+#include "knit/mesh/closest_point.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace knit {
+
+namespace {
+
+glm::dvec3 closest_on_side(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) {
+  const glm::dvec3 side = to - from;
+  const double square = glm::dot(side, side);
+  return square > 0.0 ? from + std::clamp(glm::dot(point - from, side) / square, 0.0, 1.0) * side : from;
+}
+
+double square_of(const glm::dvec3& v) { return glm::dot(v, v); }
+
+}  // namespace
+
+// Above the triangle the foot of the perpendicular, else the nearest place on a side.
+glm::dvec3 closest_on_triangle(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double square = square_of(normal);
+  if (square > 0.0) {
+    const auto inside = [&](const glm::dvec3& from, const glm::dvec3& to) {
+      return glm::dot(glm::cross(to - from, point - from), normal) >= 0.0;
+    };
+    if (inside(a, b) && inside(b, c) && inside(c, a))
+      return point - (glm::dot(point - a, normal) / square) * normal;
+  }
+  glm::dvec3 best = closest_on_side(point, a, b);
+  for (const glm::dvec3& other : {closest_on_side(point, b, c), closest_on_side(point, c, a)}) {
+    if (square_of(other - point) < square_of(best - point)) best = other;
+  }
+  return best;
+}
+
+glm::dvec3 closest_on_surface(const Mesh& mesh, const glm::dvec3& point) {
+  glm::dvec3 best = point;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 place =
+        closest_on_triangle(point, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+    if (square_of(place - point) >= least) continue;
+    least = square_of(place - point);
+    best = place;
+  }
+  return best;
+}
+
+}  // namespace knit

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "knit/mesh/ranking.h"
+#include "knit/model/bug.h"
+#include "knit/tubes/plan.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::size_t most_states = 2000;  // a level
+
+// A total order, though one that means nothing: sets that differ are told apart by a word.
+class TubeSet {
+ public:
+  explicit TubeSet(std::size_t tubes) : words_(tubes / 64 + 1, 0) {}
+  [[nodiscard]] bool has(TubeId id) const {
+    const auto bit = static_cast<std::size_t>(id);
+    return (words_[bit / 64] >> (bit % 64) & 1U) != 0;
+  }
+  void add(TubeId id) {
+    const auto bit = static_cast<std::size_t>(id);
+    words_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    std::uint64_t mixed = (bit + 1) * 0x9e3779b97f4a7c15U;
+    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
+    mix_ += mixed ^ (mixed >> 27U);
+  }
+  [[nodiscard]] bool has_all(const std::vector<TubeId>& ids) const {
+    return std::all_of(ids.begin(), ids.end(), [&](TubeId id) { return has(id); });
+  }
+  friend auto operator<=>(const TubeSet&, const TubeSet&) = default;
+
+ private:
+  std::uint64_t mix_ = 0;  // of the tubes added, each once
+  std::vector<std::uint64_t> words_;
+};
+
+// After some tubes. States of a level stand in the order of their tubes so far, so that of two the one whose parent
+// stands first, then the lower last tube, wins a tie.
+struct OrderState {
+  TubeSet done{0};
+  TubeId last = -1;
+  std::int32_t live = 0;  // loops of what is done that nothing stands on yet
+  std::int32_t held_most = 0, yarns = 0, held_sum = 0;
+  std::size_t parent = 0;  // in the level before
+  [[nodiscard]] auto key() const { return std::tie(done, last); }
+  [[nodiscard]] auto tubes_so_far() const { return std::tie(parent, last); }
+  [[nodiscard]] auto cost() const { return std::tie(held_most, yarns, held_sum, parent, last); }
+};
+
+using OrderLevel = std::vector<OrderState>;
+
+// A rowless leaf of a ring is not searched for: it is an edge to cast on or to graft, and neither waits for a holder nor has
+// a yarn. Both tubes above a ring cast on begin with a yarn of their own; the one that is worked later picks its stitches up.
+class OrderSearch {
+ public:
+  OrderSearch(const std::vector<Tube>& tubes, const std::vector<TubeEvent>& events)
+      : tubes_(tubes), events_(events), at_ring_(tubes.size(), 0) {
+    for (const TubeEvent& event : events) {
+      if (event.kind == EventKind::ring_cast_on) set_ring_leaf(event.below.front());
+      if (event.kind == EventKind::ring_bind_off) set_ring_leaf(event.above.front());
+    }
+  }
+
+  TubeOrder run() {
+    OrderState start;
+    start.done = TubeSet(tubes_.size());
+    std::size_t searched = 0;
+    for (std::size_t i = 0; i < tubes_.size(); ++i) {
+      if (at_ring_[i] == 0)
+        ++searched;
+      else if (kind_at(tubes_[i].top) == EventKind::ring_cast_on)
+        start.done.add(static_cast<TubeId>(i));
+    }
+    std::vector<OrderLevel> levels{{start}};
+    for (std::size_t i = 0; i < searched; ++i) levels.push_back(next_level(levels.back()));
+    if (levels.back().empty()) throw Bug("tubes that stand on each other");
+    return best_of(levels);
+  }
+
+ private:
+  [[nodiscard]] const TubeEvent& event(std::int32_t id) const {
+    return events_[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] EventKind kind_at(std::int32_t id) const { return event(id).kind; }
+  [[nodiscard]] const Tube& tube(TubeId id) const { return tubes_[static_cast<std::size_t>(id)]; }
+  void set_ring_leaf(TubeId id) { at_ring_[static_cast<std::size_t>(id)] = 1; }
+
+  // Live loops are dealt as soon as they can be: a split gives two, a join leaves one.
+  [[nodiscard]] std::int32_t loops_left_by(const TubeEvent& top, const TubeSet& done) const {
+    switch (top.kind) {
+      case EventKind::bind_off:
+        return 0;
+      case EventKind::split:
+        return 2;
+      case EventKind::join:
+        return done.has_all(top.below) ? 0 : 1;
+      case EventKind::ring_bind_off:
+        return done.has_all(top.below) ? -1 : 1;
+      case EventKind::cast_on:
+      case EventKind::ring_cast_on:
+        break;
+    }
+    throw Bug("a tube that ends where tubes begin");
+  }
+
+  [[nodiscard]] OrderState worked(const OrderState& state, TubeId next, std::size_t parent) const {
+    const TubeEvent& bottom = event(tube(next).bottom);
+    const bool begins = bottom.kind == EventKind::cast_on || bottom.kind == EventKind::ring_cast_on;
+    const bool goes_on =
+        !begins && std::find(bottom.below.begin(), bottom.below.end(), state.last) != bottom.below.end();
+    OrderState after = state;
+    after.parent = parent;
+    after.last = next;
+    after.done.add(next);
+    if (!begins) --after.live;
+    after.held_most = std::max(after.held_most, after.live);
+    after.held_sum += after.live;
+    after.yarns += goes_on ? 0 : 1;
+    after.live += loops_left_by(event(tube(next).top), after.done);
+    return after;
+  }
+
+  OrderLevel next_level(const OrderLevel& level) {
+    OrderLevel next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      for (TubeId id = 0; id < static_cast<TubeId>(tubes_.size()); ++id) {
+        if (at_ring_[static_cast<std::size_t>(id)] != 0 || level[i].done.has(id) ||
+            !level[i].done.has_all(event(tube(id).bottom).below))
+          continue;
+        next.push_back(worked(level[i], id, i));
+      }
+    }
+    // Of each set and last tube the best; of them the best.
+    const auto by_cost = [](const OrderState& a, const OrderState& b) { return a.cost() < b.cost(); };
+    std::sort(next.begin(), next.end(), [&](const OrderState& a, const OrderState& b) {
+      const auto by_key = a.key() <=> b.key();
+      return by_key != 0 ? by_key < 0 : by_cost(a, b);
+    });
+    const auto same = [](const OrderState& a, const OrderState& b) { return a.key() == b.key(); };
+    next.erase(std::unique(next.begin(), next.end(), same), next.end());
+    if (next.size() > most_states) {
+      exact_ = false;
+      put_least_first(std::span(next), most_states, by_cost);
+      next.resize(most_states, OrderState{});
+    }
+    std::sort(next.begin(), next.end(),
+              [](const OrderState& a, const OrderState& b) { return a.tubes_so_far() < b.tubes_so_far(); });
+    return next;
+  }
+
+  // With the leaves of rings right before the first and right after the last tube that they belong to.
+  [[nodiscard]] TubeOrder best_of(const std::vector<OrderLevel>& levels) const {
+    const OrderLevel& last = levels.back();
+    const auto best =
+        std::min_element(last.begin(), last.end(),
+                         [](const OrderState& a, const OrderState& b) { return a.cost() < b.cost(); });
+    TubeOrder order{{}, best->held_most, best->yarns, exact_};
+    std::vector<TubeId> searched;
+    const OrderState* state = &*best;
+    for (std::size_t level = levels.size() - 1; level > 0; --level) {
+      searched.push_back(state->last);
+      state = &levels[level - 1][state->parent];
+    }
+    TubeSet done(tubes_.size());
+    const auto list = [&](TubeId next) {
+      if (done.has(next)) return;
+      done.add(next);
+      order.order.push_back(next);
+    };
+    std::reverse(searched.begin(), searched.end());
+    for (const TubeId id : searched) {
+      const TubeEvent& bottom = event(tube(id).bottom);
+      const TubeEvent& top = event(tube(id).top);
+      if (bottom.kind == EventKind::ring_cast_on) list(bottom.below.front());
+      list(id);
+      if (top.kind == EventKind::ring_bind_off && done.has_all(top.below)) list(top.above.front());
+    }
+    return order;
+  }
+
+  const std::vector<Tube>& tubes_;
+  const std::vector<TubeEvent>& events_;
+  std::vector<std::uint8_t> at_ring_;  // of each tube: a rowless leaf of a ring
+  bool exact_ = true;
+};
+
+}  // namespace
+
+TubeOrder order_tubes(const std::vector<Tube>& tubes, const std::vector<TubeEvent>& events) {
+  return OrderSearch(tubes, events).run();
+}
+
+}  // namespace knit

@@ -1,0 +1,164 @@
+#include "knit/tubes/tubes_stage.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+#include "knit/model/ties.h"
+#include "knit/timing/fields.h"
+#include "knit/timing/intrinsic.h"
+
+namespace knit {
+
+namespace {
+
+// A graph with more tubes than this is noise.
+constexpr std::size_t most_raw_tubes = 500;
+constexpr std::int32_t most_rows = 20000, most_stitches = 2000000;
+
+Stopped stop_for(StopReason reason, std::int32_t count, std::int32_t other, double value) {
+  Stopped stop{};
+  stop.reason = reason;
+  stop.level = count;
+  stop.count = count;
+  stop.other = other;
+  stop.vertex = no_vertex;
+  stop.value = value;
+  return stop;
+}
+
+GraphFound found(const TubeGraph& graph) {
+  return {static_cast<std::int32_t>(graph.tubes.size()), static_cast<std::int32_t>(graph.nodes.size()),
+          graph.loops(), graph.surface.unfolded};
+}
+
+// Whether level sets form more than one tube, but for what rounding makes of flat parts.
+bool branches(const TubeGraph& graph) {
+  const double range = graph.nodes.back().value - graph.nodes.front().value;
+  const auto is_tube = [&](const GraphTube& tube) {
+    const auto value = [&](std::int32_t node) { return graph.nodes[static_cast<std::size_t>(node)].value; };
+    return clearly_less(value(tube.bottom), value(tube.top), range);
+  };
+  return std::count_if(graph.tubes.begin(), graph.tubes.end(), is_tube) > 1;
+}
+
+// The times' own graph; where it is one tube there is nothing to smooth.
+Advanced<TubesEvent> find_graph(const Input& input, const Timing& timing, const TubeSettings& settings,
+                                TubesWork& work) {
+  work.graph = Shared(find_tubes(make_morse(input, timing.cut_field())));
+  const bool smooth = settings.smoothing == Smoothing::on ||
+                      (settings.smoothing == Smoothing::by_itself && branches(*work.graph));
+  if (!smooth && work.graph->tubes.size() > most_raw_tubes) {
+    const auto tubes = static_cast<std::int32_t>(work.graph->tubes.size());
+    work = TubesWork{};
+    return stop_for(StopReason::too_many_tubes, tubes, static_cast<std::int32_t>(most_raw_tubes), 0.0);
+  }
+  work.phase = smooth ? TubesPhase::smooth : TubesPhase::nodes;
+  return found(*work.graph);
+}
+
+FieldSmoothed smooth(const Input& input, const Timing& timing, const TubeSettings& settings,
+                     const StitchSize& stitch, TubesWork& work) {
+  const FieldSmoothed step{static_cast<std::int32_t>(work.graph->tubes.size()),
+                           settings.smoothing_length * stitch.height};
+  const std::vector<double> field =
+      smooth_field(input, make_intrinsic(input), timing.cut_field(), step.length);
+  work.graph = Shared(find_tubes(make_morse(input, field)));
+  work.phase = TubesPhase::found;
+  return step;
+}
+
+NodeFound next_node(TubesWork& work) {
+  const GraphNode& node = work.graph->nodes[static_cast<std::size_t>(work.shown++)];
+  if (work.shown == static_cast<std::int32_t>(work.graph->nodes.size())) work.phase = TubesPhase::plan;
+  return {node.kind(), work.graph->surface.origin[node.vertex], static_cast<std::int32_t>(node.below.size()),
+          static_cast<std::int32_t>(node.above.size()), node.value};
+}
+
+TubeLeftOut next_left_out(const StitchSize& stitch, TubesWork& work) {
+  const LeftOut& left = work.plan->left_out[static_cast<std::size_t>(work.shown++)];
+  return {left.handle, left.from, static_cast<float>(left.height / stitch.height),
+          static_cast<float>(left.girth / stitch.width), static_cast<float>(left.width_that_keeps)};
+}
+
+// A slip of the stitch size shall not fill the memory.
+std::optional<Stopped> too_fine_for(const TubeGraph& graph, const StitchSize& stitch) {
+  double area = 0.0;
+  glm::dvec3 low = graph.surface.positions.front(), high = low;
+  for (const auto& [a, b, c] : graph.surface.triangles) {
+    const auto& p = graph.surface.positions;
+    area += 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
+  }
+  for (const glm::dvec3& p : graph.surface.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double stitches = area / (stitch.width * stitch.height),
+               rows = glm::distance(low, high) / stitch.height;
+  if (rows > most_rows)
+    return stop_for(StopReason::too_fine, static_cast<std::int32_t>(std::min(rows, 1e9)), most_rows, 0.0);
+  if (stitches > most_stitches) return stop_for(StopReason::too_fine, 0, most_stitches, stitches);
+  return std::nullopt;
+}
+
+Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch, TubesWork& work,
+                          TubesMade made) {
+  if (!work.plan) {
+    if (const auto stop = too_fine_for(*work.graph, stitch)) return *stop;
+    TubePlan planned = plan_tubes(*work.graph, {stitch.width, stitch.height, settings.smallest_limb});
+    if (planned.tubes.size() == 1 && planned.tubes.front().rows() <= 1)
+      return stop_for(StopReason::no_row_levels, planned.tubes.front().rows(), 0, stitch.width);
+    work.plan = Shared(std::move(planned));
+    work.shown = 0;
+  }
+  if (work.shown < static_cast<std::int32_t>(work.plan->left_out.size())) return next_left_out(stitch, work);
+  const TubePlan& planned = *work.plan;
+  TubesPlanned step{static_cast<std::int32_t>(planned.tubes.size()),
+                    0,
+                    static_cast<std::int32_t>(planned.events.size()),
+                    planned.held_most,
+                    planned.yarns,
+                    planned.order_is_exact};
+  for (const Tube& tube : planned.tubes) step.rows += tube.rows();
+  made.graph = work.graph;
+  made.plan = work.plan;
+  return {step, Ended::stage};
+}
+
+}  // namespace
+
+Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, const TubeSettings& settings,
+                                   const StitchSize& stitch, TubesWork& work, TubesMade made) {
+  switch (work.phase) {
+    case TubesPhase::graph:
+      return find_graph(input, timing, settings, work);
+    case TubesPhase::smooth:
+      return smooth(input, timing, settings, stitch, work);
+    case TubesPhase::found:
+      if (work.graph->tubes.size() > most_raw_tubes)
+        return stop_for(StopReason::too_many_tubes, static_cast<std::int32_t>(work.graph->tubes.size()),
+                        static_cast<std::int32_t>(most_raw_tubes), 0.0);
+      work.phase = TubesPhase::nodes;
+      return found(*work.graph);
+    case TubesPhase::nodes:
+      return next_node(work);
+    case TubesPhase::prune:
+    case TubesPhase::plan:
+      break;
+  }
+  return plan(settings, stitch, work, made);
+}
+
+bool next_sweeps_surface(const TubesWork& work) {
+  return work.phase == TubesPhase::graph || work.phase == TubesPhase::smooth ||
+         (work.phase == TubesPhase::plan && !work.plan);
+}
+
+std::string_view work_ahead(const TubesWork& work) {
+  if (work.phase == TubesPhase::graph) return "finding the tubes";
+  return work.phase == TubesPhase::smooth ? "smoothing the time" : "planning the rounds";
+}
+
+}  // namespace knit
