@@ -319,6 +319,46 @@ TEST_CASE("the report's pattern is the page's: read back, it makes the report's 
   CHECK(Json(rows) == report["rows"]);
 }
 
+TEST_CASE("a torus from side to side: its tubes and events in the report, the map tube by tube") {
+  Session session = example_session("torus");
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.timing.axis.kind = knit::AxisKind::x;
+  knit::give_width(parameters, 0.15);
+  apply(session, Tune{parameters});
+  apply(session, ToLast{});
+  const Json report = Json::parse(report_text(session));
+  REQUIRE(report["tubes"].size() == 4);
+  std::size_t rounds = 0;
+  for (const Json& tube : report["tubes"]) rounds += tube["rounds"].get<std::size_t>();
+  CHECK(rounds == report["rows"].size());
+  CHECK(report["tubes"][0]["name"] == "A");
+  CHECK(report["tubes"][0]["from"] == "cast-on");
+  CHECK(report["tubes"][3]["to"] == "bind-off");
+  CHECK(report["tubes"][1]["twin_of"] == Json({"C"}));
+  std::vector<std::string> kinds;
+  for (const Json& event : report["events"]) kinds.push_back(event["kind"]);
+  CHECK(kinds == std::vector<std::string>{"cast-on", "split", "join", "bind-off"});
+  CHECK(report["events"][1]["arcs"][0].get<int>() + report["events"][1]["arcs"][1].get<int>() ==
+        report["rows"][report["events"][1]["after_row"].get<std::size_t>() - 1]);
+  CHECK(report["genus"] == 1);
+  CHECK(report["openings"] == 2);
+  CHECK(report["euler"] == -2);
+  CHECK(report["yarns"] == 2);
+  CHECK(report["graph"]["loops"] == 1);
+  REQUIRE(report["labels"].size() == report["rows"].size());
+  for (std::size_t i = 0; i < report["rows"].size(); ++i)
+    CHECK(report["labels"][i].size() == report["rows"][i]);
+
+  std::size_t tubes = 0, splits = 0;
+  for (const std::string& line : lines_of(map_text(session))) {
+    tubes += line.rfind("# tube ", 0) == 0 ? 1 : 0;
+    splits += line.rfind("# split: A > B C, arcs ", 0) == 0 ? 1 : 0;
+  }
+  CHECK(tubes == 4);
+  CHECK(splits == 1);
+}
+
 TEST_CASE("a report shows the position, at the start too") {
   Session session = test_support::small_session();
   const Json start = Json::parse(report_text(session));

@@ -13,6 +13,7 @@
 #include "app/files/session_file.h"
 #include "app/session/document.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 #include "knit/stitches/appendix.h"
 
 namespace app {
@@ -66,12 +67,43 @@ std::string mesh_text(const Session& session) {
   return text;
 }
 
+namespace {
+
+// The deals after a row, a line each; in the map they are remarks.
+std::string deal_lines(const knit::Fabric& fabric, knit::RowId after) {
+  constexpr std::array<const char*, 4> words{"split", "join", "ring cast on", "graft"};
+  std::string text;
+  for (const auto& deal : fabric.deals()) {
+    if (deal->after != after) continue;
+    text += std::string("# ") + words.at(static_cast<std::size_t>(deal->kind)) + ":";
+    for (const knit::TubeId tube : deal->from) text += " " + knit::tube_name(tube);
+    text += " >";
+    for (const knit::TubeId tube : deal->to) text += " " + knit::tube_name(tube);
+    text += ", arcs " + std::to_string(deal->arcs[0]) + " and " + std::to_string(deal->arcs[1]) +
+            ", bridge " + std::to_string(deal->bridge.size()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string map_text(const Session& session) {
   const knit::State& state = session.document->timeline.state();
   if (state.fabric.rows().empty()) return "";
   std::string text;
-  for (const knit::LabelRow& row : label_rows(state)) text += knit::text_of(row) + "\n";
-  return text;
+  const bool branches = !state.fabric.deals().empty();
+  knit::RowId last = 0;
+  for (const TubeLabels& tube : label_rows(state)) {
+    if (branches) {
+      text += deal_lines(state.fabric, last);
+      text += "# tube " + knit::tube_name(tube.tube) + "\n";
+    }
+    for (const knit::LabelRow& row : tube.rows) {
+      text += knit::text_of(row) + "\n";
+      last = std::max(last, row.row);
+    }
+  }
+  return text + (branches ? deal_lines(state.fabric, last) : "");
 }
 
 std::string steps_text(const Session& session) {

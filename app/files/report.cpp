@@ -1,5 +1,7 @@
 #include "app/files/report.h"
 
+#include <array>
+
 #include "app/files/pattern_export.h"
 #include "app/session/document.h"
 
@@ -180,8 +182,10 @@ Json integers(const std::vector<knit::Label>& labels) {
 Json labels_json(const knit::State& state) {
   Json all = Json::array();
   if (state.fabric.rows().empty()) return all;
-  for (const knit::LabelRow& row : label_rows(state)) {
-    if (!row.into) all.push_back(integers(row.labels));
+  for (const TubeLabels& tube : label_rows(state)) {
+    for (const knit::LabelRow& row : tube.rows) {
+      if (!row.into) all.push_back(integers(row.labels));
+    }
   }
   return all;
 }
@@ -199,6 +203,111 @@ Json joins_json(const knit::State& state) {
   return all;
 }
 
+std::string_view word_of(knit::EventKind kind) {
+  constexpr std::array<std::string_view, 6> words{"cast-on",  "split",        "join",
+                                                  "bind-off", "ring-cast-on", "ring-bind-off"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+Json names_json(const std::vector<knit::TubeId>& tubes) {
+  Json names = Json::array();
+  for (const knit::TubeId tube : tubes) names.push_back(knit::tube_name(tube));
+  return names;
+}
+
+// As they are planned, with the rows that are there.
+Json tubes_json(const knit::State& state) {
+  Json all = Json::array();
+  const knit::TubePlan& plan = *state.tubes;
+  for (std::size_t id = 0; id < plan.tubes.size(); ++id) {
+    const knit::Tube& tube = plan.tubes[id];
+    std::size_t stitches = 0;
+    Json rows = Json::array();
+    for (const auto& row : state.fabric.rows()) {
+      if (row->tube != static_cast<knit::TubeId>(id)) continue;
+      stitches += row->stitches.size();
+      rows.push_back(row->id);
+    }
+    std::vector<knit::TubeId> twins = tube.twins;
+    std::erase(twins, static_cast<knit::TubeId>(id));
+    all.push_back({{"name", knit::tube_name(static_cast<std::int32_t>(id))},
+                   {"from", word_of(plan.event(tube.bottom).kind)},
+                   {"to", word_of(plan.event(tube.top).kind)},
+                   {"rounds", tube.rows()},
+                   {"rows", rows},
+                   {"stitches", stitches},
+                   {"height", tube.height},
+                   {"inner", tube.inner},
+                   {"twin_of", names_json(twins)}});
+  }
+  return all;
+}
+
+Json events_json(const knit::State& state) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < state.tubes->events.size(); ++i) {
+    const knit::TubeEvent& event = state.tubes->events[i];
+    Json entry{{"kind", word_of(event.kind)},
+               {"vertex", event.vertex},
+               {"below", names_json(event.below)},
+               {"above", names_json(event.above)}};
+    for (const auto& deal : state.fabric.deals()) {
+      if (deal->event != static_cast<std::int32_t>(i)) continue;
+      entry["after_row"] = deal->after;
+      entry["arcs"] = deal->arcs;
+      entry["bridge"] = deal->bridge.size();
+      entry["gap"] = deal->gap;
+    }
+    all.push_back(std::move(entry));
+  }
+  return all;
+}
+
+Json left_out_json(const knit::TubePlan& plan) {
+  Json all = Json::array();
+  for (const knit::LeftOut& left : plan.left_out) {
+    all.push_back({{"what", left.handle ? "hole" : "limb"},
+                   {"vertex", left.from},
+                   {"height", left.height},
+                   {"girth", left.girth},
+                   {"width_that_keeps", left.width_that_keeps}});
+  }
+  return all;
+}
+
+// Of the graph as it was found, before anything was left out.
+Json graph_json(const knit::TubeGraph& graph) {
+  std::array<std::int32_t, 4> kinds{};
+  for (const knit::GraphNode& node : graph.nodes) ++kinds.at(static_cast<std::size_t>(node.kind()));
+  return {{"minima", kinds[0]},
+          {"splits", kinds[1]},
+          {"joins", kinds[2]},
+          {"maxima", kinds[3]},
+          {"unfolded", graph.surface.unfolded},
+          {"tubes", graph.tubes.size()},
+          {"loops", graph.loops()}};
+}
+
+void add_tubes(const knit::State& state, Json& report) {
+  const knit::TubePlan& plan = *state.tubes;
+  report["graph"] = graph_json(*state.graph);
+  report["tubes"] = tubes_json(state);
+  report["events"] = events_json(state);
+  report["genus"] = knit::genus_of(plan);
+  const auto ends = [](const knit::TubeEvent& event) {
+    return event.kind == knit::EventKind::cast_on || event.kind == knit::EventKind::bind_off;
+  };
+  std::ptrdiff_t openings = 0;
+  for (const knit::TubeEvent& event : plan.events) {
+    const knit::TubeId tube = event.below.empty() ? event.above.front() : event.below.front();
+    openings += ends(event) && plan.tube(tube).rows() > 0 ? 1 : 0;
+  }
+  report["openings"] = openings;
+  report["held_most"] = plan.held_most;
+  report["yarns"] = plan.yarns;
+  report["left_out"] = left_out_json(plan);
+}
+
 Json edits_json(const knit::Timeline& timeline) {
   Json all = Json::array();
   for (const knit::Edit& edit : timeline.edits()) {
@@ -212,11 +321,23 @@ Json edits_json(const knit::Timeline& timeline) {
 
 }  // namespace
 
-std::vector<knit::LabelRow> label_rows(const knit::State& state) {
-  std::vector<const knit::Join*> joins;
-  for (const auto& join : state.fabric.joins()) joins.push_back(&*join);
-  return knit::appendix_view(knit::size_of(state.fabric.row(1)), joins,
-                             state.stage() > knit::Stage::stitches);
+std::vector<TubeLabels> label_rows(const knit::State& state) {
+  const knit::Fabric& fabric = state.fabric;
+  const bool all_labelled = state.stage() > knit::Stage::stitches;
+  std::vector<TubeLabels> tubes;
+  for (knit::RowId id = 1; id <= fabric.row_count();) {
+    const knit::Row& first = fabric.row(id);
+    std::vector<const knit::Join*> joins;
+    const bool cast_on = first.on.empty();
+    for (; id <= fabric.row_count() && fabric.row(id).tube == first.tube; ++id) {
+      if (const knit::Join* join = fabric.join_into(id)) joins.push_back(join);
+    }
+    const bool ends = fabric.deals().empty() || !fabric.live(first.tube).empty();
+    const std::int32_t below = cast_on ? knit::size_of(first) : first.on.size();
+    tubes.push_back(
+        {first.tube, knit::appendix_view(below, joins, all_labelled && ends, cast_on ? first.id : 0)});
+  }
+  return tubes;
 }
 
 Json report_json(const Session& session) {
@@ -243,6 +364,7 @@ Json report_json(const Session& session) {
   report["euler"] = knit::euler_characteristic(state);
   report["course"] = lengths_json(knit::course_figures(state));
   report["wale"] = lengths_json(knit::wale_figures(state));
+  if (state.tubes) add_tubes(state, report);
   report["shaping"] = {{"increases", shaping.increases},
                        {"decreases", shaping.decreases},
                        {"max_in_a_row", shaping.max_in_a_row}};

@@ -34,7 +34,11 @@ nlohmann::ordered_json quality_json(const knit::Quality& quality, const knit::Cl
 // Requires an open mesh.
 nlohmann::ordered_json report_json(const Session& session);
 
-// The label arrays of the rows finished so far; requires at least one row.
-std::vector<knit::LabelRow> label_rows(const knit::State& state);
+// The label arrays of the rows finished so far, tube after tube in working order; requires at least one row.
+struct TubeLabels {
+  knit::TubeId tube = 0;
+  std::vector<knit::LabelRow> rows;
+};
+std::vector<TubeLabels> label_rows(const knit::State& state);
 
 }  // namespace app

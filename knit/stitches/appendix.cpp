@@ -2,12 +2,13 @@
 
 namespace knit {
 
-std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins, bool complete) {
+std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins, bool complete,
+                                    std::int32_t first) {
   std::vector<LabelRow> view;
   const auto cast = [](std::int32_t size) {
     return std::vector<Label>(static_cast<std::size_t>(size), Label::cast);
   };
-  view.push_back({1, std::nullopt, cast(cast_on)});
+  view.push_back({first, std::nullopt, cast(cast_on)});
   for (std::size_t i = 0; i < joins.size(); ++i) {
     const Join& t = *joins[i];
     const bool last = complete && i + 1 == joins.size();
@@ -26,12 +27,13 @@ std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* 
       view.push_back({t.to, std::nullopt, last && t.change() == 0 ? cast(t.above) : t.labels});
     }
   }
+  std::erase_if(view, [](const LabelRow& row) { return row.row == 0 && !row.into; });
   return view;
 }
 
 std::string text_of(const LabelRow& row) {
-  std::string text = std::to_string(row.row);
-  if (row.into) text += " > " + std::to_string(*row.into);
+  std::string text = row.row > 0 ? std::to_string(row.row) : "";
+  if (row.into) text += (text.empty() ? "> " : " > ") + std::to_string(*row.into);
   text += ": [";
   for (std::size_t i = 0; i < row.labels.size(); ++i) {
     if (i > 0) text += ", ";

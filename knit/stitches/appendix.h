@@ -14,15 +14,16 @@ namespace knit {
 // A row that is both grown into and shrunk out of needs two lists, and so does a cast on that shrinks at once; `into`
 // names the row that a second list leads to.
 struct LabelRow {
-  std::int32_t row = 1;
+  std::int32_t row = 1;  // 0: no row, but the live stitches that a tube begins on
   std::optional<std::int32_t> into;
   std::vector<Label> labels;
 };
+// `first`: the row that the first join hangs on, as in LabelRow; of 0 there is no list but that of a join.
 // `complete`: the last join leads to the last row, which is cast off; else more rows are to come.
 std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins,
-                                    bool complete = true);
+                                    bool complete = true, std::int32_t first = 1);
 
-// "3: [6, 1, 0, 0, 2]"
+// "3: [6, 1, 0, 0, 2]", "3 > 4: [...]", "> 4: [...]"
 std::string text_of(const LabelRow& row);
 
 }  // namespace knit
