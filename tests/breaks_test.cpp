@@ -88,8 +88,9 @@ bool any_width(const Row& row, double width, double bound, bool wider) {
 }  // namespace
 
 TEST_CASE("break conditions read back equal, however they are spelt", "[breaks]") {
-  for (const char* text : {"stage=rows", "stage=cast-on", "row=14", "label=m1l", "label=main", "grows>4",
-                           "shrinks>0", "gap", "stall", "over-double", "wider>1.3", "narrower<0.7"}) {
+  for (const char* text :
+       {"stage=rows", "stage=cast-on", "row=14", "label=m1l", "label=main", "grows>4", "shrinks>0", "gap",
+        "stall", "over-double", "wider>1.3", "narrower<0.7", "split", "join", "hold"}) {
     CHECK(text_of(condition(text)) == text);
     CHECK(condition(text_of(condition(text))) == condition(text));
     CHECK_FALSE(words_of(condition(text)).empty());
@@ -210,6 +211,28 @@ TEST_CASE("a run that stops for it breaks at its stop, after the last step", "[b
   REQUIRE(stopped.stop() != nullptr);
   CHECK(knit::get_if<Stopped>(*stopped.stop())->reason == StopReason::changes_too_much);
   CHECK(hits_of(stopped, "over-double") == std::vector{stopped.known()});
+}
+
+TEST_CASE(
+    "a ring knitted from side to side breaks where its loop is cut, where two become one, and on a holder",
+    "[breaks]") {
+  Parameters parameters = contour_parameters();
+  parameters.timing.axis.kind = AxisKind::x;
+  Timeline timeline(make_input(torus(48, 24, 1.0, 0.4)), parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.stop() == nullptr);
+  const auto split = hits_of(timeline, "split"), join = hits_of(timeline, "join"),
+             hold = hits_of(timeline, "hold");
+  REQUIRE(split.size() == 1);
+  REQUIRE(join.size() == 1);
+  REQUIRE(hold.size() == 1);
+  CHECK(split.front() < hold.front());
+  CHECK(hold.front() < join.front());
+  // What a tube begins on is no change of the tube before.
+  for (const std::size_t step : hits_of(timeline, "grows>0")) {
+    const Row& row = timeline.furthest().fabric.row(timeline.step(step).place.row);
+    CHECK(size_of(row) > row.on.size());
+  }
 }
 
 TEST_CASE("several conditions hit in the order of steps, and each is counted", "[breaks]") {

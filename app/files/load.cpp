@@ -9,6 +9,7 @@
 #include "app/session/action.h"
 #include "knit/import/obj.h"
 #include "knit/model/stitch_size.h"
+#include "knit/rows/first_choice.h"
 
 namespace app {
 
@@ -32,9 +33,8 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
   if (progress != nullptr) progress->at(0.9);
-  const knit::Parameters wished =
-      parameters != nullptr ? *parameters : knit::default_parameters(loaded.input->bounds);
-  loaded.parameters = knit::resolved(wished, *loaded.input);
+  loaded.parameters = parameters != nullptr ? knit::resolved(*parameters, *loaded.input)
+                                            : knit::first_parameters(*loaded.input);
   return loaded;
 }
 

@@ -191,7 +191,7 @@ void report_pieces(const Topology& topology, Report& report) {
   if (topology.pieces.size() < 2) return;
   std::vector<VertexId> where;
   std::string sizes;
-  for (const Piece& piece : topology.pieces) {
+  for (const SurfacePiece& piece : topology.pieces) {
     where.push_back(piece.lowest);
     if (where.size() <= vertices_shown)
       sizes += (sizes.empty() ? "" : ", ") + std::to_string(piece.triangles);

@@ -80,7 +80,7 @@ void flood(const Surface& surface, Topology& topology) {
   std::vector<std::size_t> reached;
   for (std::size_t seed = 0; seed < count; ++seed) {
     if (side[seed] != unseen || collapsed(twins_of(surface.triangles[seed], surface.twin))) continue;
-    Piece piece;
+    SurfacePiece piece;
     std::size_t flipped = 0;
     side[seed] = 0;
     reached.assign(1, seed);

@@ -9,14 +9,14 @@
 
 namespace knit {
 
-struct Piece {
+struct SurfacePiece {
   VertexId lowest = no_vertex;  // its lowest vertex
   std::size_t triangles = 0;
 };
 
 // Vertices are lowest indices at their place. Collapsed triangles (two corners at one place) are left out.
 struct Topology {
-  std::vector<Piece> pieces;    // triangles connected across edges, in order of their first triangle
+  std::vector<SurfacePiece> pieces;    // triangles connected across edges, in order of their first triangle
   std::size_t open_edges = 0;   // of one triangle only
   std::vector<VertexId> holes;  // the lowest vertex of each connected boundary, ascending
   std::vector<std::array<VertexId, 2>> crowded_edges;  // of three or more triangles

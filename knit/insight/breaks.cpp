@@ -23,9 +23,12 @@ constexpr std::array forms{
     Form{BreakKind::label, "label", '='},     Form{BreakKind::grows, "grows", '>'},
     Form{BreakKind::shrinks, "shrinks", '>'}, Form{BreakKind::gap, "gap", '\0'},
     Form{BreakKind::stall, "stall", '\0'},    Form{BreakKind::over_double, "over-double", '\0'},
-    Form{BreakKind::wider, "wider", '>'},     Form{BreakKind::narrower, "narrower", '<'}};
+    Form{BreakKind::wider, "wider", '>'},     Form{BreakKind::narrower, "narrower", '<'},
+    Form{BreakKind::split, "split", '\0'},    Form{BreakKind::join, "join", '\0'},
+    Form{BreakKind::hold, "hold", '\0'}};
 constexpr std::string_view all_forms =
-    "stage=rows, row=14, label=m1l, grows>4, shrinks>4, gap, stall, over-double, wider>1.3 or narrower<0.7";
+    "stage=rows, row=14, label=m1l, grows>4, shrinks>4, gap, stall, over-double, wider>1.3, narrower<0.7, "
+    "split, join or hold";
 
 struct NamedLabel {
   Label label;
@@ -70,7 +73,7 @@ Parsed with_stage(const Form& form, std::string_view value) {
   const auto stage = stage_named(value);
   const bool has_steps =
       stage && std::find(machine_stages.begin(), machine_stages.end(), *stage) != machine_stages.end();
-  if (!has_steps) return cannot_be(form, value, "timing, cast-on, rows, stitches, faces or pattern");
+  if (!has_steps) return cannot_be(form, value, "timing, tubes, cast-on, rows, stitches, faces or pattern");
   condition.stage = *stage;
   return condition;
 }
@@ -161,6 +164,8 @@ struct Sight {
 
 bool holds(const BreakCondition& condition, const Step& step, const Sight& sight) {
   const auto* closed = get_if<RowClosed>(step);
+  const auto* gaps = get_if<GapsFound>(step);
+  const auto* dealt = get_if<LoopsDealt>(step);
   switch (condition.kind) {
     case BreakKind::stage:
       return sight.begins_stage && step.place.stage == condition.stage;
@@ -182,6 +187,12 @@ bool holds(const BreakCondition& condition, const Step& step, const Sight& sight
       return sight.widths.high > condition.bound;
     case BreakKind::narrower:
       return sight.widths.low < condition.bound;
+    case BreakKind::split:
+      return gaps != nullptr && gaps->deal == DealKind::split;
+    case BreakKind::join:
+      return gaps != nullptr && gaps->deal == DealKind::join;
+    case BreakKind::hold:
+      return dealt != nullptr && dealt->held > 0;
   }
   return false;
 }
@@ -246,6 +257,12 @@ std::string words_of(const BreakCondition& condition) {
       return "a stitch wider than " + widths;
     case BreakKind::narrower:
       return "a stitch narrower than " + widths;
+    case BreakKind::split:
+      return "a loop is cut in two";
+    case BreakKind::join:
+      return "two loops become one";
+    case BreakKind::hold:
+      return "stitches wait on a holder";
   }
   return {};
 }
@@ -279,12 +296,11 @@ void BreakScanner::take(const Step& step, const Parameters& parameters, const Fa
   if (sight.begins_row || !is_common(step)) {
     const auto size = finished_row_size(step);
     const Row* row = fabric.find_row(step.place.row);
-    if (size && row_below_) sight.growth = *size - *row_below_;
+    if (size && row != nullptr && !row->on.empty()) sight.growth = *size - row->on.size();
     if (size && measures_ && row != nullptr) sight.widths = widths_of(*row, parameters.stitch.width);
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
       if (holds(conditions_[i], step, sight)) hit(i);
     }
-    if (size) row_below_ = size;
   }
   ++taken_;
 }

@@ -1,6 +1,6 @@
 // Break conditions: what a run is stopped at, forwards and backwards. Functions of steps and finished rows.
 //
-// As text: stage=rows  row=14  label=m1l  grows>4  shrinks>4  gap  stall  over-double  wider>1.3  narrower<0.7
+// As text: stage=rows  row=14  label=m1l  grows>4  shrinks>4  gap  stall  over-double  wider>1.3  narrower<0.7  split  join  hold
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,9 @@ enum class BreakKind : std::uint8_t {
   over_double,  // a row wants more increases than the row before has stitches
   wider,        // a finished row has a stitch wider than `bound` stitch widths
   narrower,     // narrower
+  split,        // a loop is cut in two
+  join,         // two loops become one
+  hold,         // loops wait on holders after a deal
 };
 
 struct BreakCondition {
@@ -81,7 +84,6 @@ class BreakScanner {
   std::vector<std::size_t> counts_;
   std::size_t taken_ = 0;
   std::optional<Place> last_;
-  std::optional<std::int32_t> row_below_;  // stitches of the last finished row
 };
 
 }  // namespace knit

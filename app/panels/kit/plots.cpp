@@ -78,7 +78,7 @@ void draw_axis_words(const PanelFrame& frame, const Stand& stand, std::span<cons
 }
 
 float draw_key(const PanelFrame& frame, const Stand& stand, const std::string& title, float right,
-               const Key& key) {
+               const PlotKey& key) {
   const float title_end = stand.left + ImGui::CalcTextSize(title.c_str()).x;
   const float foot = stand.ground.y - frame.units(3.0f);
   push_font(frame.fonts.small);

@@ -94,14 +94,14 @@ void draw_axis_words(const PanelFrame& frame, const Stand& stand, std::span<cons
 
 // Words at the right end of the title's line: in the colour of what they speak of, or with a line of it before
 // them.
-struct Key {
+struct PlotKey {
   std::string words;
   Colour colour;
   bool line;
 };
 // Gives where they begin, so that the next stand before them. Left out where they would touch the title.
 float draw_key(const PanelFrame& frame, const Stand& stand, const std::string& title, float right,
-               const Key& key);
+               const PlotKey& key);
 
 }  // namespace plot_parts
 

@@ -13,9 +13,9 @@ namespace app {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> usual{"stall",        "gap",       "over-double",
-                                                "grows>4",      "shrinks>4", "wider>1.5",
-                                                "narrower<0.5", "label=m1l", "label=k2tog"};
+constexpr std::array<std::string_view, 12> usual{"stall",       "gap",       "over-double",  "grows>4",
+                                                 "shrinks>4",   "wider>1.5", "narrower<0.5", "label=m1l",
+                                                 "label=k2tog", "split",     "join",         "hold"};
 constexpr float shortest_break_list = 48.0f;  // plain units; below that the panel scrolls as a whole
 
 void wish_with(PanelFrame& frame, const knit::BreakCondition& condition) {
@@ -71,7 +71,7 @@ void draw_head(PanelFrame& frame) {
   tooltip(
       frame,
       "A condition to stop at: stage=rows, row=14, label=m1l, grows>4, shrinks>4, gap, stall, over-double, "
-      "wider>1.3, narrower<0.7. Widths count in stitch widths.");
+      "wider>1.3, narrower<0.7, split, join, hold. Widths count in stitch widths.");
   ImGui::SameLine(0.0f, frame.units(3.0f));
   const bool clicked = ImGui::Button("Add", ImVec2(button, 0.0f));
   frame.mark("break/add");

@@ -1,0 +1,92 @@
+// Shapes that branch, bend and have handles, from the first step to the last: every promise, and how well they are knitted.
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "knit/import/obj.h"
+#include "knit/model/stitch_size.h"
+#include "knit/quality/measures.h"
+#include "knit/quality/quality.h"
+#include "knit/run/timeline.h"
+#include "tests/support/catch.h"
+#include "tests/support/promises.h"
+
+using namespace knit;
+
+#ifdef KNIT_SHARED_MESHES
+namespace {
+
+struct Case {
+  const char* mesh;
+  TimingKind timing;
+  double width_percent;  // of the bounding box's diagonal
+  std::int32_t genus, openings;
+  std::int32_t rows, stitches;  // within 3 %: counts where a length is near a half may go either way
+  double wale_cv, course_cv;    // at most
+};
+
+constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic;
+constexpr std::array cases{Case{"bunny", linear, 4, 0, 5, 39, 782, 0.352, 0.06},
+                           Case{"bunny", geodesic, 4, 0, 5, 41, 816, 0.384, 0.06},
+                           Case{"bunny", linear, 2, 0, 10, 84, 3082, 0.327, 0.05},
+                           Case{"bunny", geodesic, 2, 0, 5, 80, 3142, 0.489, 0.05},
+                           Case{"spot", linear, 4, 0, 7, 44, 749, 0.361, 0.05},
+                           Case{"spot", geodesic, 2, 0, 9, 78, 2975, 0.302, 0.05},
+                           Case{"teddy", linear, 4, 0, 6, 42, 755, 0.207, 0.05},
+                           Case{"teddy", geodesic, 2, 0, 6, 92, 3005, 0.168, 0.05},
+                           Case{"y", geodesic, 4, 0, 3, 39, 499, 0.102, 0.05},
+                           Case{"trousers", linear, 2, 0, 3, 92, 3101, 0.074, 0.05},
+                           Case{"starfish", linear, 4, 0, 5, 40, 447, 0.242, 0.05},
+                           Case{"starfish", geodesic, 2, 0, 5, 93, 1829, 0.140, 0.05},
+                           Case{"octopus", linear, 4, 0, 10, 79, 649, 0.208, 0.05},
+                           Case{"octopus", geodesic, 4, 0, 9, 82, 702, 0.132, 0.05},
+                           Case{"mug", linear, 4, 1, 2, 56, 1466, 0.164, 0.05},
+                           Case{"mug", geodesic, 4, 1, 3, 55, 1516, 0.197, 0.05},
+                           Case{"double-torus", linear, 4, 2, 2, 55, 730, 0.161, 0.05},
+                           Case{"chain3", linear, 2, 3, 2, 110, 2312, 0.178, 0.05},
+                           Case{"simple-torus", linear, 4, 1, 2, 40, 907, 0.175, 0.05},
+                           Case{"simple-torus", geodesic, 2, 1, 2, 84, 3619, 0.138, 0.05},
+                           Case{"cup", linear, 4, 0, 2, 33, 1043, 0.150, 0.05},
+                           Case{"table", geodesic, 4, 0, 5, 71, 1163, 0.287, 0.05}};
+
+std::shared_ptr<const Input> mesh_named(const std::filesystem::path& file) {
+  auto read = read_obj_file(file);
+  REQUIRE(std::holds_alternative<Mesh>(read));
+  return make_input(std::get<Mesh>(std::move(read)));
+}
+
+void check_case(const Case& wanted, const std::filesystem::path& folder) {
+  INFO(wanted.mesh << ", timing " << static_cast<int>(wanted.timing) << ", w " << wanted.width_percent
+                   << " %");
+  const auto input = mesh_named(folder / (std::string(wanted.mesh) + ".obj"));
+  Parameters parameters = default_parameters(input->bounds);
+  give_width(parameters, wanted.width_percent / 100.0 * input->bounds.diagonal());
+  parameters.timing.kind = wanted.timing;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters = resolved(parameters, *input);
+  Timeline timeline(input, parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.stop() == nullptr);
+  const State& state = timeline.furthest();
+  CHECK(test_support::broken_promise(state) == "");
+  CHECK(genus_of(*state.tubes) == wanted.genus);
+  CHECK(euler_characteristic(state) == 2 - 2 * wanted.genus - wanted.openings);
+  CHECK(state.fabric.row_count() == Approx(wanted.rows).epsilon(0.03));
+  CHECK(static_cast<double>(state.fabric.stitch_count()) == Approx(wanted.stitches).epsilon(0.03));
+  const Quality quality = measure_quality(*input, state, parameters.stitch.width, parameters.stitch.height);
+  CHECK(quality.wale.cv <= wanted.wale_cv);
+  double mean = 0.0;
+  for (const RowFit& row : quality.rows) mean += row.course_cv;
+  CHECK(mean / static_cast<double>(quality.rows.size()) <= wanted.course_cv + 0.01);
+}
+
+}  // namespace
+
+TEST_CASE("any shape: meshes by others are knitted from end to end, as well as measured before") {
+  const std::filesystem::path folder = KNIT_SHARED_MESHES;
+  if (!std::filesystem::exists(folder / "bunny.obj")) return;  // not part of the sources
+  for (const Case& wanted : cases) check_case(wanted, folder);
+}
+#endif
