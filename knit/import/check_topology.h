@@ -16,9 +16,9 @@ struct SurfacePiece {
 
 // Vertices are lowest indices at their place. Collapsed triangles (two corners at one place) are left out.
 struct Topology {
-  std::vector<SurfacePiece> pieces;    // triangles connected across edges, in order of their first triangle
-  std::size_t open_edges = 0;   // of one triangle only
-  std::vector<VertexId> holes;  // the lowest vertex of each connected boundary, ascending
+  std::vector<SurfacePiece> pieces;  // triangles connected across edges, in order of their first triangle
+  std::size_t open_edges = 0;        // of one triangle only
+  std::vector<VertexId> holes;       // the lowest vertex of each connected boundary, ascending
   std::vector<std::array<VertexId, 2>> crowded_edges;  // of three or more triangles
   std::vector<VertexId> pinched;                       // more than one fan of triangles; ascending
   // Meaningless when there are crowded edges:
