@@ -123,6 +123,7 @@ double mean_offset(std::span<const glm::dvec3> below, std::span<const glm::dvec3
 
 // A wider window finds nothing else on sound curves and costs its share.
 constexpr std::int32_t most_turns = 12;
+constexpr std::int32_t most_turns_tried = 96;  // where any will do
 
 }  // namespace
 
@@ -131,12 +132,22 @@ RoundMatch match_round(std::span<const glm::dvec3> below, std::span<const glm::d
   const auto n = static_cast<std::int32_t>(above.size());
   TurnMatcher matcher(below, above);
   RoundMatch best{0, unreachable, {}};
-  const std::int32_t first = 2 * turns >= n ? 0 : -turns, last = 2 * turns >= n ? n - 1 : turns;
-  for (std::int32_t turn = first; turn <= last; ++turn) {
-    const std::int32_t at = (turn + n) % n;
-    const double cost = matcher.cost_of(static_cast<std::size_t>(at));
-    if (clearly_less(cost, best.sum_of_squares, matcher.scale())) best = {at, cost, matcher.links()};
+  const auto try_turns = [&](std::int32_t first, std::int32_t last, std::int32_t step) {
+    for (std::int32_t turn = first; turn <= last; turn += step) {
+      const std::int32_t at = ((turn % n) + n) % n;
+      const double cost = matcher.cost_of(static_cast<std::size_t>(at));
+      if (clearly_less(cost, best.sum_of_squares, matcher.scale())) best = {at, cost, matcher.links()};
+    }
+  };
+  if (2 * turns < n) {
+    try_turns(-turns, turns, 1);
+    return best;
   }
+  // Any turn. Of long rounds every few first, then those between about the best of them.
+  const std::int32_t stride = (n + most_turns_tried - 1) / most_turns_tried;
+  try_turns(0, n - 1, stride);
+  const std::int32_t near = best.turn;
+  if (stride > 1) try_turns(near - stride + 1, near + stride - 1, 1);
   return best;
 }
 
