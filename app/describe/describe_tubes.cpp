@@ -1,6 +1,8 @@
 #include "app/describe/describe_tubes.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "app/describe/describe_contours.h"
 #include "app/describe/describe_step.h"
@@ -73,10 +75,14 @@ void add_curves(const knit::TubePlan& plan, Scene& scene) {
   }
 }
 
-std::vector<glm::vec3> places_of(const knit::Fabric& fabric, const knit::LiveStitches& live) {
+std::vector<glm::vec3> places_of(std::span<const knit::Stitch> stitches) {
   std::vector<glm::vec3> places;
-  for (const knit::Stitch& stitch : fabric.stitches_of(live)) places.emplace_back(stitch.position);
+  places.reserve(stitches.size());
+  for (const knit::Stitch& stitch : stitches) places.emplace_back(stitch.position);
   return places;
+}
+std::vector<glm::vec3> places_of(const knit::Fabric& fabric, const knit::LiveStitches& live) {
+  return places_of(fabric.stitches_of(live));
 }
 
 // A thread through them: dashes from stitch to stitch.
@@ -121,10 +127,7 @@ void add_deal(const knit::Fabric& fabric, const knit::Deal& deal, std::int32_t b
   const glm::vec3 saddle(deal.saddle);
   scene.points.push_back({saddle, theme.problem, 12.0F});
   scene.captions.push_back({saddle, deal.kind == knit::DealKind::split ? "split" : "join", theme.problem});
-  std::vector<glm::vec3> bridge;
-  for (std::int32_t i = 0; i < bridged; ++i)
-    bridge.emplace_back(deal.bridge[static_cast<std::size_t>(i)].position);
-  add_path(bridge, theme.anchor, scene);
+  add_path(places_of(std::span(deal.bridge).first(static_cast<std::size_t>(bridged))), theme.anchor, scene);
 }
 
 // Bridges that are there, and faces at saddles once faces are made.
@@ -133,8 +136,7 @@ void add_finished_deals(const Session& session, Scene& scene) {
   const knit::KnittingPath path(state.fabric);
   for (const auto& deal : state.fabric.deals()) {
     if (session.view->shows(Layer::row_edges) && !deal->bridge.empty()) {
-      std::vector<glm::vec3> places;
-      for (const knit::Stitch& stitch : deal->bridge) places.emplace_back(stitch.position);
+      const std::vector<glm::vec3> places = places_of(deal->bridge);
       for (std::size_t i = 0; i + 1 < places.size(); ++i)
         scene.lines.push_back({places[i], places[i + 1], scene.theme->row_edge, 1.8F});
     }
