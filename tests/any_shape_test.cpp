@@ -22,33 +22,35 @@ struct Case {
   TimingKind timing;
   double width_percent;  // of the bounding box's diagonal
   std::int32_t genus, openings;
-  std::int32_t rows, stitches;  // within 3 %: counts where a length is near a half may go either way
-  double wale_cv, course_cv;    // at most
+  // As worked out apart from this program, within 4 %: heights are measured otherwise here, and a count near a half may go
+  // either way.
+  std::int32_t rows, stitches;
+  double wale_cv;  // at most: what was measured there, and a twentieth
 };
 
 constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic;
-constexpr std::array cases{Case{"bunny", linear, 4, 0, 5, 39, 782, 0.352, 0.06},
-                           Case{"bunny", geodesic, 4, 0, 5, 41, 816, 0.384, 0.06},
-                           Case{"bunny", linear, 2, 0, 10, 84, 3082, 0.327, 0.05},
-                           Case{"bunny", geodesic, 2, 0, 5, 80, 3142, 0.489, 0.05},
-                           Case{"spot", linear, 4, 0, 7, 44, 749, 0.361, 0.05},
-                           Case{"spot", geodesic, 2, 0, 9, 78, 2975, 0.302, 0.05},
-                           Case{"teddy", linear, 4, 0, 6, 42, 755, 0.207, 0.05},
-                           Case{"teddy", geodesic, 2, 0, 6, 92, 3005, 0.168, 0.05},
-                           Case{"y", geodesic, 4, 0, 3, 39, 499, 0.102, 0.05},
-                           Case{"trousers", linear, 2, 0, 3, 92, 3101, 0.074, 0.05},
-                           Case{"starfish", linear, 4, 0, 5, 40, 447, 0.242, 0.05},
-                           Case{"starfish", geodesic, 2, 0, 5, 93, 1829, 0.140, 0.05},
-                           Case{"octopus", linear, 4, 0, 10, 79, 649, 0.208, 0.05},
-                           Case{"octopus", geodesic, 4, 0, 9, 82, 702, 0.132, 0.05},
-                           Case{"mug", linear, 4, 1, 2, 56, 1466, 0.164, 0.05},
-                           Case{"mug", geodesic, 4, 1, 3, 55, 1516, 0.197, 0.05},
-                           Case{"double-torus", linear, 4, 2, 2, 55, 730, 0.161, 0.05},
-                           Case{"chain3", linear, 2, 3, 2, 110, 2312, 0.178, 0.05},
-                           Case{"simple-torus", linear, 4, 1, 2, 40, 907, 0.175, 0.05},
-                           Case{"simple-torus", geodesic, 2, 1, 2, 84, 3619, 0.138, 0.05},
-                           Case{"cup", linear, 4, 0, 2, 33, 1043, 0.150, 0.05},
-                           Case{"table", geodesic, 4, 0, 5, 71, 1163, 0.287, 0.05}};
+constexpr std::array cases{Case{"bunny", linear, 4, 0, 5, 39, 783, 0.352},
+                           Case{"bunny", geodesic, 4, 0, 5, 41, 817, 0.384},
+                           Case{"bunny", linear, 2, 0, 10, 84, 3082, 0.327},
+                           Case{"bunny", geodesic, 2, 0, 5, 79, 3133, 0.489},
+                           Case{"spot", linear, 4, 0, 7, 44, 749, 0.361},
+                           Case{"spot", geodesic, 2, 0, 9, 77, 2981, 0.302},
+                           Case{"teddy", linear, 4, 0, 6, 42, 756, 0.207},
+                           Case{"teddy", geodesic, 2, 0, 6, 92, 2960, 0.168},
+                           Case{"y", geodesic, 4, 0, 3, 39, 503, 0.102},
+                           Case{"trousers", linear, 2, 0, 3, 91, 3085, 0.074},
+                           Case{"starfish", linear, 4, 0, 5, 40, 448, 0.242},
+                           Case{"starfish", geodesic, 2, 0, 5, 92, 1790, 0.140},
+                           Case{"octopus", linear, 4, 0, 10, 79, 650, 0.208},
+                           Case{"octopus", geodesic, 4, 0, 9, 82, 703, 0.132},
+                           Case{"mug", linear, 4, 1, 2, 56, 1476, 0.164},
+                           Case{"mug", geodesic, 4, 1, 3, 54, 1524, 0.197},
+                           Case{"double-torus", linear, 4, 2, 2, 55, 733, 0.161},
+                           Case{"chain3", linear, 2, 3, 2, 110, 2319, 0.178},
+                           Case{"simple-torus", linear, 4, 1, 2, 40, 907, 0.175},
+                           Case{"simple-torus", geodesic, 2, 1, 2, 84, 3618, 0.138},
+                           Case{"cup", linear, 4, 0, 2, 32, 1017, 0.150},
+                           Case{"table", geodesic, 4, 0, 5, 71, 1164, 0.287}};
 
 std::shared_ptr<const Input> mesh_named(const std::filesystem::path& file) {
   auto read = read_obj_file(file);
@@ -73,18 +75,18 @@ void check_case(const Case& wanted, const std::filesystem::path& folder) {
   CHECK(test_support::broken_promise(state) == "");
   CHECK(genus_of(*state.tubes) == wanted.genus);
   CHECK(euler_characteristic(state) == 2 - 2 * wanted.genus - wanted.openings);
-  CHECK(state.fabric.row_count() == Approx(wanted.rows).epsilon(0.03));
-  CHECK(static_cast<double>(state.fabric.stitch_count()) == Approx(wanted.stitches).epsilon(0.03));
+  CHECK(state.fabric.row_count() == Approx(wanted.rows).epsilon(0.04));
+  CHECK(static_cast<double>(state.fabric.stitch_count()) == Approx(wanted.stitches).epsilon(0.04));
   const Quality quality = measure_quality(*input, state, parameters.stitch.width, parameters.stitch.height);
   CHECK(quality.wale.cv <= wanted.wale_cv);
   double mean = 0.0;
   for (const RowFit& row : quality.rows) mean += row.course_cv;
-  CHECK(mean / static_cast<double>(quality.rows.size()) <= wanted.course_cv + 0.01);
+  CHECK(mean / static_cast<double>(quality.rows.size()) <= 0.06);
 }
 
 }  // namespace
 
-TEST_CASE("any shape: meshes by others are knitted from end to end, as well as measured before") {
+TEST_CASE("any shape: meshes by others are knitted from end to end, as well as elsewhere") {
   const std::filesystem::path folder = KNIT_SHARED_MESHES;
   if (!std::filesystem::exists(folder / "bunny.obj")) return;  // not part of the sources
   for (const Case& wanted : cases) check_case(wanted, folder);

@@ -120,21 +120,6 @@ struct Cut {
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
-// The cuts that rows are taken from, at equal steps of time.
-struct CutPlan {
-  double from_time = 0.0;        // planned from here on to 1
-  double stitch_height = 0.0;    // what was asked
-  double height = 0.0;           // still to go along the surface
-  double row_height = 0.0;       // what fits: the mean height between two cuts
-  std::int32_t passed_over = 0;  // cuts too short for three half stitches, at the start
-  std::vector<Cut> cuts;         // up to the first of several loops
-  std::optional<Split> split;    // of the last cut
-  [[nodiscard]] auto fields() const {
-    return std::tie(from_time, stitch_height, height, row_height, passed_over, cuts, split);
-  }
-  friend bool operator==(const CutPlan&, const CutPlan&) = default;
-};
-
 // --- pattern
 // -------------------------------------------------------------------------------------------------------
 

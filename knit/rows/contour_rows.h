@@ -11,10 +11,6 @@
 
 namespace knit {
 
-// A slip of the stitch size shall not fill the memory: beyond these a run stops.
-inline constexpr std::int32_t most_contour_rows = 20000;
-inline constexpr std::int32_t most_contour_stitches = 2000000;
-
 struct ChosenCount {
   std::int32_t count = 0;
   CountReason reason = CountReason::ideal;

@@ -34,8 +34,6 @@ std::vector<glm::dvec3> middles_of(std::span<const Stitch> loop) {
   return middles;
 }
 
-const StitchRef& last_of(const std::vector<StitchRef>& refs) { return refs.back(); }
-
 std::vector<StitchRef> refs_of(const LiveStitches& live) {
   std::vector<StitchRef> refs;
   for (const StitchSpan& span : live.spans) {
@@ -90,13 +88,13 @@ struct Sides {
 // What must not be joined yet, for a deal without a bridge: its two closing edges.
 std::int32_t least_bridge(const DealAt& at, const Sides& sides, DealKind kind) {
   const std::vector<StitchRef> one = refs_of(sides.part[0]), two = refs_of(sides.part[1]);
-  std::vector<StitchRef> ends{one.front(), last_of(one), two.front(), last_of(two)};
+  std::vector<StitchRef> ends{one.front(), one.back(), two.front(), two.back()};
   std::sort(ends.begin(), ends.end());
   if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) return 2;
   const Joined joined(at.fabric);
   const bool again = kind == DealKind::split
-                         ? joined(last_of(one), one.front()) || joined(last_of(two), two.front())
-                         : joined(last_of(one), two.front()) || joined(last_of(two), one.front());
+                         ? joined(one.back(), one.front()) || joined(two.back(), two.front())
+                         : joined(one.back(), two.front()) || joined(two.back(), one.front());
   return again ? 1 : 0;
 }
 

@@ -45,10 +45,6 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
              "another axis, or a stitch width below " +
              short_number(s.value) + ".";
     case StopReason::not_a_ring:
-      if (s.vertex == no_vertex) {
-        return where + ": the surface is pinched to a point where it is cut at t = " + short_number(s.time) +
-               "; repair the mesh there, or choose another axis.";
-      }
       return where + ": no closed ring can be made of the " + plural(s.count, "vertex", "vertices") + " of " +
              level + " (" + vertex_text(s.vertex) +
              "); use a mesh with rings across the axis, another axis, or a larger level tolerance.";

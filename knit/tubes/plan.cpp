@@ -252,13 +252,12 @@ class RowChanger {
   RowChanger(const TubeGraph& graph, const TubePlan& plan, const TubeSettingsNow& settings, const Tube& tube)
       : graph_(graph), settings_(settings), tube_(tube) {
     for (const std::int32_t part : tube.parts) profiles_.push_back(profile_of(graph, part));
-    const auto beside = [&](std::int32_t event, EventKind pole, EventKind ring, double else_offset) {
-      const EventKind kind = plan.event(event).kind;
-      return kind == pole ? 1.0 : kind == ring ? beside_ring : else_offset;
-    };
-    low_ = beside(tube.bottom, EventKind::cast_on, EventKind::ring_cast_on, 0.25);
-    high_ = beside(tube.top, EventKind::bind_off, EventKind::ring_bind_off, 0.75);
-    drawn_in_ = plan.event(tube.top).kind == EventKind::bind_off;
+    const EventKind bottom = plan.event(tube.bottom).kind, top = plan.event(tube.top).kind;
+    offsets_ = row_offsets(bottom == EventKind::cast_on ? NodeKind::minimum : NodeKind::split,
+                           top == EventKind::bind_off ? NodeKind::maximum : NodeKind::join);
+    if (bottom == EventKind::ring_cast_on) offsets_.low = beside_ring;
+    if (top == EventKind::ring_bind_off) offsets_.high = beside_ring;
+    drawn_in_ = top == EventKind::bind_off;
   }
 
   Tube with_rows_above(std::int32_t made) {
@@ -269,10 +268,11 @@ class RowChanger {
     const double from = made > 0 ? height_of(tube_.values.back()) : 0.0;
     const double left = tube_.height - from;
     const double below =
-        made > 0 ? 0.0 : low_ - 1.0;  // the first row of a tube stands where it may, the next a row up
-    const double rows = std::floor(left / settings_.height - high_ - below + 0.5);
+        made > 0 ? 0.0
+                 : offsets_.low - 1.0;  // the first row of a tube stands where it may, the next a row up
+    const double rows = std::floor(left / settings_.height - offsets_.high - below + 0.5);
     const auto count = static_cast<std::int32_t>(std::clamp(rows, made > 0 ? 0.0 : 1.0, 1e6));
-    tube_.spacing = left / (count + high_ + below);
+    tube_.spacing = left / (count + offsets_.high + below);
     for (std::int32_t row = 1; row <= count; ++row) add_row(from + tube_.spacing * (row + below));
     while (drawn_in_ && tube_.curves.size() > std::max<std::size_t>(kept, 1) &&
            too_short(*tube_.curves.back(), settings_.width)) {
@@ -312,7 +312,7 @@ class RowChanger {
   const TubeSettingsNow settings_;
   Tube tube_;
   std::vector<TubeProfile> profiles_;
-  double low_ = 1.0, high_ = 1.0;
+  RowOffsets offsets_;
   bool drawn_in_ = false;
 };
 

@@ -144,7 +144,6 @@ Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, con
       return found(*work.graph);
     case TubesPhase::nodes:
       return next_node(work);
-    case TubesPhase::prune:
     case TubesPhase::plan:
       break;
   }

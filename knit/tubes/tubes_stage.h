@@ -13,7 +13,7 @@
 
 namespace knit {
 
-enum class TubesPhase : std::uint8_t { graph, smooth, found, nodes, prune, plan };
+enum class TubesPhase : std::uint8_t { graph, smooth, found, nodes, plan };
 struct TubesWork {
   TubesPhase phase = TubesPhase::graph;
   Shared<TubeGraph> graph;
