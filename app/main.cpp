@@ -1,5 +1,6 @@
 // knit-mesh: how a 3D mesh becomes something to knit by hand, step by step.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "app/actions/hosting.h"
 #include "app/script/command_line.h"
+#include "app/script/pieces.h"
 #include "app/session/document.h"
 #include "app/window/run.h"
 #include "knit/model/bug.h"
@@ -19,6 +21,31 @@ std::filesystem::path folder_of_program(const char* as_called) {
   return (error ? std::filesystem::absolute(as_called) : self).parent_path();
 }
 
+int say(const std::string& error) {
+  std::fprintf(stderr, "knit-mesh: %s\n", error.c_str());
+  return app::exit_usage;
+}
+
+int open_and_run(app::Session& session, const app::CommandLine& line) {
+  if (const auto error = app::open_as_asked(session, line)) return say(*error);
+  return line.headless ? app::run_headless(session, line) : app::run_window(session, line);
+}
+
+// The worst exit code of all pieces.
+int run_each_piece(app::Session& session, const app::CommandLine& line) {
+  const auto lines = app::lines_of_pieces(line);
+  if (const auto* error = std::get_if<std::string>(&lines)) return say(*error);
+  const auto& pieces = std::get<std::vector<app::CommandLine>>(lines);
+  const std::filesystem::path assets = session.program->assets;
+  int code = app::exit_done;
+  for (const app::CommandLine& piece : pieces) {
+    session = app::new_session(assets);
+    code = std::max(code, open_and_run(session, piece));
+  }
+  if (const auto error = app::join_patterns(line, pieces)) code = say(*error);
+  return code;
+}
+
 int run(const std::vector<std::string>& arguments, app::Session& session) {
   const auto parsed = app::parse_command_line(arguments, session.program->assets);
   if (const auto* answer = std::get_if<app::Answer>(&parsed)) {
@@ -27,11 +54,7 @@ int run(const std::vector<std::string>& arguments, app::Session& session) {
     return answer->exit_code;
   }
   const auto& line = std::get<app::CommandLine>(parsed);
-  if (const auto error = app::open_as_asked(session, line)) {
-    std::fprintf(stderr, "knit-mesh: %s\n", error->c_str());
-    return app::exit_usage;
-  }
-  return line.headless ? app::run_headless(session, line) : app::run_window(session, line);
+  return line.every_piece ? run_each_piece(session, line) : open_and_run(session, line);
 }
 
 // A bug's message ends with the command line that leads back to the place.

@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "knit/mesh/branching_shapes.h"
 #include "knit/mesh/shapes.h"
 
 namespace {
@@ -24,7 +25,7 @@ struct Example {
 constexpr unsigned segments = 128;
 constexpr double spacing = 0.07;
 
-constexpr std::array<Example, 8> examples{{
+constexpr std::array<Example, 16> examples{{
     {"thesis-sphere", [] { return knit::sphere(segments, 65, true); }},
     {"sphere", [] { return knit::sphere(segments, 45); }},
     {"stretched-sphere", [] { return knit::stretched_sphere(segments, spacing); }},
@@ -33,6 +34,14 @@ constexpr std::array<Example, 8> examples{{
     {"cone", [] { return knit::cone(segments, spacing); }},
     {"vase", [] { return knit::vase(segments, spacing); }},
     {"torus", [] { return knit::torus(segments, 28, 0.68, 0.32); }},
+    {"trousers", [] { return knit::trousers(0.06); }},
+    {"y", [] { return knit::letter_y(0.055); }},
+    {"starfish", [] { return knit::starfish(0.05); }},
+    {"octopus", [] { return knit::octopus(0.07); }},
+    {"mug", [] { return knit::mug(0.066); }},
+    {"cup", [] { return knit::cup(0.07); }},
+    {"double-torus", [] { return knit::double_torus(0.06); }},
+    {"chain-of-three", [] { return knit::chain_of_three(0.055); }},
 }};
 
 std::string contents(const fs::path& path) {

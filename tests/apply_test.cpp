@@ -79,7 +79,7 @@ void save_obj(const std::filesystem::path& path, const knit::Mesh& mesh) {
 }
 
 // An open, flat-faced mesh that the method cannot knit.
-const char* const holed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+const char* const flat = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
 
 }  // namespace
 
@@ -151,11 +151,11 @@ TEST_CASE("what is odd about a mesh that can be knitted is a warning") {
 
 TEST_CASE("what cannot be opened leaves the session as it was, with a sentence") {
   const test_support::Folder folder;
-  test_support::write_text(folder.path() / "holed.obj", holed);
+  test_support::write_text(folder.path() / "flat.obj", flat);
   test_support::write_text(folder.path() / "words.obj", "hello\n");
   Session session = finished_small_session();
   apply(session, SeekTo{700});
-  check_refused(session, OpenFile{folder.path() / "holed.obj"}, "hole");
+  check_refused(session, OpenFile{folder.path() / "flat.obj"}, "plane");
   check_refused(session, OpenFile{folder.path() / "words.obj"}, "words.obj");
   check_refused(session, OpenFile{folder.path() / "missing.obj"}, "does not exist");
   check_refused(session, OpenFile{folder.path()}, "folder");
@@ -495,7 +495,7 @@ TEST_CASE("the sentence always says something, and at a stop why") {
     apply(session, SeekTo{static_cast<std::size_t>(i)});
     CHECK(is_one_sentence(sentence(session)));
   }
-  Session torus = example_session("torus");
+  Session torus = test_support::torus_from_rings();
   apply(torus, ToLast{});
   REQUIRE(stop_shown(torus) != nullptr);
   CHECK(contains(sentence(torus), "splits"));

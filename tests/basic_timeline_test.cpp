@@ -45,6 +45,9 @@ struct Counter {
   static Place next(const State& state) { return state.next; }
   static Place place_of(const Step& step) { return step.place; }
   static bool is_stop(const Step& step) { return step.count == -1 && step.place.stage == 0; }
+  static bool sweeps(const Input& input, const Parameters& parameters, const State& state) {
+    return is_long(input, parameters, state);
+  }
   static bool is_long(const Input& /*input*/, const Parameters& /*parameters*/, const State& state) {
     return state.next == Place{1, 0};
   }

@@ -26,7 +26,7 @@ expect 0 "knit-mesh: break gap: Row 14 closes" --at rows:14 --break gap
 expect 0 "knit-mesh: break row=14: Row 14" --at rows:14:0 --break row=14 # it holds there
 expect 4 "no break condition holds" --break row=4000
 expect 4 "no break condition holds" --at end --break row=14
-expect 1 "no break condition holds" --example torus --break row=4000
+expect 1 "no break condition holds" --example torus --rows rings --break row=4000
 expect 1 "knit-mesh: break stall: " --epsilon 0.001 --on-stall stop --break stall
 expect 2 "is no break condition" --break roe=14
 expect 2 "a whole number from 1" --break row=0

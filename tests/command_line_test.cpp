@@ -156,7 +156,7 @@ TEST_CASE("bad usage ends with 2, nothing on standard output and one line that s
       Case{{"--cast-on", "2"}, "from 3 to 1000"}, Case{{"--cast-on", "6.5"}, "whole number"},
       Case{{"--axis", "w"}, "x, y, z"}, Case{{"--axis", "0,0,0"}, "0,0,0"}, Case{{"--start", "-1"}, "auto"},
       Case{{"--close", "round"}, "none, thesis or arc"}, Case{{"--on-stall", "go"}, "continue or stop"},
-      Case{{"--placement", "odd"}, "thesis, even or nearest"}, Case{{"--weld", "yes"}, "off or on"},
+      Case{{"--placement", "odd"}, "thesis, even, nearest or auto"}, Case{{"--weld", "yes"}, "off or on"},
       Case{{"--at", "purl"}, "STAGE[:ROW[:ITEM]]"}, Case{{"--size", "0x10"}, "WIDTHxHEIGHT"},
       Case{{"--size", "640"}, "WIDTHxHEIGHT"}, Case{{"--headless", "--size", "99999x99999"}, "16384"},
       Case{{"index"}, "--help"}, Case{{"index", "6,twelve"}, "twelve"}, Case{{"index", "6,,12"}, "row size"},
@@ -211,7 +211,8 @@ TEST_CASE("help, version and lists are answered on standard output") {
   CHECK(version.out.back() == '\n');
 
   CHECK(answered({"--list-examples"}).out ==
-        "thesis-sphere\nsphere\nstretched-sphere\negg\ncapsule\ncone\nvase\ntorus\n");
+        "thesis-sphere\nsphere\nstretched-sphere\negg\ncapsule\ncone\nvase\ntorus\n"
+        "trousers\ny\nstarfish\noctopus\nmug\ncup\ndouble-torus\nchain-of-three\n");
 
   const std::vector<std::string> parameters = test_support::lines_of(answered({"--list-parameters"}).out);
   REQUIRE(parameters.size() == knit::parameter_table().size());
@@ -303,8 +304,8 @@ TEST_CASE("welding by the command line opens the welded mesh") {
 TEST_CASE("what cannot be opened as asked is one sentence") {
   const test_support::Folder folder;
   test_support::write_text(folder.path() / "text.obj", "this is no mesh\n");
-  test_support::write_text(folder.path() / "open.obj",
-                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  test_support::write_text(folder.path() / "flat.obj",
+                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   const std::string in = folder.path().string() + "/";
   struct Case {
     Words words;
@@ -313,7 +314,7 @@ TEST_CASE("what cannot be opened as asked is one sentence") {
   const std::vector<Case> cases{{{in + "missing.obj"}, "does not exist"},
                                 {{in}, "folder"},
                                 {{in + "text.obj"}, "text.obj"},
-                                {{in + "open.obj"}, "hole"},
+                                {{in + "flat.obj"}, "plane"},
                                 {{"--example", "teapot"}, "choose one of thesis-sphere"},
                                 {{"--epsilon", "0.2"}, "epsilon"},
                                 {{"--start", "100000"}, "--start"},
@@ -369,7 +370,7 @@ TEST_CASE("go_to says when the run has no such place, and shows the nearest befo
   CHECK(contains(*no_row, "rows:500:0"));
   CHECK(session.document->timeline.place().stage == knit::Stage::rows);
 
-  Session torus = test_support::example_session("torus");
+  Session torus = test_support::torus_from_rings();
   const auto not_reached = go_to(torus, AtStage{knit::Stage::faces});
   REQUIRE(not_reached);
   CHECK(is_one_sentence(*not_reached));

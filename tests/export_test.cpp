@@ -377,7 +377,8 @@ TEST_CASE("a report shows the position, at the start too") {
 }
 
 TEST_CASE("a stop is the last problem, and the last line of the steps") {
-  const Session torus = finished_example("torus");
+  Session torus = test_support::torus_from_rings();
+  apply(torus, ToLast{});
   const Json report = Json::parse(report_text(torus));
   REQUIRE(report["problems"].size() == 1);
   const Json& problem = report["problems"][0];

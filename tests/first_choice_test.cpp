@@ -24,9 +24,9 @@ TEST_CASE("first run: a mesh with rings all the way is knitted from them") {
   for (const Mesh& mesh :
        {sphere(64, 33), sphere(64, 33, true), egg(64, 0.1), vase(64, 0.1), capsule(64, 0.1)}) {
     INFO(mesh.name);
-    CHECK(has_rings(*make_input(mesh), {}));
     const Timeline timeline = first_run(mesh);
-    CHECK(timeline.parameters().rows.source == RowSource::rings);
+    CHECK(timeline.parameters().rows.source == RowSource::by_itself);
+    CHECK(timeline.furthest().rows_from == RowSource::rings);
     CHECK(timeline.stop() == nullptr);
   }
 }
@@ -36,10 +36,10 @@ TEST_CASE("first run: what has no rings, branches or has a hole is knitted from 
   for (glm::dvec3& p : standing.positions) p = {p.z, p.x, p.y};
   for (const Mesh& mesh : {icosphere(3), torus(48, 24, 1.0, 0.4), standing, test_support::arch()}) {
     INFO(mesh.name << ", " << mesh.triangles.size() << " triangles");
-    CHECK_FALSE(has_rings(*make_input(mesh), {}));
     const Timeline timeline = first_run(mesh);
-    CHECK(timeline.parameters().rows.source == RowSource::contours);
-    CHECK(timeline.parameters().stitches.placement == PlacementPolicy::nearest);
+    const Parameters chosen = as_chosen(timeline.parameters(), timeline.furthest());
+    CHECK(chosen.rows.source == RowSource::contours);
+    CHECK(chosen.stitches.placement == PlacementPolicy::nearest);
     REQUIRE(timeline.stop() == nullptr);
     CHECK(timeline.furthest().fabric.row_count() > 1);
     CHECK(test_support::broken_promise(timeline.furthest()) == "");

@@ -65,6 +65,11 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   collect(run(small_sphere(), contours), contours);
   contours.timing.kind = TimingKind::geodesic;
   collect(run(small_sphere(), contours), contours);
+  Parameters chosen = small_parameters();
+  chosen.timing.kind = TimingKind::by_itself;
+  chosen.rows.source = RowSource::by_itself;
+  chosen.stitches.placement = PlacementPolicy::by_itself;
+  collect(run(small_sphere(), chosen), chosen);
   // Standing, a torus parts and meets again; of stitches as wide as its arms they are left out.
   contours.timing = {};
   contours.timing.axis.kind = AxisKind::x;
@@ -217,13 +222,12 @@ TEST_CASE("a step after the last is a bug that is caught") {
   CHECK_FALSE(timeline.forward());
 }
 
-TEST_CASE("one row alone: cast on and bound off at once") {
+TEST_CASE("one row alone is no piece: the run stops and says so") {
   const Timeline timeline = run(make_input(sphere(24, 2)), small_parameters());
-  REQUIRE(timeline.stop() == nullptr);
-  const State& state = timeline.furthest();
-  CHECK(state.fabric.rows().size() == 1);
-  CHECK(state.lines.size() == 2);
-  CHECK(euler_characteristic(state) == 0);
+  REQUIRE(timeline.stop() != nullptr);
+  CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::no_row_levels);
+  CHECK(narrate(*timeline.stop(), small_parameters()).find("one row is no piece") != std::string::npos);
+  CHECK(timeline.furthest().fabric.empty());
 }
 
 TEST_CASE("written lines add up: each consumes what the one before made") {

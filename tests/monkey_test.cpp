@@ -325,3 +325,6 @@ TEST_CASE("a monkey on the stretched sphere breaks nothing, and can be replayed"
 }
 TEST_CASE("a monkey on the torus breaks nothing, and can be replayed") { play_with("torus", 7); }
 TEST_CASE("a monkey on the vase breaks nothing, and can be replayed") { play_with("vase", 8); }
+TEST_CASE("a monkey on the trousers breaks nothing, and can be replayed") { play_with("trousers", 9); }
+TEST_CASE("a monkey on the starfish breaks nothing, and can be replayed") { play_with("starfish", 10); }
+TEST_CASE("a monkey on the mug breaks nothing, and can be replayed") { play_with("mug", 11); }

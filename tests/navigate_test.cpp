@@ -108,7 +108,7 @@ TEST_CASE("forward works a run out as far as needed, and no further than a slice
 }
 
 TEST_CASE("from the end of an unfinished run nothing moves, by any unit") {
-  Session torus = test_support::example_session("torus");
+  Session torus = test_support::torus_from_rings();
   apply(torus, ToLast{});
   REQUIRE(torus.document->timeline.stop() != nullptr);
   for (const Unit unit : {Unit::item, Unit::row, Unit::stage}) {

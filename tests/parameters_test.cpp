@@ -226,8 +226,8 @@ TEST_CASE("each kind of value is refused with what it takes") {
       {"gauge",
        "two numbers above 0, as 22,32",
        {"22", "22,", ",32", "0,32", "22,0", "-22,32", "22,32,1", "22 32", "inf,32", "auto", ""}},
-      {"timing", "linear, arc-length, geodesic or harmonic", {"Linear", "arc_length", "0", ""}},
-      {"rows", "rings or contours", {"ring", "contour"}},
+      {"timing", "linear, arc-length, geodesic, harmonic or auto", {"Linear", "arc_length", "0", ""}},
+      {"rows", "rings, contours or auto", {"ring", "contour"}},
       {"sizes", "mesh or gauge", {"auto"}},
       {"metric", "euclidean, arc or geodesic", {"straight"}},
       {"follow-mains", "off or on", {"yes"}}};
@@ -256,7 +256,7 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
   const auto among = [](const std::vector<std::string_view>& keys, std::string_view key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  for (const RowSource rows : {RowSource::rings, RowSource::contours}) {
+  for (const RowSource rows : {RowSource::rings, RowSource::contours, RowSource::by_itself}) {
     for (std::size_t i = 0; i < placement_names.size(); ++i) {
       const auto placement = static_cast<PlacementPolicy>(i);
       Parameters p;
@@ -266,7 +266,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
         CAPTURE(info.key, rows, placement);
         const bool idle = (among(of_rings, info.key) && rows == RowSource::contours) ||
                           (among(of_contours, info.key) && rows == RowSource::rings) ||
-                          (among(of_nearest, info.key) && placement != PlacementPolicy::nearest);
+                          (among(of_nearest, info.key) && placement != PlacementPolicy::nearest &&
+                           placement != PlacementPolicy::by_itself);
         CHECK(is_read(info, p) == !idle);
       }
     }

@@ -9,6 +9,27 @@
 
 using namespace knit;
 
+namespace {
+
+Parameters contours() {
+  Parameters parameters;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  return parameters;
+}
+
+Coverage half_covered() {
+  Coverage coverage;
+  coverage.uncovered = {
+      0.22, {{12, {}, 0.18, UncoveredKind::flat, 0.0}, {30, {}, 0.04, UncoveredKind::limb, 0.05}}};
+  coverage.stretched = {
+      {0, 4, 4, 1.6, 0.02, {4, 1}}, {1, 12, 15, 2.34, 0.1, {13, 7}}, {1, 20, 20, 9.0, 0.1, {20, 0}}};
+  coverage.tubes = 2;
+  return coverage;
+}
+
+}  // namespace
+
 TEST_CASE("problems are exactly the unusual steps", "[problems]") {
   for (const double epsilon : {0.001, 0.01, 0.15}) {
     Parameters parameters = test_support::small_parameters();
@@ -57,4 +78,56 @@ TEST_CASE("worse kinds come first at any time, the worst of a kind once the run 
   CHECK(steps() == std::vector<std::size_t>{4, 3, 5, 1, 2});
   ranking.finish();
   CHECK(steps() == std::vector<std::size_t>{4, 3, 5, 1, 2});
+}
+
+TEST_CASE("remarks say what is uncovered or stretched, where, and a way on", "[problems]") {
+  const auto remarks = remarks_on(half_covered(), contours());
+  REQUIRE(remarks.size() == 4);
+  CHECK(remarks[0].words ==
+        "18 % of the surface is covered by no row: the flat part at vertex 12. Geodesic timing knits flat "
+        "parts.");
+  CHECK(remarks[0].vertex == 12);
+  CHECK(remarks[1].words ==
+        "4 % of the surface is covered by no row: the limb at vertex 30, which is left out. Stitches "
+        "narrower than "
+        "about 0.05 knit it.");
+  CHECK(remarks[2].words ==
+        "Tube B, row 20: wales up to 9 h long. Another timing or larger stitches may help.");
+  CHECK(remarks[3].words ==
+        "Tube B, rows 12 to 15: wales up to 2.3 h long. Another timing or larger stitches may help.");
+  CHECK(remarks[3].at == StitchRef{13, 7});
+  CHECK_FALSE(remarks[3].uncovered());
+  CHECK(remarks_on(Coverage{}, contours()).empty());
+}
+
+TEST_CASE("a way on is none that is gone already", "[problems]") {
+  Parameters parameters = contours();
+  const auto first = [&] { return remarks_on(half_covered(), parameters).front().words; };
+  const auto last = [&] { return remarks_on(half_covered(), parameters).back().words; };
+  const auto ends = [](const std::string& words, const std::string& end) { return words.ends_with(end); };
+  parameters.timing.kind = TimingKind::geodesic;
+  CHECK(ends(first(), " Smaller stitches may reach it."));
+  parameters.rows.source = RowSource::rings;
+  CHECK(ends(first(), " Rows from contours follow it."));
+  CHECK(ends(last(), " Rows from contours lie one stitch height apart."));
+  parameters.stitches.placement = PlacementPolicy::thesis;
+  CHECK(ends(last(), " Placement nearest hangs each stitch on the nearest ones below."));
+  Coverage alone = half_covered();
+  alone.tubes = 1;
+  CHECK(remarks_on(alone, parameters).back().words.rfind("Rows 12 to 15: ", 0) == 0);
+}
+
+TEST_CASE("many stretched rows are told by the worst, all in one sentence", "[problems]") {
+  Coverage coverage;
+  for (int i = 0; i < 10; ++i) coverage.stretched.push_back({0, 2 * i + 2, 2 * i + 2, 3.0 + i, 0.5, {}});
+  const auto remarks = remarks_on(coverage, contours());
+  CHECK(remarks.size() == most_stretched + 1);
+  CHECK(remarks.front().words.rfind("Row 20: wales up to 12 h", 0) == 0);
+  CHECK(remarks.back().words == "Stretched too: 4 more stretches of rows, with wales up to 6 h long.");
+  CHECK(summary_of(coverage) == "Wales are up to 12 h long in row 20 and in 9 more stretches of rows.");
+  CHECK(summary_of(half_covered()) ==
+        "22 % of the surface is covered by no row: the flat part at vertex 12 and 1 more part; wales are up "
+        "to 9 h "
+        "long in tube B, row 20 and in 1 more stretch of rows.");
+  CHECK(summary_of(Coverage{}).empty());
 }

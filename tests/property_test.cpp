@@ -59,7 +59,8 @@ Parameters random_parameters(Dice& dice, const Input& input, bool contours_only)
                    test_support::random_axes(1, static_cast<unsigned>(dice.below(100000))).front()};
   p.rows.source = contours_only || dice.below(3) != 0 ? RowSource::contours : RowSource::rings;
   p.timing.kind = static_cast<TimingKind>(dice.below(4));
-  p.stitches.placement = static_cast<PlacementPolicy>(dice.below(static_cast<int>(placement_names.size())));
+  p.stitches.placement =
+      static_cast<PlacementPolicy>(dice.below(static_cast<int>(PlacementPolicy::by_itself)));
   p.rows.close = static_cast<Closing>(dice.below(3));
   p.rows.metric = static_cast<Metric>(dice.below(3));
   p.rows.on_stall = dice.below(4) == 0 ? OnStall::stop : OnStall::continue_;

@@ -35,7 +35,7 @@ TEST_CASE("quality json: all fields of a finished run are there, in order", "[qu
   const knit::Closeness closeness = some_closeness();
   const Json json = app::quality_json(small_quality(100), &closeness);
   CHECK(keys_of(json) == std::vector<std::string>{"stitch_width", "stitch_height", "course", "long_course",
-                                                  "worst_course_cv_in_row", "wale", "corner", "rows",
+                                                  "worst_course_cv_in_row", "wale", "corner", "rows", "tubes",
                                                   "quad_share", "regular_share", "shaping", "offset",
                                                   "long_offset", "mirror", "distance", "area_ratio"});
   CHECK(keys_of(json["course"]) == std::vector<std::string>{"mean", "cv", "min", "max", "p95", "histogram"});
@@ -44,7 +44,17 @@ TEST_CASE("quality json: all fields of a finished run are there, in order", "[qu
         std::vector<std::string>{"increases", "decreases", "max_in_a_row", "steady"});
   CHECK(keys_of(json["rows"][0]) ==
         std::vector<std::string>{"row", "stitches", "length", "ideal", "course_cv"});
+  CHECK(keys_of(json["tubes"][0]) == std::vector<std::string>{"name", "rounds", "stitches", "wale_cv",
+                                                              "wale_max", "worst_course_cv_in_row"});
   CHECK_FALSE(any_null(json));
+}
+
+TEST_CASE("quality json: what is uncovered, and stretched", "[quality]") {
+  const knit::Uncovered uncovered{0.25, {{7, {1.0, 2.0, 3.0}, 0.125, knit::UncoveredKind::flat, 0.0}}};
+  CHECK(app::to_json(uncovered) ==
+        Json::parse(R"({"share": 0.25, "where": [{"vertex": 7, "at": [1.0, 2.0, 3.0], "share": 0.125}]})"));
+  CHECK(app::to_json(std::vector<knit::Stretched>{{1, 4, 6, 2.5, 0.5, {5, 0}}}) ==
+        Json::parse(R"([{"tube": "B", "from": 4, "to": 6, "longest": 2.5, "share": 0.5}])"));
 }
 
 TEST_CASE("quality json: values stand under their own names", "[quality]") {
@@ -66,6 +76,11 @@ TEST_CASE("quality json: values stand under their own names", "[quality]") {
   CHECK(json["rows"][3]["stitches"] == quality.rows[3].stitches);
   CHECK(json["rows"][3]["length"] == quality.rows[3].length);
   CHECK(json["rows"][3]["ideal"] == quality.rows[3].ideal);
+  REQUIRE(json["tubes"].size() == 1);
+  CHECK(json["tubes"][0]["name"] == "A");
+  CHECK(json["tubes"][0]["rounds"] == quality.rows.size());
+  CHECK(json["tubes"][0]["wale_max"] == quality.wale.high);
+  CHECK(json["tubes"][0]["wale_cv"] == quality.wale.cv);
   CHECK(json["quad_share"] == quality.quad_share);
   CHECK(json["regular_share"] == quality.regular_share);
   CHECK(json["shaping"]["decreases"] == quality.shaping.decreases);

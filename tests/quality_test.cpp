@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 #include "tests/support/tube.h"
@@ -308,4 +309,35 @@ TEST_CASE("quality: an empty state, and one row", "[quality]") {
   CHECK(one.wale.count == 0);
   CHECK(one.quad_share == 0.0);
   CHECK_FALSE(one.mirror);
+}
+
+TEST_CASE("quality: one tube has the figures of the whole, several have their own", "[quality]") {
+  State state = test_support::tube_state(HandTube{{12, 12, 14, 14}, 1.0, 0.4, 0.1});
+  const Quality whole = measured(state, 0.5, 0.4);
+  REQUIRE(whole.tubes.size() == 1);
+  CHECK(whole.tubes[0].rounds == 4);
+  CHECK(whole.tubes[0].stitches == 52);
+  CHECK(whole.tubes[0].longest_wale == whole.wale.high);
+  CHECK(whole.tubes[0].wale_cv == Approx(whole.wale.cv));
+  CHECK(whole.tubes[0].worst_course_cv_in_row == whole.worst_course_cv_in_row);
+
+  Parameters parameters;
+  parameters.rows.source = RowSource::contours;
+  give_width(parameters, 0.15);
+  Timeline timeline(make_input(test_support::arch()), parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.furthest().finished());
+  const Quality arch = measure_quality(timeline.input(), timeline.furthest(), 0.15, 0.108);
+  REQUIRE(arch.tubes.size() == 3);
+  std::int32_t rounds = 0;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(arch.tubes[i].tube == static_cast<TubeId>(i));
+    CHECK(arch.tubes[i].first_row == rounds + 1);
+    CHECK(arch.tubes[i].wales > 0);
+    rounds += arch.tubes[i].rounds;
+    longest = std::max(longest, arch.tubes[i].longest_wale);
+  }
+  CHECK(rounds == timeline.furthest().fabric.row_count());
+  CHECK(longest == arch.wale.high);
 }

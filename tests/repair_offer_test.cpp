@@ -71,7 +71,7 @@ TEST_CASE("repairs are offered where they would do and what is open stays") {
   CHECK(saved(session) == before);
 
   apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});
-  apply(session, OpenFile{bad_file(folder, "open-bowl.obj")});  // no repairs would do
+  apply(session, OpenFile{bad_file(folder, "moebius-strip.obj")});  // no repairs would do
   CHECK_FALSE(session.jobs->repair_offer);
   REQUIRE(session.outbox->notices.size() == 1);
   apply(session, OpenFile{bad_file(folder, "two-pieces.obj")});

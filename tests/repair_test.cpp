@@ -45,7 +45,7 @@ std::string keys_of(const RepairPlan& plan) {
 
 constexpr std::array<RepairKind, repair_count> all_kinds{
     RepairKind::unreferenced,  RepairKind::weld,     RepairKind::doubles, RepairKind::fins,
-    RepairKind::largest_piece, RepairKind::reorient, RepairKind::holes};
+    RepairKind::largest_piece, RepairKind::reorient, RepairKind::holes,   RepairKind::openings};
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "app/session/jobs.h"
 #include "app/session/view.h"
 #include "knit/model/stitch_size.h"
+#include "tests/support/bodies.h"
 #include "tests/support/desk.h"
 
 namespace {
@@ -31,6 +32,8 @@ constexpr std::array figures{"course/mean",
                              "knit-to-mesh/max",
                              "mesh-to-knit/mean",
                              "mesh-to-knit/max",
+                             "uncovered",
+                             "stretched",
                              "area",
                              "quads",
                              "regular",
@@ -39,8 +42,8 @@ constexpr std::array figures{"course/mean",
                              "most"};
 
 std::shared_ptr<const knit::Closeness> some_closeness() {
-  return std::make_shared<const knit::Closeness>(
-      knit::Closeness{{100, 0.01, 0.02}, {100, 0.02, 0.03}, 4.0, 9.5, 10.0});
+  return std::make_shared<const knit::Closeness>(knit::Closeness{
+      {100, 0.01, 0.02}, {100, 0.02, 0.03}, 4.0, 9.5, 10.0, knit::Coverage{{0.1, {{3, {}, 0.1}}}, {}, 1}});
 }
 
 bool overlap(const Box& a, const Box& b) {
@@ -325,4 +328,23 @@ TEST_CASE("quality follows the parameters") {
   cache.refresh(timeline);
   cache.refresh(timeline);
   CHECK(cache.quality()->stitch_width == 0.5);
+}
+
+TEST_CASE("a piece of several tubes has a line for each, and a click goes to the tube's first row") {
+  Desk desk;
+  desk.open();
+  desk.session.view->side = SidePanel::report;
+  desk.settle();
+  CHECK(desk.ui.controls.count("tube/A") == 0);  // one tube is the whole
+  knit::Parameters parameters;
+  parameters.rows.source = knit::RowSource::contours;
+  knit::give_width(parameters, 0.2);
+  desk.session.document = Document({knit::make_input(test_support::arch()), parameters});
+  desk.session.document->timeline.extend_to_end();
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
+  desk.settle();
+  REQUIRE(desk.ui.controls.count("tube/C") == 1);
+  const knit::Fabric& fabric = desk.session.document->timeline.state().fabric;
+  const knit::RowId row = only<SeekPlace>(desk.click("tube/B")).place.row;
+  CHECK(fabric.row(row).tube == 1);
 }

@@ -165,7 +165,7 @@ TEST_CASE("a mesh without rings stops at the cast on and says what to do") {
   const Timeline timeline = run(make_input(icosphere(3)), test_support::small_parameters());
   REQUIRE(timeline.stop() != nullptr);
   CHECK(knit::get_if<Stopped>(*timeline.stop())->reason == StopReason::not_a_ring);
-  CHECK(narrate(*timeline.stop(), {}).find("use a mesh with rings") != std::string::npos);
+  CHECK(narrate(*timeline.stop(), {}).find("take rows from contours") != std::string::npos);
 }
 
 TEST_CASE("cast on: polar levels too short for stitches are passed over at both ends") {

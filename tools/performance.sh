@@ -9,7 +9,9 @@ if [ -z "${KNIT_BENCHMARK:-}" ]; then
   cmake --build "$root/build/dev" --target benchmark >/dev/null
   KNIT_BENCHMARK=$root/build/dev/benchmark
 fi
-"$KNIT_BENCHMARK" --suite >"$suite.part"
+mesh=$root/../shared/meshes/teddy.obj # where it lies; else a body made in code
+[ -e "$mesh" ] || mesh=
+"$KNIT_BENCHMARK" --suite ${mesh:+"$mesh"} >"$suite.part"
 mv "$suite.part" "$suite"
 "$KNIT_BENCHMARK" --table "$suite" "$root/docs/performance.md"
 echo "Measured: $suite; written into docs/performance.md"

@@ -33,7 +33,7 @@ void tend_long_step(Session& session, double seconds) {
 void tend_measuring(Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const bool finished = timeline.complete() && timeline.furthest().finished();
-  const std::uint64_t run = finished ? knit::hash_of(timeline.furthest()) : 0;
+  const std::uint64_t run = finished ? closeness_key(timeline.furthest(), timeline.parameters_of_stop()) : 0;
   if (session.document->closeness_run != run) {
     session.document->closeness.reset();
     session.document->closeness_run = 0;
@@ -50,8 +50,9 @@ void tend_measuring(Session& session) {
       session.document->closeness_run != run) {
     session.jobs->run.measuring = Measuring{
         run,
-        Work<std::optional<knit::Closeness>>([input = timeline.input_pointer(), state = timeline.furthest()] {
-          return knit::measure_closeness(*input, state);
+        Work<std::optional<knit::Closeness>>([input = timeline.input_pointer(), state = timeline.furthest(),
+                                              stitch = timeline.parameters_of_stop().stitch] {
+          return knit::measure_closeness(*input, state, stitch.width, stitch.height);
         })};
   }
 }
@@ -92,7 +93,7 @@ void work_beside(Session& session, double seconds) {
 std::size_t steps_of_slice(const knit::Timeline& timeline) {
   // The shortest way over the surface, for each candidate measured: a good tenth of a millisecond.
   constexpr std::size_t dear_steps = 64;
-  const knit::Parameters& parameters = timeline.parameters_of_stop();
+  const knit::Parameters parameters = as_chosen(timeline.parameters_of_stop(), timeline.furthest());
   const bool dear = parameters.rows.source == knit::RowSource::rings &&
                     parameters.rows.metric == knit::Metric::geodesic &&
                     timeline.furthest().stage() <= knit::Stage::rows;

@@ -69,7 +69,9 @@ std::optional<FirstRow> first_row_of(const knit::Fabric& a, const knit::Fabric& 
     row.how = RowDiffers::places;
     const bool same = a.shared_row(id).content_hash() == b.shared_row(id).content_hash();
     if (!same && a.row(id).stitches != b.row(id).stitches) return row;
+    // Worked on the same stitches otherwise dealt, it is made otherwise.
     row.how = RowDiffers::shaping;
+    if (a.row(id).on != b.row(id).on) return row;
     const knit::Join* in_a = a.join_into(id);
     const knit::Join* in_b = b.join_into(id);
     if ((in_a == nullptr) != (in_b == nullptr)) return row;

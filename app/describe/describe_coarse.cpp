@@ -15,22 +15,21 @@ namespace {
 // Not every number, or each turn of the wheel would make all shapes anew.
 constexpr std::array strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
-std::size_t cells_of(const knit::Row& row, int stride) {
-  const std::size_t n = row.stitches.size();
+// Of so many stitches.
+std::size_t cells_of(std::size_t n, int stride) {
   return std::max<std::size_t>(3, n / static_cast<std::size_t>(stride));
 }
 
-// The i-th of `cells` places along a row.
-glm::vec3 place_of(const knit::Row& row, std::size_t i, std::size_t cells) {
-  const std::size_t n = row.stitches.size();
-  return glm::vec3(row.stitches[i * n / cells].position);
+// The i-th of `cells` places along a row or a loop.
+glm::vec3 place_of(const std::vector<knit::Stitch>& stitches, std::size_t i, std::size_t cells) {
+  return glm::vec3(stitches[i * stitches.size() / cells].position);
 }
 
 std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, int stride, Colour colour) {
   std::vector<Line> lines;
-  const std::size_t cells = cells_of(row, stride);
+  const std::size_t cells = cells_of(row.stitches.size(), stride);
   for (const auto& [from, to] : knit::Edges(cells, row.closed))
-    lines.push_back({place_of(row, from, cells), place_of(row, to, cells), colour, 1.0F});
+    lines.push_back({place_of(row.stitches, from, cells), place_of(row.stitches, to, cells), colour, 1.0F});
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
@@ -46,17 +45,17 @@ std::vector<knit::Label> labels_of(const knit::Strip& strip, std::size_t cells) 
   return labels;
 }
 
-std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& below, const knit::Row& above,
-                                          const knit::Strip& strip, int stride) {
+std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const std::vector<knit::Stitch>& below,
+                                          const knit::Row& above, const knit::Strip& strip, int stride) {
   FaceShape shape;
-  const std::size_t cells = std::max(cells_of(below, stride), cells_of(above, stride));
+  const std::size_t cells = cells_of(std::max(below.size(), above.stitches.size()), stride);
   const std::vector<knit::Label> labels = labels_of(strip, cells);
   shape.faces.reserve(cells);
   for (const auto& [i, next] : knit::Edges(cells, above.closed)) {
     const glm::vec3 a = place_of(below, i, cells);
     const glm::vec3 b = place_of(below, next, cells);
-    const glm::vec3 c = place_of(above, next, cells);
-    const glm::vec3 d = place_of(above, i, cells);
+    const glm::vec3 c = place_of(above.stitches, next, cells);
+    const glm::vec3 d = place_of(above.stitches, i, cells);
     const glm::vec3 across = glm::cross(c - a, d - b);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
@@ -65,7 +64,41 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const knit::Row& b
   return std::make_shared<const FaceShape>(std::move(shape));
 }
 
+std::vector<std::shared_ptr<const void>> about(const knit::Fabric& fabric, knit::RowId low,
+                                               knit::RowId high) {
+  std::vector<std::shared_ptr<const void>> products;
+  if (high > 0) products = fabric.products_about(high);
+  if (low > 0) products.push_back(fabric.shared_row(low).pointer());
+  if (high > 0) products.push_back(fabric.shared_strip(low > 0 ? low + 1 : high).pointer());
+  return products;
+}
+
 }  // namespace
+
+// Along each chain of rows that stand on each other; the last row of one has no faces of its own above it.
+std::vector<Coarse::Band> Coarse::bands_of(const knit::Fabric& fabric, int stride) {
+  std::vector<Band> bands;
+  const knit::RowId reach = fabric.strips().empty() ? 0 : fabric.strips().back()->to;
+  for (knit::RowId first = 1, last = 0; first <= fabric.row_count(); first = last + 1) {
+    for (last = first; fabric.continues(last + 1);) ++last;
+    if (!fabric.row(first).on.empty() && first <= reach) bands.push_back({0, first});
+    for (knit::RowId low = first; low < last; low += stride) {
+      const knit::RowId high = std::min({low + stride, last, reach});
+      bands.push_back({low, high > low ? high : 0});
+    }
+    bands.push_back({last, 0});
+  }
+  return bands;
+}
+
+void Coarse::make(const knit::Fabric& fabric, const Band& band, Kept& kept) const {
+  if (band.low > 0 && kept.edges == nullptr) kept.edges = edges_of(*kept.below, stride_, theme_->row_edge);
+  if (kept.above == nullptr) return;
+  const knit::Strip& strip = *fabric.strip_into(band.low > 0 ? band.low + 1 : band.high);
+  const std::vector<knit::Stitch> below =
+      kept.below != nullptr ? kept.below->stitches : fabric.stitches_of(kept.above->on);
+  kept.faces = faces_of(*theme_, below, *kept.above, strip, stride_);
+}
 
 int coarseness(const Session& session, double height_px) {
   const knit::Timeline& timeline = session.document->timeline;
@@ -86,40 +119,25 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
   theme_ = scene.theme;
   stride_ = stride;
   const knit::Fabric& fabric = session.document->timeline.state().fabric;
-  const auto reach = std::min(fabric.row_count(), static_cast<knit::RowId>(fabric.strips().size()) + 1);
-  std::size_t i = 0;
+  const std::vector<Band> bands = bands_of(fabric, stride);
   std::size_t made = 0;  // cells
-  for (knit::RowId low = 1; low <= fabric.row_count(); low += stride, ++i) {
+  for (std::size_t i = 0; i < bands.size(); ++i) {
     if (i == kept_.size()) kept_.emplace_back();
     Kept& kept = kept_[i];
-    // Faces reach as far as strips are made.
-    const knit::RowId high = std::min(low + stride, reach);
-    const bool covered = high > low;
-    const auto below = fabric.shared_row(low).pointer();
-    const auto above = covered ? fabric.shared_row(high).pointer() : nullptr;
-    const auto strip = covered ? fabric.shared_strip(low + 1).pointer() : nullptr;
-    const bool same_faces = !covered || (kept.above == above && kept.strip == strip);
-    if (kept.below != below || !same_faces) {
+    const auto row_at = [&](knit::RowId id) { return id > 0 ? fabric.shared_row(id).pointer() : nullptr; };
+    const auto below = row_at(bands[i].low), above = row_at(bands[i].high);
+    auto parts = about(fabric, bands[i].low, bands[i].high);
+    if (kept.below != below || kept.above != above || kept.about != parts) {
       if (in_pieces && made > cells_a_frame) {
         scene.unfinished = true;
         return;
       }
-      made += 2 * cells_of(*below, stride);
+      made += 2 * cells_of((below ? below : above)->stitches.size(), stride);
+      kept = {below, above, std::move(parts), below == kept.below ? kept.edges : nullptr, nullptr};
+      make(fabric, bands[i], kept);
     }
-    if (kept.below != below)
-      kept = {below, nullptr, nullptr, edges_of(*below, stride, theme_->row_edge), nullptr};
-    if (covered && (kept.above != above || kept.strip != strip)) {
-      kept.above = above;
-      kept.strip = strip;
-      kept.faces = faces_of(*theme_, *below, *above, *strip, stride);
-    }
-    if (session.view->shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
-    if (session.view->shows(Layer::faces) && covered) scene.faces.push_back(kept.faces);
-  }
-  if (fabric.row_count() > 1 && session.view->shows(Layer::row_edges)) {
-    const knit::Row& last = fabric.row(fabric.row_count());
-    const auto lines = edges_of(last, stride, theme_->row_edge);
-    scene.lines.insert(scene.lines.end(), lines->begin(), lines->end());
+    if (session.view->shows(Layer::row_edges) && kept.edges) scene.line_sets.push_back(kept.edges);
+    if (session.view->shows(Layer::faces) && kept.faces) scene.faces.push_back(kept.faces);
   }
 }
 

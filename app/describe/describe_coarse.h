@@ -1,5 +1,5 @@
-// A run whose stitches are smaller than a few pixels, drawn coarsely: every so many rows, and on them every so many
-// stitches. Hundreds of thousands of stitches would cover one another, and a hand that scrubs would wait for them.
+// A run whose stitches are smaller than a few pixels, drawn coarsely: every so many rows of a tube, and on them every so
+// many stitches; between tubes from the live stitches that the first row is worked on. Hundreds of thousands of stitches would cover one another, and a hand that scrubs would wait for them.
 #pragma once
 
 #include <memory>
@@ -27,12 +27,19 @@ class Coarse {
   void describe(const Session& session, int stride, bool in_pieces, Scene& scene);
 
  private:
+  // From a row to one that stands on it, or, where `below` is null, from what a tube begins on to its first row.
   struct Kept {
     std::shared_ptr<const knit::Row> below, above;
-    std::shared_ptr<const knit::Strip> strip;  // between them, the lowest
+    std::vector<std::shared_ptr<const void>> about;  // all that it is made of
     std::shared_ptr<const std::vector<Line>> edges;
     std::shared_ptr<const FaceShape> faces;  // null: none yet
   };
+  struct Band {
+    knit::RowId low = 0, high = 0;  // 0: below a tube's first row; above what has no strip yet
+  };
+  static std::vector<Band> bands_of(const knit::Fabric& fabric, int stride);
+  void make(const knit::Fabric& fabric, const Band& band, Kept& kept) const;
+
   const Theme* theme_ = nullptr;
   int stride_ = 0;
   std::vector<Kept> kept_;

@@ -29,7 +29,9 @@ void add_crossings(const knit::Ring& curve, Colour colour, Scene& scene) {
 
 void add_stitches(const Session& session, const knit::ContourWork& work, Scene& scene) {
   if (!session.view->shows(Layer::stitches)) return;
-  const bool cast_on = session.document->timeline.state().fabric.rows().empty();
+  // Of any tube that nothing hangs below.
+  const knit::State& state = session.document->timeline.state();
+  const bool cast_on = state.fabric.live(knit::current_tube(*state.tubes, work)).empty();
   const Colour colour = cast_on ? scene.theme->of(knit::Label::cast) : scene.theme->stitch;
   for (const knit::Stitch& stitch : work.stitches)
     scene.points.push_back({glm::vec3(stitch.position), colour, 7.0F});

@@ -26,7 +26,7 @@ class Ghost {
   const Theme* theme_ = nullptr;                     // of the lines
   bool same_mesh_ = false;
   struct RowLines {
-    knit::RowId id;
+    knit::RowId id;        // below 0: of a deal
     Lines edges, columns;  // columns: down to what the row is worked on; null where there are none
   };
   std::vector<RowLines> rows_;

@@ -40,6 +40,14 @@ struct PlaceOf {
   Result operator()(const knit::StitchPlaced& s) const {
     return middle_of(knit::StitchElement{place.row, s.stitch - 1});
   }
+  Result operator()(const knit::NodeFound& s) const { return vertex(s.vertex); }
+  Result operator()(const knit::TubeLeftOut& s) const { return vertex(s.vertex); }
+  Result operator()(const knit::GapsFound& s) const { return vertex(s.vertex); }
+  // Of a deal in progress, which comes after those that are done.
+  Result operator()(const knit::BridgeCastOn& s) const {
+    const auto done = static_cast<std::int32_t>(session.document->timeline.state().fabric.deals().size());
+    return middle_of(knit::StitchElement{knit::bridge_row(done + 1), s.stitch - 1});
+  }
   Result operator()(const knit::MainPlaced& s) const {
     return middle_of(knit::LabelElement{place.row, s.cell});
   }

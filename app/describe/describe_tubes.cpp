@@ -6,10 +6,12 @@
 
 #include "app/describe/describe_contours.h"
 #include "app/describe/describe_step.h"
+#include "app/describe/thing_places.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/fabric/edges.h"
+#include "knit/insight/waiting.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -130,27 +132,28 @@ void add_deal(const knit::Fabric& fabric, const knit::Deal& deal, std::int32_t b
   add_path(places_of(std::span(deal.bridge).first(static_cast<std::size_t>(bridged))), theme.anchor, scene);
 }
 
-// Bridges that are there, and faces at saddles once faces are made.
+// Bridges that are there with the edges over them, and what a deal sews together once strips come to it.
 void add_finished_deals(const Session& session, Scene& scene) {
-  const knit::State& state = session.document->timeline.state();
-  const knit::KnittingPath path(state.fabric);
-  for (const auto& deal : state.fabric.deals()) {
-    if (session.view->shows(Layer::row_edges) && !deal->bridge.empty()) {
-      const std::vector<glm::vec3> places = places_of(deal->bridge);
-      for (std::size_t i = 0; i + 1 < places.size(); ++i)
-        scene.lines.push_back({places[i], places[i + 1], scene.theme->row_edge, 1.8F});
+  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  const knit::KnittingPath path(fabric);
+  for (const auto& deal : fabric.deals()) {
+    if (session.view->shows(Layer::row_edges)) {
+      for (const auto& [from, to] : edges_added(*deal))
+        scene.lines.push_back(
+            {glm::vec3(fabric.position(from)), glm::vec3(fabric.position(to)), scene.theme->row_edge, 1.8F});
     }
     if (session.view->shows(Layer::stitches)) {
       for (const knit::Stitch& stitch : deal->bridge)
         scene.points.push_back({glm::vec3(stitch.position), scene.theme->of(knit::Label::cast), 3.2F});
     }
-    // A deal is sewn in with the first strip above it.
-    const bool sewn = !state.fabric.strips().empty() && state.fabric.strips().back()->to > deal->after;
-    if (!sewn || !session.view->shows(Layer::faces)) continue;
-    knit::Strip strip;
-    strip.faces = deal->faces;
-    scene.faces.push_back(
-        std::make_shared<const FaceShape>(faces_of(*scene.theme, strip, strip.faces.size(), path)));
+    if (!is_sewn(fabric, *deal)) continue;
+    const knit::Strip strip = strip_of(*deal);
+    if (session.view->shows(Layer::faces))
+      scene.faces.push_back(
+          std::make_shared<const FaceShape>(faces_of(*scene.theme, strip, strip.faces.size(), path)));
+    if (!session.view->shows(Layer::column_edges)) continue;
+    const std::vector<Line> columns = columns_of(*scene.theme, strip, strip.column_edges.size(), path);
+    scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
   }
 }
 
@@ -167,10 +170,8 @@ void describe_tubes(const Session& session, Scene& scene) {
   add_finished_deals(session, scene);
   const auto* work = std::get_if<knit::ContourWork>(&state.work);
   if (work == nullptr) return;
-  const knit::TubeId current = knit::current_tube(*state.tubes, *work);
-  for (const knit::LiveLoop& loop : state.fabric.live()) {
-    if (loop.tube != current) add_thread(places_of(state.fabric, loop.stitches), scene.theme->warning, scene);
-  }
+  for (const knit::TubeId tube : knit::waiting_tubes(state))
+    add_thread(places_of(state.fabric, state.fabric.live(tube)), scene.theme->warning, scene);
   if (work->deal) add_deal(state.fabric, *work->deal, work->bridged, scene);
 }
 

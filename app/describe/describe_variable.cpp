@@ -92,6 +92,9 @@ class VariableLight {
     caption(glm::vec3(row_.ring->points.front()), words);
   }
   void stitches(const knit::Row* row, const std::string& words);
+  void loop(const knit::LiveStitches& live, const std::string& words);
+  [[nodiscard]] knit::LiveStitches worked_on(knit::RowId row) const;
+  void mains_below(const knit::LiveStitches& below);
   void level(std::int32_t number, const std::string& words);
   void ends_line(const std::string& words);
   void criticals(knit::CriticalKind kind);
@@ -129,14 +132,28 @@ Measured VariableLight::measured() const {
 }
 
 void VariableLight::stitches(const knit::Row* row, const std::string& words) {
-  if (row == nullptr) return;
-  for (const auto& [i, next] : knit::edges_of(*row)) {
-    const glm::vec3 from(row->stitches[i].position);
-    scene_.lines.push_back({from, glm::vec3(row->stitches[next].position), colour_, 3.5F});
+  if (row != nullptr) loop(knit::all_of(*row), words);
+}
+
+// Of one row or of several, bridges among them.
+void VariableLight::loop(const knit::LiveStitches& live, const std::string& words) {
+  const std::vector<knit::Stitch> stitches = state_.fabric.stitches_of(live);
+  for (const auto& [i, next] : knit::Edges(stitches.size(), live.closed)) {
+    const glm::vec3 from(stitches[i].position);
+    scene_.lines.push_back({from, glm::vec3(stitches[next].position), colour_, 3.5F});
     scene_.points.push_back({from, colour_, 7.0F});
   }
-  caption(glm::vec3(row->stitches.front().position),
-          words + std::to_string(row->stitches.size()) + " stitches");
+  if (!stitches.empty())
+    caption(glm::vec3(stitches.front().position), words + std::to_string(stitches.size()) + " stitches");
+}
+
+// What a row stands on, or will: of one in the making its tube's loop, which need not be the last row made.
+knit::LiveStitches VariableLight::worked_on(knit::RowId row) const {
+  const knit::Fabric& fabric = state_.fabric;
+  if (const knit::Row* made = fabric.find_row(row)) return made->on;
+  const auto* contour = std::get_if<knit::ContourWork>(&state_.work);
+  if (contour == nullptr) return fabric.live_below(row);
+  return contour->taken > 0 ? fabric.live(knit::current_tube(*state_.tubes, *contour)) : knit::LiveStitches{};
 }
 
 // A level's vertices, whether they are a ring already or not.
@@ -239,7 +256,7 @@ void VariableLight::row() {
   if (is(var::last_level)) return level(state_.last_level, "last level");
   if (is(var::length) && row_.ring != nullptr) return ring("L = " + knit::short_number(row_.ring->length));
   if (is(var::first) && row_.ring != nullptr) return point(glm::vec3(row_.ring->points.front()), "v[0]");
-  if (is(var::below)) return stitches(row_.below, "row below: ");
+  if (is(var::below)) return loop(worked_on(at_.step->place.row), "worked on: ");
   if (is(var::n, var::k, var::picked)) return kept();
   walk();
 }
@@ -367,22 +384,28 @@ void VariableLight::links(bool doubled_only, bool longest_only) {
          knit::short_number(static_cast<double>(glm::distance(longest->from, longest->to))));
 }
 
+// Those of the rows that are worked on, as far as they are.
+void VariableLight::mains_below(const knit::LiveStitches& below) {
+  for (const knit::StitchSpan& span : below.spans) {
+    const knit::Join* before = state_.fabric.join_into(span.row);
+    if (before == nullptr) continue;
+    for (const std::int32_t stitch : before->mains) {
+      if (stitch >= span.first && stitch < span.first + span.count)
+        point(glm::vec3(state_.fabric.position({span.row, stitch})), "");
+    }
+  }
+}
+
 void VariableLight::index() {
   if (at_.step == nullptr) return;
   const knit::RowId row = at_.step->place.row;
   const knit::Row* above = state_.fabric.find_row(row);
-  const knit::Row* below = state_.fabric.row_below(row);
-  if (above == nullptr || below == nullptr) return;
+  if (above == nullptr || above->on.empty()) return;
   const auto* main = step_as<knit::MainPlaced>();
   const auto* shaping = step_as<knit::ShapingPlaced>();
-  if (is(var::below)) return stitches(below, "p = ");
+  if (is(var::below)) return loop(above->on, "p = ");
   if (is(var::above)) return stitches(above, "n = ");
-  const knit::Join* before = state_.fabric.join_into(below->id);
-  if (is(var::mains) && before != nullptr) {
-    for (const std::int32_t stitch : before->mains)
-      point(glm::vec3(below->stitches[static_cast<std::size_t>(stitch)].position), "");
-    return;
-  }
+  if (is(var::mains)) return mains_below(above->on);
   if (is(var::links, var::sum)) return links(false, false);
   if (is(var::doubled)) return links(true, false);
   if (is(var::longest)) return links(false, true);
@@ -415,7 +438,8 @@ void VariableLight::strip() {
   if (written == nullptr) return;
   const knit::RowId row = at_.step->place.row;
   const bool of_below = is(var::consumed) && at_.step->place.item == 0;
-  stitches(of_below ? state_.fabric.row_below(row) : state_.fabric.find_row(row), "");
+  if (of_below) return loop(worked_on(row), "");
+  stitches(state_.fabric.find_row(row), "");
 }
 
 }  // namespace

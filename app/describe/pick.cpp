@@ -196,10 +196,20 @@ struct Found {
   }
 };
 
+// All rows that have stitches, the one in the making too; behind them bridges, below 0.
+std::vector<std::int32_t> rows_and_bridges(const knit::State& state) {
+  std::vector<std::int32_t> rows;
+  for (knit::RowId row = 1; row <= state.fabric.next_row(); ++row) rows.push_back(row);
+  const auto deals = static_cast<std::int32_t>(state.fabric.deals().size());
+  for (std::int32_t deal = 1; deal <= deals + 1; ++deal) rows.push_back(knit::bridge_row(deal));
+  return rows;
+}
+
 Found nearest_point(const Session& session, const Aim& aim, double reach) {
   const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.view->shows(Layer::stitches) && row <= state.fabric.next_row(); ++row) {
+  for (const std::int32_t row : rows_and_bridges(state)) {
+    if (!session.view->shows(Layer::stitches)) break;
     const auto places = stitch_places(state, row);
     for (std::size_t i = 0; i < places.size(); ++i)
       found.offer(aim.to_point(places[i]), reach, knit::StitchElement{row, static_cast<std::int32_t>(i)});
@@ -216,7 +226,8 @@ Found nearest_point(const Session& session, const Aim& aim, double reach) {
 Found nearest_edge(const Session& session, const Aim& aim, double reach) {
   const knit::State& state = session.document->timeline.state();
   Found found;
-  for (std::int32_t row = 1; session.view->shows(Layer::row_edges) && row <= state.fabric.next_row(); ++row) {
+  for (const std::int32_t row : rows_and_bridges(state)) {
+    if (!session.view->shows(Layer::row_edges)) break;
     const auto places = stitch_places(state, row);
     const knit::RowEdgeElement last{row, static_cast<std::int32_t>(places.size()) - 1};
     for (const auto& [from, to] : knit::Edges(places.size(), knit::exists(state, last))) {

@@ -1,6 +1,8 @@
 #include "app/describe/thing_places.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "app/describe/describe_step.h"
 
@@ -12,6 +14,16 @@ std::vector<glm::dvec3> positions_of(const std::vector<knit::Stitch>& stitches) 
   std::vector<glm::dvec3> places;
   places.reserve(stitches.size());
   for (const knit::Stitch& stitch : stitches) places.push_back(stitch.position);
+  return places;
+}
+
+// As far as it is cast on.
+std::vector<glm::dvec3> bridge_places(const knit::State& state, knit::RowId row) {
+  const knit::Deal* deal = knit::deal_numbered(state, -row);
+  if (deal == nullptr) return {};
+  std::vector<glm::dvec3> places = positions_of(deal->bridge);
+  const bool done = static_cast<std::size_t>(-row) <= state.fabric.deals().size();
+  if (!done) places.resize(static_cast<std::size_t>(std::get<knit::ContourWork>(state.work).bridged));
   return places;
 }
 
@@ -39,13 +51,16 @@ struct Outline {
   }
   Places operator()(const knit::ColumnEdgeElement& e) const {
     const knit::KnittingPath path(state.fabric);
-    const knit::Strip& strip = *knit::planned_strip(state, e.row);
-    const auto& [lower, upper] = strip.column_edges[static_cast<std::size_t>(e.edge)];
+    const auto& edges = e.row < 0 ? knit::deal_numbered(state, -e.row)->column_edges
+                                  : knit::planned_strip(state, e.row)->column_edges;
+    const auto& [lower, upper] = edges[static_cast<std::size_t>(e.edge)];
     return {place_on(path, lower), place_on(path, upper)};
   }
   Places operator()(const knit::FaceElement& f) const {
     const knit::KnittingPath path(state.fabric);
-    const knit::Face& face = knit::planned_strip(state, f.row)->faces[static_cast<std::size_t>(f.face)];
+    const auto& faces =
+        f.row < 0 ? knit::deal_numbered(state, -f.row)->faces : knit::planned_strip(state, f.row)->faces;
+    const knit::Face& face = faces[static_cast<std::size_t>(f.face)];
     Places corners;
     for (std::size_t i = 0; i < static_cast<std::size_t>(face.corner_count); ++i)
       corners.emplace_back(place_on(path, face.corners[i]));
@@ -61,6 +76,7 @@ struct Outline {
 }  // namespace
 
 std::vector<glm::dvec3> stitch_places(const knit::State& state, std::int32_t row) {
+  if (row < 0) return bridge_places(state, row);
   if (row < 1 || row > state.fabric.next_row()) return {};
   if (const knit::Row* finished = state.fabric.find_row(row)) return positions_of(finished->stitches);
   if (const auto* cast_on = std::get_if<knit::CastOnWork>(&state.work))
@@ -82,7 +98,41 @@ std::vector<MadeStrip> made_strips(const knit::State& state) {
     strips.push_back({work->plan->to, std::span(work->plan->faces).first(made),
                       std::span(work->plan->column_edges).first(made)});
   }
+  const auto& deals = state.fabric.deals();
+  for (std::size_t i = 0; i < deals.size(); ++i) {
+    if (is_sewn(state.fabric, *deals[i]))
+      strips.push_back(
+          {knit::bridge_row(static_cast<std::int32_t>(i) + 1), deals[i]->faces, deals[i]->column_edges});
+  }
   return strips;
+}
+
+bool is_sewn(const knit::Fabric& fabric, const knit::Deal& deal) {
+  if (fabric.strips().empty()) return false;
+  const knit::RowId above = fabric.next_worked(deal.after);
+  return above > 0 ? fabric.strip_into(above) != nullptr : fabric.strips().size() == fabric.joins().size();
+}
+
+knit::Strip strip_of(const knit::Deal& deal) { return {0, deal.faces, deal.column_edges}; }
+
+std::vector<std::array<knit::StitchRef, 2>> edges_added(const knit::Deal& deal) {
+  using Edge = std::array<knit::StitchRef, 2>;
+  if (!deal.column_edges.empty()) return {};
+  const auto edges_of = [](const std::vector<knit::LiveStitches>& loops) {
+    std::set<Edge> edges;
+    for (const knit::LiveStitches& loop : loops) {
+      const std::int32_t n = loop.size();
+      for (std::int32_t i = 0; i < n; ++i) {
+        const knit::StitchRef from = loop.at(i), to = loop.at(i + 1 < n ? i + 1 : 0);
+        edges.insert({std::min(from, to), std::max(from, to)});
+      }
+    }
+    return edges;
+  };
+  const std::set<Edge> before = edges_of(deal.taken), after = edges_of(deal.given);
+  std::vector<Edge> added;
+  std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(added));
+  return added;
 }
 
 std::vector<glm::dvec3> outline_of(const knit::Input& input, const knit::State& state,

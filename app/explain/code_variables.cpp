@@ -13,6 +13,7 @@
 #include "knit/model/words.h"
 #include "knit/rows/row_variables.h"
 #include "knit/stitches/stitch_variables.h"
+#include "knit/timing/heights.h"
 #include "knit/timing/timing_variables.h"
 
 namespace app {
@@ -51,6 +52,15 @@ class Values {
   Pairs values_;
 };
 
+// What a row stands on, or will: of one in the making its tube's loop, which need not be the last row made.
+knit::LiveStitches worked_on(const knit::State& state, std::int32_t row) {
+  if (const knit::Row* made = state.fabric.find_row(row)) return made->on;
+  const auto* contour = std::get_if<knit::ContourWork>(&state.work);
+  if (contour == nullptr) return row > 1 ? state.fabric.live_below(row) : knit::LiveStitches{};
+  if (contour->taken == 0 || !state.tubes) return {};
+  return state.fabric.live(knit::current_tube(*state.tubes, *contour));
+}
+
 std::string vector_text(const glm::dvec3& v) {
   std::array<char, 64> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), "(%.2g, %.2g, %.2g)", v.x, v.y, v.z);
@@ -85,7 +95,7 @@ void add_row(const knit::State& state, std::int32_t row, Values& values) {
   const RowShown shown = row_shown(state, row);
   if (shown.level) values.set(var::level, *shown.level);
   if (shown.time) values.set(var::time, *shown.time);
-  if (shown.below != nullptr) values.set(var::below, shown.below->stitches.size());
+  if (const knit::LiveStitches on = worked_on(state, row); !on.empty()) values.set(var::below, on.size());
   if (shown.ring != nullptr) {
     values.set(var::count, shown.ring->points.size());
     values.set(var::points, shown.ring->points.size());
@@ -106,11 +116,19 @@ void add_join(const knit::State& state, std::int32_t row, Values& values) {
   const knit::Fabric& fabric = state.fabric;
   const knit::RowId into = std::max(row, 2);
   if (!fabric.has_row(into) || fabric.row(into).on.empty()) return;
-  const knit::Row* below = fabric.row_below(into);
   values.set(var::below, fabric.row(into).on.size());
   values.set(var::above, fabric.row(into).stitches.size());
-  if (const knit::Join* before = below != nullptr ? fabric.join_into(below->id) : nullptr)
-    values.set(var::mains, before->mains.size());
+  std::size_t mains = 0;
+  bool any = false;
+  for (const knit::StitchSpan& span : fabric.row(into).on.spans) {
+    const knit::Join* before = fabric.join_into(span.row);
+    any = any || before != nullptr;
+    if (before == nullptr) continue;
+    mains += static_cast<std::size_t>(std::count_if(
+        before->mains.begin(), before->mains.end(),
+        [&](std::int32_t stitch) { return stitch >= span.first && stitch < span.first + span.count; }));
+  }
+  if (any) values.set(var::mains, mains);
   const knit::Join* plan = join_shown(state, row);
   if (plan == nullptr) return;
   values.set(var::change, plan->change());
@@ -201,8 +219,10 @@ RowShown row_shown(const knit::State& state, std::int32_t row) {
     shown.ring = curve_shown(state);
     if (shown.ring == nullptr) return shown;
     shown.level = contours->row;
-    shown.time = state.tubes->tube(knit::current_tube(*state.tubes, *contours))
-                     .values[static_cast<std::size_t>(contours->row)];
+    const double value = state.tubes->tube(knit::current_tube(*state.tubes, *contours))
+                             .values[static_cast<std::size_t>(contours->row)];
+    const knit::Timing& timing = *state.timing;
+    shown.time = timing.retimed ? knit::height_at(timing.scale, value) / timing.scale.total() : value;
   }
   return shown;
 }

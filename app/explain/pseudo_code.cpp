@@ -13,11 +13,11 @@ namespace app {
 
 namespace {
 
-constexpr std::array all_listings{&knit::linear_code,     &knit::arc_length_code,    &knit::geodesic_code,
-                                  &knit::harmonic_code,   &knit::tubes_code,         &knit::cast_on_code,
-                                  &knit::ring_code,       &knit::contour_code,       &knit::thesis_index_code,
-                                  &knit::even_index_code, &knit::nearest_index_code, &knit::faces_code,
-                                  &knit::pattern_code};
+constexpr std::array all_listings{
+    &knit::linear_code,        &knit::arc_length_code,  &knit::geodesic_code,     &knit::harmonic_code,
+    &knit::timing_choice_code, &knit::rows_choice_code, &knit::tubes_code,        &knit::cast_on_code,
+    &knit::ring_code,          &knit::contour_code,     &knit::thesis_index_code, &knit::even_index_code,
+    &knit::nearest_index_code, &knit::faces_code,       &knit::pattern_code};
 
 constexpr std::array<std::string_view, 6> keywords{"for", "each", "if", "else", "not", "write"};
 
@@ -121,11 +121,12 @@ std::optional<Explained> explained(const Session& session) {
   at.stopped = stop != nullptr;
   at.step = at.stopped ? stop : last_step(session);
   if (at.step == nullptr) {
-    at.code = &listing_at(timeline.state().stage(), timeline.parameters());
+    at.code = &listing_at(timeline.state().stage(), as_chosen(timeline.parameters(), timeline.state()));
     return at;
   }
-  const knit::Parameters& parameters =
+  const knit::Parameters& given =
       at.stopped ? timeline.parameters_of_stop() : timeline.parameters_of_step(timeline.position() - 1);
+  const knit::Parameters parameters = as_chosen(given, timeline.state());
   at.code = &listing_of(*at.step, parameters);
   at.lines = lines_of(*at.step, parameters);
   return at;

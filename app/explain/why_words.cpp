@@ -44,17 +44,25 @@ knit::Element thing_of(std::size_t key, const RowAndItem& at) {
   }
 }
 
+// A deal goes by a row below 0.
+std::string deal_name(std::int32_t row) { return "deal " + str(-row); }
+std::string bridge_name(std::int32_t row) { return "the bridge of " + deal_name(row); }
+
 struct ElementWords {
   std::string operator()(const knit::StitchElement& s) const {
+    if (s.row < 0) return "stitch " + str(s.stitch + 1) + " of " + bridge_name(s.row);
     return "stitch " + str(s.stitch + 1) + " of row " + str(s.row);
   }
   std::string operator()(const knit::RowEdgeElement& e) const {
+    if (e.row < 0) return "edge " + str(e.stitch + 1) + " of " + bridge_name(e.row);
     return "row edge " + str(e.stitch + 1) + " of row " + str(e.row);
   }
   std::string operator()(const knit::ColumnEdgeElement& e) const {
+    if (e.row < 0) return "column edge " + str(e.edge + 1) + " of " + deal_name(e.row);
     return "column edge " + str(e.edge + 1) + " into row " + str(e.row);
   }
   std::string operator()(const knit::FaceElement& f) const {
+    if (f.row < 0) return "face " + str(f.face + 1) + " of " + deal_name(f.row);
     return "face " + str(f.face + 1) + " into row " + str(f.row);
   }
   std::string operator()(const knit::LabelElement& l) const {
@@ -78,6 +86,51 @@ std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStor
          knit::short_number(band.low) + " to " + knit::short_number(band.high) + ".";
 }
 
+// With one tube nobody needs its name.
+bool names_tubes(const knit::State& run) { return run.tubes && run.tubes->tubes.size() > 1; }
+
+std::string names_of(const std::vector<knit::TubeId>& tubes) {
+  std::string names;
+  for (std::size_t i = 0; i < tubes.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == tubes.size() ? " and " : ", ") + knit::tube_name(tubes[i]);
+  return names;
+}
+
+std::string event_words(const knit::TubeEvent& event) {
+  switch (event.kind) {
+    case knit::EventKind::cast_on:
+      return "Tube " + names_of(event.above) + " begins here.";
+    case knit::EventKind::split:
+      return "Tube " + names_of(event.below) + " splits into " + names_of(event.above) + " here.";
+    case knit::EventKind::join:
+      return "Tubes " + names_of(event.below) + " join to " + names_of(event.above) + " here.";
+    case knit::EventKind::bind_off:
+      return "Tube " + names_of(event.below) + " ends here.";
+    case knit::EventKind::ring_cast_on:
+      return "Tubes " + names_of(event.above) + " start from one edge around here.";
+    case knit::EventKind::ring_bind_off:
+      return "Tubes " + names_of(event.below) + " end edge to edge around here.";
+  }
+  return "";
+}
+
+// Where a vertex stands when rows are cut: no row is picked from it, but rows run beside it.
+std::string cut_words(const knit::Timeline& timeline, knit::VertexId vertex) {
+  const std::string cut = "Rows are cut through the surface here; no vertex is a candidate.";
+  const auto on = knit::on_tube(timeline, vertex);
+  if (!on) return cut;
+  const knit::TubePlan& plan = *timeline.furthest().tubes;
+  std::string words = on->event >= 0 ? " " + event_words(plan.event(on->event)) : "";
+  if (on->tube < 0) return cut + words + " It lies on a part that is left out: smaller than a row.";
+  const std::string tube = names_tubes(timeline.furthest()) ? " on tube " + knit::tube_name(on->tube) : "";
+  if (on->below > 0 && on->above > 0)
+    return cut + words + " It lies" + tube + " between rows " + str(on->below) + " and " + str(on->above) +
+           ".";
+  if (on->below > 0) return cut + words + " It lies" + tube + " above row " + str(on->below) + ".";
+  if (on->above > 0) return cut + words + " It lies" + tube + " below row " + str(on->above) + ".";
+  return tube.empty() ? cut + words : cut + words + " It lies" + tube + ".";
+}
+
 std::string vertex_words(const knit::Timeline& timeline, const knit::VertexElement& v) {
   const knit::VertexStory story = knit::story_of(timeline, v.vertex);
   const std::string row = "row " + str(story.row);
@@ -87,7 +140,7 @@ std::string vertex_words(const knit::Timeline& timeline, const knit::VertexEleme
     case knit::Fate::no_row:
       return "Its level makes no row: it lies before the cast on or after the last row.";
     case knit::Fate::cut_rows:
-      return "Rows are cut through the surface here; no vertex is a candidate.";
+      return cut_words(timeline, v.vertex);
     case knit::Fate::cast_on:
       return "It lies on the cast on's cycle, along which the stitches are spread evenly.";
     case knit::Fate::not_yet:
@@ -106,13 +159,35 @@ std::string vertex_words(const knit::Timeline& timeline, const knit::VertexEleme
   return "";
 }
 
+// " It belongs to tube B, whose first row this is: ..."
+std::string tube_words(const knit::Timeline& timeline, knit::RowId id) {
+  const knit::State& run = timeline.furthest();
+  const knit::Row* row = run.fabric.find_row(id);
+  if (row == nullptr || !names_tubes(run)) return "";
+  const knit::Row* below = run.fabric.row_below(id);
+  const bool first = below == nullptr || below->tube != row->tube;
+  std::string words = " It belongs to tube " + knit::tube_name(row->tube);
+  if (!first) return words + ".";
+  words += ", whose first row this is, ";
+  return words +
+         (row->on.empty() ? "cast on." : "worked on " + knit::stitch_count_text(row->on.size()) + ".");
+}
+
+std::string deal_words(const knit::Timeline& timeline, std::int32_t row) {
+  const knit::Deal* deal = knit::deal_numbered(timeline.furthest(), -row);
+  if (deal == nullptr || !timeline.furthest().tubes) return "";
+  return event_words(timeline.furthest().tubes->event(deal->event));
+}
+
 std::string stitch_words(const knit::Timeline& timeline, const knit::StitchElement& stitch) {
   const auto made = knit::made_by(timeline, stitch);
   if (!made) return "There is no such stitch so far.";
+  if (stitch.row < 0) return said_by(timeline, *made) + " " + deal_words(timeline, stitch.row);
   const auto chosen = knit::chosen_by(timeline, stitch);
   // What chose its vertex tells more than what kept it.
   std::string words = said_by(timeline, chosen.value_or(*made));
   if (chosen) words += " Kept at step " + str(static_cast<std::int64_t>(*made) + 1) + ".";
+  words += tube_words(timeline, stitch.row);
   const auto moved = knit::moved_by(timeline, stitch);
   if (!moved) return words;
   const bool spread = knit::is<knit::RowResampled>(timeline.step(*moved));
@@ -142,15 +217,19 @@ std::optional<knit::Element> thing_named(const std::string& text) {
   if (parts.size() != 3) return std::nullopt;
   const auto row = whole_number<std::int32_t>(parts[1]);
   const auto item = whole_number<std::int32_t>(parts[2]);
-  if (!row || !item || *row < 1 || *item < 0) return std::nullopt;
-  return thing_of(static_cast<std::size_t>(key - keys.begin()), {*row, *item});
+  const auto kind = static_cast<std::size_t>(key - keys.begin());
+  const bool label = kind == 4;  // a deal has none
+  if (!row || !item || *row == 0 || (label && *row < 0) || *item < 0) return std::nullopt;
+  return thing_of(kind, {*row, *item});
 }
 
 std::string why_words(const knit::Timeline& timeline, const knit::Element& thing) {
   if (const auto* vertex = std::get_if<knit::VertexElement>(&thing)) return vertex_words(timeline, *vertex);
   if (const auto* stitch = std::get_if<knit::StitchElement>(&thing)) return stitch_words(timeline, *stitch);
   const auto made = knit::made_by(timeline, thing);
-  return made ? said_by(timeline, *made) : "There is no such thing so far.";
+  if (!made) return "There is no such thing so far.";
+  const std::int32_t row = std::visit(Parts{}, thing).row;
+  return said_by(timeline, *made) + (row < 0 ? " " + deal_words(timeline, row) : tube_words(timeline, row));
 }
 
 }  // namespace app

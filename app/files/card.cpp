@@ -6,6 +6,7 @@
 #include "app/base/text.h"
 #include "app/session/document.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -148,6 +149,31 @@ CardLine pair_line(std::string name, const char* words, const char* unit, const 
   return line;
 }
 
+// Of a closeness that came with its coverage.
+CardLine uncovered_line(const knit::Closeness& closeness) {
+  const knit::Coverage none;
+  const knit::Coverage& coverage = closeness.coverage ? *closeness.coverage : none;
+  std::int64_t rows = 0;
+  double longest = 0.0;
+  for (const knit::Stretched& stretched : coverage.stretched) {
+    rows += stretched.to - stretched.from + 1;
+    longest = std::max(longest, stretched.longest);
+  }
+  std::string where = "Share of the surface that no row covers, in %.";
+  for (const knit::UncoveredPlace& place : coverage.uncovered.places) {
+    where += (&place == &coverage.uncovered.places.front() ? " At " : ", ") +
+             knit::vertex_text(place.vertex) + ": " + knit::percent_text(place.share);
+  }
+  if (!coverage.uncovered.places.empty()) where += ".";
+  std::string stretched = "Rows with wales longer than 1.5 h";
+  stretched += rows > 0 ? "; the longest has " + fixed_text(longest, 2) + " h." : ".";
+  return pair_line(
+      "uncovered", "Uncovered, stretched rows", "%",
+      "Share of the surface that no row covers; rows whose wales are longer than 1.5 stitch heights.",
+      figure_of("uncovered", fixed_text(100.0 * coverage.uncovered.share, 1), where),
+      figure_of("stretched", std::to_string(rows), stretched));
+}
+
 CardLine quads_line(const knit::Quality& quality) {
   const auto share = [](double part) { return fixed_text(100.0 * part, 1); };
   return pair_line(
@@ -226,7 +252,10 @@ std::vector<CardGroup> card_groups(const knit::Quality* quality, const knit::Clo
   return {{true,
            {when(rows, course_line(q), after_cast_on), when(strips, wale_line(q), after_faces),
             when(strips, sideways_line(q), after_faces), when(strips, mirror_line(q), after_faces)}},
-          {false, {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c))}},
+          {false,
+           {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c)),
+            closeness == nullptr || c.coverage ? measured(uncovered_line(c))
+                                               : missing_line(uncovered_line(c), after_faces)}},
           {false,
            {measured(area_line(c)), when(strips, quads_line(q), after_faces),
             when(stitches, shaping_line(q), after_stitches), when(stitches, most_line(q), after_stitches)}}};
@@ -266,6 +295,23 @@ std::string rows_text(const knit::Quality& quality) {
   return text;
 }
 
+// Where there is more than one.
+std::string tubes_text(const knit::Quality& quality) {
+  if (quality.tubes.size() < 2) return "";
+  std::string text = "\n" + left("tube", 6) + right("rounds", number_width) +
+                     right("stitches", number_width) + right("wale CV", 12) + right("longest / h", 13) +
+                     right("course CV", 12) + "\n";
+  for (const knit::TubeFit& tube : quality.tubes) {
+    const bool wales = tube.wales > 0;
+    text += left(knit::tube_name(tube.tube), 6) + right(std::to_string(tube.rounds), number_width) +
+            right(std::to_string(tube.stitches), number_width) +
+            right(wales ? fixed_text(tube.wale_cv, 3) : "-", 12) +
+            right(wales ? fixed_text(tube.longest_wale, 2) : "-", 13) +
+            right(fixed_text(tube.worst_course_cv_in_row, 4), 12) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string card_text(const Session& session) {
@@ -284,7 +330,7 @@ std::string card_text(const Session& session) {
   for (const CardGroup& group : card_groups(&quality, closeness.get(), false)) {
     for (const CardLine& line : group.lines) text += line_text(line);
   }
-  return text + "* more than a knitter would want\n" + rows_text(quality);
+  return text + "* more than a knitter would want\n" + tubes_text(quality) + rows_text(quality);
 }
 
 }  // namespace app

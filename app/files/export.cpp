@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/base/files.h"
+#include "app/describe/thing_places.h"
 #include "app/files/card.h"
 #include "app/files/gltf.h"
 #include "app/files/pattern_export.h"
@@ -38,6 +39,24 @@ void append_face(std::string& text, const knit::Face& face) {
   text += "\n";
 }
 
+// Its faces once strips come to it; before there are any, the edges that it adds.
+std::string deal_group(const knit::Fabric& fabric, const knit::Deal& deal, std::size_t number) {
+  const std::string name = "g deal-" + std::to_string(number) + "\n";
+  std::string text;
+  if (is_sewn(fabric, deal)) {
+    for (const knit::Face& face : deal.faces) append_face(text, face);
+  } else if (fabric.strips().empty()) {
+    for (const auto& edge : edges_added(deal)) {
+      text += "l";
+      for (const knit::StitchRef& end : edge)
+        text +=
+            " " + std::to_string(fabric.first_on_path(end.row) + static_cast<std::uint32_t>(end.stitch) + 1);
+      text += "\n";
+    }
+  }
+  return text.empty() ? text : name + text;
+}
+
 }  // namespace
 
 std::string mesh_text(const Session& session) {
@@ -60,10 +79,8 @@ std::string mesh_text(const Session& session) {
       text += "\n";
     }
   }
-  for (std::size_t i = 0; i < state.fabric.deals().size() && !state.fabric.strips().empty(); ++i) {
-    text += "g deal-" + std::to_string(i + 1) + "\n";
-    for (const knit::Face& face : state.fabric.deals()[i]->faces) append_face(text, face);
-  }
+  for (std::size_t i = 0; i < state.fabric.deals().size(); ++i)
+    text += deal_group(state.fabric, *state.fabric.deals()[i], i + 1);
   return text;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/base/text.h"
 #include "app/describe/describe_step.h"
+#include "app/describe/thing_places.h"
 #include "app/session/document.h"
 
 namespace app {
@@ -118,8 +119,8 @@ class GltfDocument {
     std::vector<glm::vec3> places;
     std::string normals, colours;
     const knit::KnittingPath path(state_.fabric);
-    for (const auto& strip : state_.fabric.strips()) {
-      const FaceShape shape = faces_of(light_theme, *strip, strip->faces.size(), path);
+    for (const knit::Strip& strip : all_strips()) {
+      const FaceShape shape = faces_of(light_theme, strip, strip.faces.size(), path);
       for (const FaceShape::Face& face : shape.faces) {
         const auto& [a, b, c, d] = face.corners;
         places.insert(places.end(), {a, b, c});
@@ -143,19 +144,37 @@ class GltfDocument {
     primitives_.push_back({{"attributes", attributes}, {"material", material}, {"mode", mode_triangles}});
   }
 
+  // Those of rows, and what deals sew together.
+  [[nodiscard]] std::vector<knit::Strip> all_strips() const {
+    std::vector<knit::Strip> strips;
+    for (const auto& strip : state_.fabric.strips()) strips.push_back(*strip);
+    for (const auto& deal : state_.fabric.deals()) {
+      if (is_sewn(state_.fabric, *deal)) strips.push_back(strip_of(*deal));
+    }
+    return strips;
+  }
+
+  // Places are the knitting path's, bridges between rows too: what strips count by.
   void add_lines() {
+    const knit::Fabric& fabric = state_.fabric;
     std::vector<glm::vec3> places;
+    for (const glm::dvec3& place : knit::knitting_path(fabric)) places.emplace_back(place);
     std::vector<std::uint32_t> rows, columns;
-    for (const auto& row : state_.fabric.rows()) {
-      const auto first = static_cast<std::uint32_t>(places.size());
-      for (const knit::Stitch& stitch : row->stitches) places.emplace_back(stitch.position);
+    for (const auto& row : fabric.rows()) {
+      const std::uint32_t first = fabric.first_on_path(row->id);
       for (const auto& [from, to] : knit::edges_of(*row)) {
         rows.push_back(first + static_cast<std::uint32_t>(from));
         rows.push_back(first + static_cast<std::uint32_t>(to));
       }
     }
-    for (const auto& strip : state_.fabric.strips()) {
-      for (const auto& edge : strip->column_edges) columns.insert(columns.end(), edge.begin(), edge.end());
+    for (const auto& deal : fabric.deals()) {
+      for (const auto& edge : edges_added(*deal)) {
+        for (const knit::StitchRef& end : edge)
+          rows.push_back(fabric.first_on_path(end.row) + static_cast<std::uint32_t>(end.stitch));
+      }
+    }
+    for (const knit::Strip& strip : all_strips()) {
+      for (const auto& edge : strip.column_edges) columns.insert(columns.end(), edge.begin(), edge.end());
     }
     const int positions = add_positions(places);
     const auto add = [&](const std::vector<std::uint32_t>& indices, const char* name, Colour colour) {

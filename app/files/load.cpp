@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/files/session_json.h"
 #include "app/session/action.h"
@@ -38,12 +39,37 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   return loaded;
 }
 
+// What was read and left out; nothing where nothing was.
+void tell_left_out(const knit::ObjNotes& notes, std::vector<knit::Finding>& findings) {
+  if (notes.loose_edges == 0) return;
+  const bool one = notes.loose_edges == 1;
+  findings.push_back({knit::FindingKind::loose_edges,
+                      knit::Severity::warning,
+                      notes.loose_edges,
+                      {},
+                      std::to_string(notes.loose_edges) + (one ? " face has" : " faces have") +
+                          " two corners, as a loose edge has; the first stands in line " +
+                          std::to_string(notes.loose_line) +
+                          " of the file. Such faces are left out; nothing need be done about them."});
+}
+
+// A piece that is not there, in one sentence.
+std::optional<std::string> fault_of_piece(const knit::Mesh& mesh, const knit::RepairWish& wish) {
+  if (wish.piece() == 0) return std::nullopt;
+  const std::size_t pieces = knit::pieces_to_choose(mesh, wish);
+  if (pieces == 0 || wish.piece() <= pieces) return std::nullopt;
+  return mesh.name + " has no piece " + std::to_string(wish.piece()) + ": " +
+         (pieces == 1 ? "it is one piece; leave --piece out."
+                      : "it is in " + std::to_string(pieces) + " pieces; give one from 1 to " +
+                            std::to_string(pieces) + ".");
+}
+
 // As a person wishes; what helps is only looked for where it is wanted.
 knit::RepairPlan repaired_as(knit::Mesh mesh, const knit::RepairWish& wish) {
-  if (!wish.kinds.empty()) return knit::carry_out(mesh, wish.kinds);
   if (wish.all) {
-    if (auto plan = knit::plan_repairs(mesh)) return std::move(*plan);
+    if (auto plan = knit::plan_repairs(mesh, wish.piece())) return std::move(*plan);
   }
+  if (!wish.kinds.empty()) return knit::carry_out(mesh, wish.kinds);
   return {std::move(mesh), {}};
 }
 
@@ -75,9 +101,15 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
 std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
                                             const std::vector<knit::RepairKind>& repairs,
                                             knit::Progress* progress) {
-  auto read = knit::read_obj_file(path, progress);
+  knit::ObjNotes notes;
+  auto read = knit::read_obj_file(path, progress, &notes);
   if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
-  return load_repaired(repaired_as(std::get<knit::Mesh>(std::move(read)), {false, repairs}), progress);
+  auto& mesh = std::get<knit::Mesh>(read);
+  const knit::RepairWish wish{false, repairs};
+  if (auto fault = fault_of_piece(mesh, wish)) return std::move(*fault);
+  auto loaded = load_repaired(repaired_as(std::move(mesh), wish), progress);
+  if (auto* ready = std::get_if<Loaded>(&loaded)) tell_left_out(notes, ready->findings);
+  return loaded;
 }
 
 std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, knit::Progress* progress) {
@@ -88,17 +120,29 @@ std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, kn
 
 std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::RepairWish& wish,
                                           knit::Progress* progress) {
-  auto read = knit::read_obj_file(path, progress);
+  knit::ObjNotes notes;
+  auto read = knit::read_obj_file(path, progress, &notes);
   if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
   const auto mesh = std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read)));
+  if (auto fault = fault_of_piece(*mesh, wish)) return NotOpened{std::move(*fault), nullptr};
   const bool as_it_is = !wish.all && wish.kinds.empty();
   auto loaded =
       as_it_is ? prepare(mesh, nullptr, progress) : load_repaired(repaired_as(*mesh, wish), progress);
-  if (auto* ready = std::get_if<Loaded>(&loaded)) return std::move(*ready);
+  if (auto* ready = std::get_if<Loaded>(&loaded)) {
+    tell_left_out(notes, ready->findings);
+    return std::move(*ready);
+  }
   NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = knit::plan_repairs(*mesh))
+  if (auto plan = knit::plan_repairs(*mesh, wish.piece()))
     unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
   return unfit;
+}
+
+std::variant<std::size_t, std::string> count_pieces(const std::filesystem::path& path,
+                                                    const knit::RepairWish& wish) {
+  auto read = knit::read_obj_file(path);
+  if (auto* error = std::get_if<knit::ObjError>(&read)) return std::move(error->sentence);
+  return knit::pieces_to_choose(std::get<knit::Mesh>(read), wish);
 }
 
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name) {
@@ -130,8 +174,22 @@ std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::M
 
 namespace {
 // The menu's order; what else lies in the folder follows by name.
-constexpr std::array<std::string_view, 8> known_order{
-    "thesis-sphere", "sphere", "stretched-sphere", "egg", "capsule", "cone", "vase", "torus"};
+constexpr std::array<std::string_view, 16> known_order{"thesis-sphere",
+                                                       "sphere",
+                                                       "stretched-sphere",
+                                                       "egg",
+                                                       "capsule",
+                                                       "cone",
+                                                       "vase",
+                                                       "torus",
+                                                       "trousers",
+                                                       "y",
+                                                       "starfish",
+                                                       "octopus",
+                                                       "mug",
+                                                       "cup",
+                                                       "double-torus",
+                                                       "chain-of-three"};
 }  // namespace
 
 std::vector<std::string> list_examples(const std::filesystem::path& assets) {

@@ -40,6 +40,9 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path,
                                           knit::Progress* progress = nullptr);
 std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan,
                                                 knit::Progress* progress = nullptr);
+// How many pieces the mesh is in when all that is wished but the choice of one has been done; 0: it cannot be said.
+std::variant<std::size_t, std::string> count_pieces(const std::filesystem::path& path,
+                                                    const knit::RepairWish& wish);
 std::variant<Loaded, std::string> load_example(const std::filesystem::path& assets, const std::string& name);
 // The same mesh again, for parameters whose weld differs.
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,

@@ -14,9 +14,15 @@
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 #include "knit/quality/quality.h"
 
 namespace app {
+
+struct TubeStart {
+  std::int32_t row = 1;  // its first
+  std::string name;
+};
 
 // Values a row: as they are, and as they should be. All three are equally long.
 struct RowsFigure {
@@ -25,6 +31,10 @@ struct RowsFigure {
   std::string value;  // the axis's title
   std::vector<std::int32_t> rows;
   std::vector<double> made, ideal;
+  std::vector<TubeStart> tubes;  // where there are several
+  [[nodiscard]] bool begins_tube(std::int32_t row) const {
+    return std::any_of(tubes.begin(), tubes.end(), [&](const TubeStart& tube) { return tube.row == row; });
+  }
 };
 
 // How often values fall into equal bins; no bins: nothing to count yet.
@@ -141,12 +151,28 @@ std::string steps_path(const Ground& ground, const RowsFigure& plot) {
   return path;
 }
 
+// From one tube to the next nothing is followed.
 std::string ideal_path(const Ground& ground, const RowsFigure& plot) {
   std::string path;
   for (std::size_t i = 0; i < plot.rows.size(); ++i)
-    path += (i == 0 ? "M" : "L") + millimetres(ground.x(plot.rows[i])) + " " +
-            millimetres(ground.y(plot.ideal[i]));
+    path += (i == 0 || plot.begins_tube(plot.rows[i]) ? "M" : "L") + millimetres(ground.x(plot.rows[i])) +
+            " " + millimetres(ground.y(plot.ideal[i]));
   return path;
+}
+
+// A line where each tube begins, with its letter above, as far as these have room.
+std::string tube_marks(const Ground& ground, const RowsFigure& plot) {
+  std::string out;
+  double free_from = ground.left;
+  for (const TubeStart& tube : plot.tubes) {
+    const double x = ground.x(tube.row - 0.5);
+    if (tube.row > plot.rows.front())
+      out += line_from(x, ground.top, x, ground.bottom, " stroke=\"#999\" stroke-width=\".2\"");
+    if (x < free_from) continue;
+    out += words_at(x + 0.6, ground.top - 0.8, "start", tube.name, attribute("fill", grey));
+    free_from = x + 0.8 * plot_text_mm * static_cast<double>(tube.name.size()) + 0.6;
+  }
+  return out.empty() ? out : "<g class=\"tubes\">\n" + out + "</g>\n";
 }
 
 std::string rows_svg(const RowsFigure& plot, double top) {
@@ -159,7 +185,7 @@ std::string rows_svg(const RowsFigure& plot, double top) {
   ground.low = plot.rows.front() - 0.5;
   ground.high = plot.rows.back() + 0.5;
   std::string out = "<g" + attribute("class", plot.key) + ">\n" + heading(ground, plot.title) +
-                    axes(ground, plot.value, plot.key == "stitches");
+                    axes(ground, plot.value, plot.key == "stitches") + tube_marks(ground, plot);
   const std::string floor = millimetres(ground.bottom);
   const std::string steps = steps_path(ground, plot);
   out += "<path d=\"" + steps + "V" + floor + "H" + millimetres(ground.left) + "Z\"" +
@@ -262,6 +288,16 @@ HistogramFigure histogram_of(std::string key, std::string title, std::string uni
   return figure;
 }
 
+std::vector<TubeStart> tube_starts(const knit::Fabric& fabric) {
+  std::vector<TubeStart> starts;
+  knit::TubeId last = -1;
+  for (const auto& row : fabric.rows()) {
+    if (row->tube != last) starts.push_back({row->id, knit::tube_name(row->tube)});
+    last = row->tube;
+  }
+  return starts.size() > 1 ? starts : std::vector<TubeStart>();
+}
+
 PlotFigures figures_of(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
@@ -279,6 +315,7 @@ PlotFigures figures_of(const Session& session) {
   RowsFigure course{
       "course-length", "Mean course length a row", "length / w", stitches.rows, rows.course, {}};
   course.ideal.assign(rows.course.size(), 1.0);
+  stitches.tubes = course.tubes = tube_starts(timeline.state().fabric);
   figures.rows = {std::move(stitches), std::move(course)};
   figures.histograms = {histogram_of("course", "Course lengths", "length / w", 1.0, quality.course),
                         histogram_of("wale", "Wale lengths", "length / h", 1.0, quality.wale),

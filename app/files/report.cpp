@@ -89,6 +89,20 @@ Json rows_json(const std::vector<knit::RowFit>& rows) {
   return all;
 }
 
+// Of each tube, as far as it is there.
+Json tube_fits_json(const std::vector<knit::TubeFit>& tubes) {
+  Json all = Json::array();
+  for (const knit::TubeFit& tube : tubes) {
+    all.push_back({{"name", knit::tube_name(tube.tube)},
+                   {"rounds", tube.rounds},
+                   {"stitches", tube.stitches},
+                   {"wale_cv", value_if(tube.wales > 0, tube.wale_cv)},
+                   {"wale_max", value_if(tube.wales > 0, tube.longest_wale)},
+                   {"worst_course_cv_in_row", tube.worst_course_cv_in_row}});
+  }
+  return all;
+}
+
 Json mirror_json(const std::optional<knit::MirrorError>& mirror) {
   if (!mirror) return nullptr;
   return {{"mean", mirror->mean}, {"max", mirror->max}};
@@ -116,6 +130,7 @@ Json to_json(const knit::Quality& quality) {
   json["wale"] = spread_json(quality.wale);
   json["corner"] = spread_json(quality.corner);
   json["rows"] = rows_json(quality.rows);
+  json["tubes"] = tube_fits_json(quality.tubes);
   json["quad_share"] = value_if(any_face, quality.quad_share);
   json["regular_share"] = value_if(any_wale && quality.rows.size() > 2, quality.regular_share);
   json["shaping"] = {{"increases", quality.shaping.increases},
@@ -133,6 +148,27 @@ Json to_json(const knit::Closeness& closeness) {
            {{"knit_to_mesh", distances_json(closeness.knit_to_mesh, closeness.diagonal)},
             {"mesh_to_knit", distances_json(closeness.mesh_to_knit, closeness.diagonal)}}},
           {"area_ratio", ratio(closeness.knit_area, closeness.mesh_area)}};
+}
+
+Json to_json(const knit::Uncovered& uncovered) {
+  Json where = Json::array();
+  for (const knit::UncoveredPlace& place : uncovered.places) {
+    where.push_back(
+        {{"vertex", place.vertex}, {"at", {place.at.x, place.at.y, place.at.z}}, {"share", place.share}});
+  }
+  return {{"share", uncovered.share}, {"where", where}};
+}
+
+Json to_json(const std::vector<knit::Stretched>& stretched) {
+  Json all = Json::array();
+  for (const knit::Stretched& rows : stretched) {
+    all.push_back({{"tube", knit::tube_name(rows.tube)},
+                   {"from", rows.from},
+                   {"to", rows.to},
+                   {"longest", rows.longest},
+                   {"share", rows.share}});
+  }
+  return all;
 }
 
 Json quality_json(const knit::Quality& quality, const knit::Closeness* closeness) {
@@ -288,6 +324,16 @@ Json graph_json(const knit::TubeGraph& graph) {
           {"loops", graph.loops()}};
 }
 
+// Known with the closeness, if that was measured with it.
+Json uncovered_json(const knit::Timeline& timeline, const knit::Closeness* closeness) {
+  if (closeness == nullptr) return nullptr;
+  const knit::StitchSize& stitch = timeline.parameters().stitch;
+  const auto coverage = closeness->coverage ? closeness->coverage
+                                            : knit::measure_coverage(timeline.input(), timeline.state(),
+                                                                     stitch.width, stitch.height);
+  return coverage ? to_json(coverage->uncovered) : Json(nullptr);
+}
+
 void add_tubes(const knit::State& state, Json& report) {
   const knit::TubePlan& plan = *state.tubes;
   report["graph"] = graph_json(*state.graph);
@@ -373,6 +419,8 @@ Json report_json(const Session& session) {
   report["quality"] = quality_json(
       knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height),
       closeness.get());
+  report["uncovered"] = uncovered_json(timeline, closeness.get());
+  report["stretched"] = to_json(knit::stretched_rows(state, parameters.stitch.height));
   report["problems"] = problems_json(session);
   report["pattern"] = pattern_instructions(session);
   report["milliseconds"] = {{"load", session.document->load_ms}, {"run", session.document->run_ms}};

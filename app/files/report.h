@@ -7,6 +7,7 @@
 #include "app/session/session.h"
 #include "knit/model/settings_table.h"
 #include "knit/quality/closeness.h"
+#include "knit/quality/coverage.h"
 #include "knit/quality/quality.h"
 #include "knit/run/step.h"
 #include "knit/stitches/appendix.h"
@@ -24,6 +25,8 @@ nlohmann::ordered_json to_json(const knit::Step& step, std::size_t index, const 
 
 nlohmann::ordered_json to_json(const knit::Quality& quality);
 nlohmann::ordered_json to_json(const knit::Closeness& closeness);
+nlohmann::ordered_json to_json(const knit::Uncovered& uncovered);
+nlohmann::ordered_json to_json(const std::vector<knit::Stretched>& stretched);
 
 // Both in one object. Without a closeness, `distance` and `area_ratio` are null.
 nlohmann::ordered_json quality_json(const knit::Quality& quality, const knit::Closeness* closeness);

@@ -141,7 +141,7 @@ knit::Place read_place(JsonFields fields) {
   } else if (name == knit::name_of(knit::Stage::done)) {
     place.stage = knit::Stage::done;  // a run on its way to its end
   } else {
-    fields.set_fault("stage", "must be one of timing, cast-on, rows, stitches, faces, pattern, done.");
+    fields.set_fault("stage", "must be one of timing, tubes, cast-on, rows, stitches, faces, pattern, done.");
   }
   place.row = static_cast<std::int32_t>(fields.whole("row", 0, most_rows));
   place.item = static_cast<std::int32_t>(fields.whole("item", 0, most_rows));

@@ -10,8 +10,8 @@
 
 namespace app {
 
-// What a judge must be told in the file.
-enum class JudgeNeeds : std::uint8_t { nothing, row, word, row_and_word, change };
+// What a judge must be told in the file; tube: its letter.
+enum class JudgeNeeds : std::uint8_t { nothing, row, word, row_and_word, change, tube };
 
 // What is right here, or why that cannot be said.
 struct Truth {

@@ -358,10 +358,20 @@ void read_word(JsonFields& fields, const JudgeInfo& info, JudgeCall& call) {
     fields.set_fault("of", "must be one of " + joined(info.words) + ".");
 }
 
+// "A", "B", ..., "AA", ...
+std::string read_tube(JsonFields& fields) {
+  std::string tube = need_text(fields, "tube");
+  const bool letters =
+      tube.size() <= 3 && std::all_of(tube.begin(), tube.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+  if (!letters) fields.set_fault("tube", "must be a tube's letter, such as B.");
+  return tube;
+}
+
 void read_call(JsonFields& fields, const JudgeInfo& info, JudgeCall& call) {
   const bool wants_row = info.needs == JudgeNeeds::row || info.needs == JudgeNeeds::row_and_word;
   if (wants_row) call.row = static_cast<std::int32_t>(need_whole(fields, "row", 1, most_rows));
   if (info.needs == JudgeNeeds::word || info.needs == JudgeNeeds::row_and_word) read_word(fields, info, call);
+  if (info.needs == JudgeNeeds::tube) call.word = read_tube(fields);
   if (info.name == "band-edge" && fields.has("with")) call.settings = read_settings(fields, "with");
   if (info.needs != JudgeNeeds::change) return;
   call.settings = read_settings(fields, "with");

@@ -140,11 +140,15 @@ Truth shaping(const Session& session, const JudgeCall& call) {
   const knit::Fabric& fabric = session.document->timeline.furthest().fabric;
   if (call.row < 2) return untold("The first row follows none.");
   if (!fabric.has_row(call.row)) return row_size(session, call);
+  if (fabric.row(call.row).on.empty())
+    return untold("Row " + str(call.row) + " is cast on; it follows none.");
   const std::int32_t below = fabric.live_below(call.row).size();
   const std::int32_t above = knit::size_of(fabric.row(call.row));
   const char* key = above > below ? "increases" : above < below ? "decreases" : "plain";
   return {{key},
-          "Row " + str(call.row) + " has " + std::to_string(above) + " stitches, and the row below has " +
+          "Row " + str(call.row) + " has " + std::to_string(above) +
+              (fabric.row_below(call.row) != nullptr ? " stitches, and the row below has "
+                                                     : " stitches, and what it is worked on has ") +
               std::to_string(below) + ".",
           0.0};
 }
@@ -184,12 +188,18 @@ std::string why_not_label(const Session& session, const JudgeCall& call, const s
   const auto thing = thing_named(answer);
   const auto* stitch = thing ? std::get_if<knit::StitchElement>(&*thing) : nullptr;
   if (join == nullptr || stitch == nullptr) return "";
-  const knit::RowId row = session.document->timeline.furthest().fabric.larger(*join).at(0).row;
+  // Where a row shrinks its cells are what it is worked on: of one row or of several.
+  const knit::LiveStitches cells = session.document->timeline.furthest().fabric.larger(*join);
   const std::string name = capital(words_of(*thing));
-  if (stitch->row != row) return name + " is not in row " + str(row) + ".";
-  const auto cell = static_cast<std::size_t>(stitch->stitch);
-  if (cell >= join->labels.size()) return "";
-  return name + " is labelled " + std::string(knit::name_of(join->labels[cell])) + ".";
+  for (std::int32_t cell = 0; cell < cells.size(); ++cell) {
+    if (cells.at(cell) == knit::StitchRef{stitch->row, stitch->stitch})
+      return name + " is labelled " +
+             std::string(knit::name_of(join->labels[static_cast<std::size_t>(cell)])) + ".";
+  }
+  const std::int32_t row = cells.at(0).row;
+  if (row < 0 || cells.spans.size() > 1)
+    return name + " is none that row " + str(call.row) + " is worked on.";
+  return name + " is not in row " + str(row) + ".";
 }
 
 // What is right about odd rows, the mesh, how the run ends, and what other settings make of it.
@@ -268,14 +278,10 @@ std::string why_not_odd(const Session& session, const JudgeCall& /*call*/, const
 
 // --- the mesh and the whole run ----------------------------------------------------------------------------
 
-namespace {
-
 double near_enough(const Session& session) {
   const knit::Bounds& bounds = session.document->timeline.input().bounds;
   return 0.12 * glm::distance(bounds.low, bounds.high);
 }
-
-}  // namespace
 
 Truth end_vertex(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;

@@ -47,6 +47,9 @@ std::optional<std::size_t> first_of_kind(const knit::Timeline& timeline, knit::S
   return first_step(timeline, stage, row, [](const knit::Event& what) { return knit::is<What>(what); });
 }
 
+// How near a click must come to a place that is asked for, in mesh units.
+double near_enough(const Session& session);
+
 // What is right.
 Truth next_vertex(const Session& session, const JudgeCall& call);
 Truth next_verdict(const Session& session, const JudgeCall& call);
@@ -62,12 +65,19 @@ Truth odd_row(const Session& session, const JudgeCall& call);
 Truth end_vertex(const Session& session, const JudgeCall& call);
 Truth ending(const Session& session, const JudgeCall& call);
 Truth split_vertex(const Session& session, const JudgeCall& call);
+Truth tube_count(const Session& session, const JudgeCall& call);
+Truth begins_on(const Session& session, const JudgeCall& call);
+Truth worked_on(const Session& session, const JudgeCall& call);
+Truth waiting_tube(const Session& session, const JudgeCall& call);
+Truth yarn_broken(const Session& session, const JudgeCall& call);
+Truth join_vertex(const Session& session, const JudgeCall& call);
 Truth what_if(const Session& session, const JudgeCall& call);
 Truth what_if_stops(const Session& session, const JudgeCall& call);
 // Why an answer is not; empty: there is nothing to say.
 std::string why_not_next(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_odd(const Session& session, const JudgeCall& call, const std::string& answer);
+std::string why_not_broken(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_end(const Session& session, const JudgeCall& call, const std::string& answer);
 
 }  // namespace app::truths

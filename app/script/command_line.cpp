@@ -11,6 +11,7 @@
 #include "app/files/session_file.h"
 #include "app/lessons/lesson.h"
 #include "app/script/figure_words.h"
+#include "app/script/pieces.h"
 #include "app/script/queries.h"
 #include "app/script/subcommands.h"
 #include "app/session/presets.h"
@@ -30,7 +31,7 @@ struct Words {
   std::string size;
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
-  std::string theme, scale, repair;
+  std::string theme, scale, repair, piece;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   bool markers = false, stars = false;
@@ -89,6 +90,10 @@ void declare(CLI::App& app, Words& words) {
   app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
   app.add_option("--repair,--mend", words.repair,
                  "repair the mesh before it is opened: all, or some of " + repair_list());
+  app.add_option(
+      "--piece", words.piece,
+      "of a mesh in several pieces open this one: 1 is that of most triangles; all: each by itself, with "
+      "--headless");
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
@@ -295,6 +300,23 @@ std::optional<std::string> read_repairs(const Words& words, CommandLine& line) {
   return std::nullopt;
 }
 
+// After the repairs: the piece is one of them, and goes before the largest.
+std::optional<std::string> read_piece(const Words& words, CommandLine& line) {
+  if (words.piece.empty()) return std::nullopt;
+  if (words.mesh.empty() || !line.session.empty())
+    return "--piece needs a mesh's file; examples are of one piece, and a session has its own.";
+  if (words.piece == "all") {
+    if (!words.headless) return "--piece all knits one piece after the other, which needs --headless.";
+    line.every_piece = true;
+    return std::nullopt;
+  }
+  const auto number = whole_number<std::int32_t>(words.piece);
+  if (!number || *number < 1 || static_cast<std::size_t>(*number) > knit::most_pieces)
+    return "--piece cannot be \"" + words.piece + "\"; give a number from 1, or all.";
+  line.open = of_piece(line.open.get<OpenFile>(), static_cast<std::size_t>(*number));
+  return std::nullopt;
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -329,6 +351,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_piece(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {

@@ -22,7 +22,8 @@ struct CommandLine {
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> settings;  // values as text, checked
   std::optional<At> at;  // none: the end when headless, the start in the window
   bool headless = false;
-  bool empty = false;  // nothing is to be opened
+  bool empty = false;        // nothing is to be opened
+  bool every_piece = false;  // of the mesh, one after the other: pieces.h. Headless
   knit::PatternOptions pattern;
   SidePanel side = SidePanel::step;        // what the right column shows
   std::optional<RunList> list;             // below the step

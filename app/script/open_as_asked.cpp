@@ -15,6 +15,7 @@
 #include "app/session/outbox.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
+#include "knit/import/check_topology.h"
 #include "knit/model/settings_table.h"
 
 namespace app {
@@ -56,15 +57,32 @@ std::optional<std::string> begin_lesson(Session& session, const CommandLine& lin
   return line.lesson_page ? go_to_lesson_page(session, *line.lesson_page) : std::nullopt;
 }
 
-// What is wrong, and which option would help.
+// What is wrong, and which options would help.
 std::string words_of(const RepairOffer& offer) {
   std::string keys;
+  std::string piece;
   std::string effects;
   for (const knit::RepairStep& step : offer.plan->steps) {
-    keys += (keys.empty() ? "" : ",") + std::string(knit::key_of(step.kind));
+    if (const std::size_t number = knit::piece_kept(step.kind))
+      piece = " --piece " + std::to_string(number);
+    else
+      keys += (keys.empty() ? "" : ",") + knit::key_of(step.kind);
     effects += " " + step.would;
   }
-  return offer.finding + " Or give --repair " + keys + "." + effects;
+  return offer.finding + " Or give" + (keys.empty() ? "" : " --repair " + keys) + piece + "." + effects;
+}
+
+// Said before the run meets it somewhere along the way.
+void warn_of_handles(Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
+  if (timeline.parameters().rows.source != knit::RowSource::rings) return;
+  const std::size_t handles = knit::handles_of(timeline.input());
+  if (handles == 0) return;
+  notify(session, Notice::Kind::warning,
+         "The shape has " + std::string(handles == 1 ? "a handle" : std::to_string(handles) + " handles") +
+             ", like a ring or a mug, so it is one tube along no axis and no timing, and rows from rings "
+             "cannot knit "
+             "it. Take rows from contours: --rows contours, or --preset best-rows.");
 }
 
 // Only where nothing is asked about the run itself may a window come before a large mesh.
@@ -113,6 +131,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
+  if (!error) warn_of_handles(session);
   forget_changes(session);  // what was asked for at the start is where undoing ends
   return error ? error : begin_lesson(session, line);
 }

@@ -239,7 +239,7 @@ std::optional<std::string> fault_of_why(const std::string& thing) {
   if (thing_named(thing)) return std::nullopt;
   return "--why cannot be \"" + thing +
          "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or "
-         "vertex:ID, rows from 1 and items from 0.";
+         "vertex:ID, rows from 1 and items from 0; ROW -1 is the first deal, with its bridge.";
 }
 
 Answer why_answer(Session& session, const std::string& thing) {

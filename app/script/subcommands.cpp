@@ -85,7 +85,7 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
   }
   const auto name = std::find(knit::placement_names.begin(), knit::placement_names.end(), placement);
   const std::string may = placements_of_index();
-  if (name == knit::placement_names.end())
+  if (name == knit::placement_names.end() || name + 1 == knit::placement_names.end())
     return bad_usage("index: --placement cannot be \"" + placement + "\"; give " + may + ".");
   const auto policy = static_cast<knit::PlacementPolicy>(name - knit::placement_names.begin());
   if (knit::placement_of(policy).by_place) {

@@ -55,11 +55,13 @@ struct Document {
   std::optional<Sweep> sweep;    // under way or done
   std::optional<SavedAs> saved;  // the session file last written or opened
   std::shared_ptr<const knit::Closeness> closeness;  // of the finished run; null: not measured
-  std::uint64_t closeness_run = 0;                   // hash of the state that `closeness` belongs to
+  std::uint64_t closeness_run = 0;                   // closeness_key of what `closeness` belongs to
   double load_ms = 0.0;                              // of opening it
   double run_ms = 0.0;                               // spent on working the run out, so far
 };
 
+// What `closeness_run` is compared with: the state, and the stitch that coverage is judged by.
+std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters);
 // How close the finished piece is to the mesh: measured at once, unless it is known.
 std::shared_ptr<const knit::Closeness> closeness_now(const Document& document);
 

@@ -1,5 +1,7 @@
 #include "app/session/session.h"
 
+#include <bit>
+
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
@@ -7,6 +9,7 @@
 #include "app/session/program.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/hash.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -47,11 +50,21 @@ std::string sentence(const Session& session) {
   return knit::narrate(*step, parameters_of_last_step(session));
 }
 
+std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters) {
+  knit::Hasher hasher;
+  hasher.add(knit::hash_of(state));
+  hasher.add(std::bit_cast<std::uint64_t>(parameters.stitch.width));
+  hasher.add(std::bit_cast<std::uint64_t>(parameters.stitch.height));
+  return hasher.value();
+}
+
 std::shared_ptr<const knit::Closeness> closeness_now(const Document& document) {
   const knit::Timeline& timeline = document.timeline;
-  if (document.closeness && document.closeness_run == knit::hash_of(timeline.state()))
+  if (document.closeness && document.closeness_run == closeness_key(timeline.state(), timeline.parameters()))
     return document.closeness;
-  const auto measured = knit::measure_closeness(timeline.input(), timeline.state());
+  const knit::StitchSize& stitch = timeline.parameters().stitch;
+  const auto measured =
+      knit::measure_closeness(timeline.input(), timeline.state(), stitch.width, stitch.height);
   return measured ? std::make_shared<const knit::Closeness>(*measured) : nullptr;
 }
 

@@ -16,6 +16,7 @@
 #include "app/window/animation.h"
 #include "app/window/frame.h"
 #include "knit/insight/narrate.h"
+#include "knit/insight/problems.h"
 
 namespace app {
 
@@ -112,6 +113,17 @@ int answer_queries(Session& session, const CommandLine& line) {
   return code;
 }
 
+// What no row covers and which are stretched, of the finished run that is shown.
+std::optional<std::string> covered_words(const Session& session) {
+  if (!session.document || !session.document->timeline.state().finished()) return std::nullopt;
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::StitchSize& stitch = timeline.parameters().stitch;
+  const auto coverage =
+      knit::measure_coverage(timeline.input(), timeline.state(), stitch.width, stitch.height);
+  if (!coverage || coverage->uncovered.places.empty()) return std::nullopt;
+  return knit::summary_of(*coverage);
+}
+
 }  // namespace
 
 int run_headless(Session& session, const CommandLine& line) {
@@ -126,6 +138,8 @@ int run_headless(Session& session, const CommandLine& line) {
   if (!broke.error.empty()) say(broke.error);
   const knit::Step* stop = stop_shown(session);
   if (stop != nullptr) say(knit::narrate(*stop, session.document->timeline.parameters()));
+
+  if (const auto words = covered_words(session)) say(*words);
 
   const int asked = answer_queries(session, line);
   if (!save_all(session, line)) return exit_usage;

@@ -72,6 +72,11 @@ const Row* Fabric::row_below(RowId id) const {
   return one ? &row(below.spans.front().row) : nullptr;
 }
 
+bool Fabric::continues(RowId id) const {
+  const Row* below = has_row(id) ? row_below(id) : nullptr;
+  return below != nullptr && below->id == id - 1;
+}
+
 std::vector<std::shared_ptr<const void>> Fabric::products_about(RowId id) const {
   std::vector<std::shared_ptr<const void>> products;
   for (const StitchSpan& span : row(id).on.spans) {

@@ -63,6 +63,8 @@ class Fabric {
   [[nodiscard]] LiveStitches live_below(RowId id) const;
   // The one row that all of these are; null: there are none, or it is more than one.
   [[nodiscard]] const Row* row_below(RowId id) const;
+  // Whether a row is worked on all of the row that was made just before it.
+  [[nodiscard]] bool continues(RowId id) const;
   // All rows and deals that a row's join and strip stand between: those below, then itself.
   [[nodiscard]] std::vector<std::shared_ptr<const void>> products_about(RowId id) const;
   // The rows that are worked on stitches of this one, rising.

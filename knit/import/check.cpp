@@ -197,10 +197,19 @@ void report_pieces(const Topology& topology, Report& report) {
       sizes += (sizes.empty() ? "" : ", ") + std::to_string(piece.triangles);
   }
   if (where.size() > vertices_shown) sizes += ", ...";
+  constexpr std::size_t fewest_of_a_solid = 4;
+  const auto solids =
+      std::count_if(topology.pieces.begin(), topology.pieces.end(),
+                    [](const SurfacePiece& piece) { return piece.triangles >= fewest_of_a_solid; });
+  std::string which = ", and open the mesh again.";
+  if (solids > 1)
+    which =
+        ": --piece 1 opens that of most triangles, --piece 2 the next; --piece all knits each, without a "
+        "window.";
   report.add(FindingKind::several_pieces, Severity::error, topology.pieces.size(), where,
              "The mesh is in " + std::to_string(topology.pieces.size()) + " pieces that share no edge (of " +
                  sizes + " triangles); the second begins at " + report.place(where[1]) +
-                 ". Join them, or keep only one, and open the mesh again.");
+                 ". Join them, or keep only one" + which);
 }
 
 void report_edges(const Topology& topology, Report& report) {

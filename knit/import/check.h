@@ -29,6 +29,7 @@ enum class FindingKind {
   no_extent,            // error: all vertices at one place or in one plane, or no face has three places
   unreferenced,         // warning
   coincident,           // warning: vertices at the same place; welding merges them
+  loose_edges,          // warning: faces of two corners in the file, which are left out (obj.h)
 };
 
 struct Finding {

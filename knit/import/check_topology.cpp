@@ -1,6 +1,7 @@
 #include "knit/import/check_topology.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 
@@ -161,6 +162,16 @@ Topology study_topology(std::span<const Triangle> triangles, std::span<const Ver
   flood(surface, topology);
   find_pinched(surface, topology);
   return topology;
+}
+
+std::size_t handles_of(const Input& input) {
+  std::ptrdiff_t vertices = 0;
+  for (const HalfEdge corner : input.first_corner) vertices += corner != no_half_edge ? 1 : 0;
+  std::ptrdiff_t sides = 0;
+  for (const HalfEdge other : input.across) sides += other != no_half_edge ? 1 : 0;
+  // A triangle has three sides, an edge two.
+  const std::ptrdiff_t euler = vertices - sides / 2 + sides / 3;
+  return euler < 2 ? static_cast<std::size_t>(2 - euler) / 2 : 0;
 }
 
 double signed_volume(const Mesh& mesh, const Bounds& bounds) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct Topology {
 
 // Positive where triangles face outwards; meaningful for a closed surface, and in parts of the bounds' cube.
 double signed_volume(const Mesh& mesh, const Bounds& bounds);
+
+// How often a closed surface of one piece closes upon itself, like a ring or a mug: 0 for a ball, 1 for a torus. By
+// Euler's V - E + F = 2 - 2 g. Such a shape is not one tube along any time.
+std::size_t handles_of(const Input& input);
 
 // Of the vertices that triangles use. Requires indices in range, and at least one triangle.
 Bounds bounds_of_used(const Mesh& mesh);

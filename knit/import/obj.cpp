@@ -91,9 +91,10 @@ Mesh mesh_of(Polygons polygons, const std::string& name, PartProgress progress) 
 
 // `file` is what messages call it, `name` what the mesh is called.
 std::variant<Mesh, ObjError> parse(std::string text, const std::string& file, const std::string& name,
-                                   Progress* progress) {
+                                   Progress* progress, ObjNotes* notes) {
   const ObjScan scan = scan_obj(text, {progress, share_read, share_scanned});
   if (!scan.error.empty()) return ObjError{file + scan.error};
+  if (notes != nullptr) *notes = {scan.loose_edges, scan.loose_line};
 
   Polygons polygons{.progress = {progress, share_scanned, share_parsed},
                     .expected = scan.vertices + scan.corners};
@@ -116,7 +117,7 @@ std::variant<Mesh, ObjError> parse(std::string text, const std::string& file, co
 }
 
 std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, const std::string& name,
-                                  std::size_t expected, Progress* progress) {
+                                  std::size_t expected, Progress* progress, ObjNotes* notes) {
   try {
     if (progress != nullptr) progress->begin(Progress::Task::reading);
     std::string text;
@@ -137,7 +138,7 @@ std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, con
     if (in.bad())
       return ObjError{file + " cannot be read to its end. Check the disk or copy the file elsewhere."};
     text.resize(size);
-    return parse(std::move(text), file, name, progress);
+    return parse(std::move(text), file, name, progress, notes);
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
   }
@@ -146,11 +147,13 @@ std::variant<Mesh, ObjError> read(std::istream& in, const std::string& file, con
 
 }  // namespace
 
-std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name, Progress* progress) {
-  return read(in, name, name, 0, progress);
+std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name, Progress* progress,
+                                      ObjNotes* notes) {
+  return read(in, name, name, 0, progress, notes);
 }
 
-std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress) {
+std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress,
+                                           ObjNotes* notes) {
   const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -183,7 +186,7 @@ std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Pr
   }
   // One byte more than the file has, so that its end is met in the first read.
   return read(in, file, printable(path.stem().string()), error ? 0 : static_cast<std::size_t>(size) + 1,
-              progress);
+              progress, notes);
 }
 
 }  // namespace knit

@@ -6,6 +6,7 @@
 // all.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <istream>
 #include <string>
@@ -20,9 +21,17 @@ struct ObjError {
   std::string sentence;
 };
 
+// What the file has and the mesh has not.
+struct ObjNotes {
+  std::size_t loose_edges = 0;  // faces of two corners
+  std::size_t loose_line = 0;   // where the first of them stands, from 1
+};
+
 // `progress`: told how far it has come; reading stops with Cancelled when that is wished.
-std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name,
-                                      Progress* progress = nullptr);
-std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress = nullptr);
+// `notes`: filled where the file could be read.
+std::variant<Mesh, ObjError> read_obj(std::istream& in, const std::string& name, Progress* progress = nullptr,
+                                      ObjNotes* notes = nullptr);
+std::variant<Mesh, ObjError> read_obj_file(const std::filesystem::path& path, Progress* progress = nullptr,
+                                           ObjNotes* notes = nullptr);
 
 }  // namespace knit

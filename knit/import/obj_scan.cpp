@@ -1,6 +1,7 @@
 #include "knit/import/obj_scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -18,11 +19,17 @@ constexpr int most_index_digits = 10;
 constexpr int most_exponent_digits = 4;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool ends_a_file(char c) { return c == '\0' || c == '\x1A'; }  // ZBrush, DOS
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 const char* after_blanks(const char* p, const char* end) {
   while (p != end && is_blank(*p)) ++p;
+  return p;
+}
+
+const char* before_blanks(const char* begin, const char* p) {
+  while (p != begin && is_blank(p[-1])) --p;
   return p;
 }
 
@@ -56,6 +63,16 @@ bool is_number(const char* p, const char* end) {
   return p == end && p != exponent && p - exponent <= most_exponent_digits;
 }
 
+// A comment, and a file's name, may end in a backslash that means nothing; so may a name with a blank behind it.
+bool keeps_backslash(std::string_view statement, bool blank_behind) {
+  if (statement.starts_with('#') || statement.starts_with("usemtl") || statement.starts_with("mtllib"))
+    return true;
+  constexpr std::array<std::string_view, 7> named{"g",          "o",         "usemap", "maplib",
+                                                  "shadow_obj", "trace_obj", "call"};
+  const std::string_view word = statement.substr(0, statement.find_first_of(" \t\\"));
+  return blank_behind && std::find(named.begin(), named.end(), word) != named.end();
+}
+
 // One line at a time; the first error ends the scan.
 class Scanner {
  public:
@@ -69,6 +86,7 @@ class Scanner {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
       return failed(" is not text as OBJ has it, but UTF-16. Save it as UTF-8 and open it again.");
     }
+    blank_what_means_nothing();
     if (std::memchr(text.data(), '\0', text.size()) != nullptr) {
       return failed(" is not text, so it is no Wavefront OBJ file. Export the mesh as OBJ and open that.");
     }
@@ -127,18 +145,36 @@ class Scanner {
     return p + 1;
   }
 
-  // The end of the line, taking in the lines that a backslash at the end adds to it. A comment, and a
-  // material's file name, may end in a backslash that means nothing.
+  // What ends a file, and blanks that tinyobjloader does not know.
+  void blank_what_means_nothing() {
+    for (std::size_t i = text.size(); i > 0; --i) {
+      char& last = text[i - 1];
+      if (ends_a_file(last))
+        last = ' ';
+      else if (!is_blank(last) && last != '\n' && last != '\r')
+        break;
+    }
+    for (const char blank : {'\f', '\v'})
+      if (std::memchr(text.data(), blank, text.size()) != nullptr)
+        std::replace(text.begin(), text.end(), blank, ' ');
+  }
+
+  void fill_blank(const char* from, const char* to) {
+    std::fill(text.begin() + (from - text.data()), text.begin() + (to - text.data()), ' ');
+  }
+
+  // The end of the line, taking in the lines that a backslash at the end, or with blanks behind it, adds to it.
   const char* end_of_statement(const char* p, const char* end) {
     const char* stop = end_of_line(p, end);
-    if (stop == p || stop == end || stop[-1] != '\\') return stop;
+    const char* last = before_blanks(p, stop);
+    if (last == p || stop == end || last[-1] != '\\') return stop;
     const char* const word = after_blanks(p, stop);
-    const std::string_view rest(word, static_cast<std::size_t>(stop - word));
-    if (rest.starts_with('#') || rest.starts_with("usemtl") || rest.starts_with("mtllib")) return stop;
-    while (stop != p && stop != end && stop[-1] == '\\') {
-      const char* const next = after_newline(stop, end);
-      std::fill(text.begin() + (stop - 1 - text.data()), text.begin() + (next - text.data()), ' ');
-      stop = end_of_line(next, end);
+    if (keeps_backslash({word, static_cast<std::size_t>(last - word)}, last != stop)) return stop;
+    for (const char* begin = p; last != begin && stop != end && last[-1] == '\\';) {
+      begin = after_newline(stop, end);
+      fill_blank(last - 1, begin);
+      stop = end_of_line(begin, end);
+      last = before_blanks(begin, stop);
       ++continued;
     }
     return stop;
@@ -150,7 +186,10 @@ class Scanner {
     const char* const word_end = after_word(p, end);
     const std::string_view word(p, static_cast<std::size_t>(word_end - p));
     if (word == "v") return scan_vertex(word_end, end);
-    if (word == "f" || word == "fo") return word == "f" ? scan_face(word_end, end) : old_face();
+    if (word == "f" || word == "fo") {
+      fill_blank(p + 1, word_end);  // "fo" is the old form
+      return scan_face(p, end);
+    }
     const bool known_form = is_letter(word.front()) && std::all_of(word.begin(), word.end(), [](char c) {
                               return is_letter(c) || is_digit(c) || c == '-';
                             });
@@ -159,8 +198,6 @@ class Scanner {
            " is not OBJ; the file is damaged or of another kind. Export the mesh as OBJ again.");
     }
   }
-
-  void old_face() { fail("\"fo\" is an old form of a face that is not read. Export the mesh again."); }
 
   void scan_vertex(const char* p, const char* end) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -177,15 +214,18 @@ class Scanner {
     if (++result.vertices > most_vertices) fail("the file has too many vertices. Reduce the mesh.");
   }
 
-  void scan_face(const char* p, const char* end) {
+  void scan_face(const char* const face, const char* end) {
     std::size_t count = 0;
-    for (p = after_blanks(p, end); p != end && *p != '#'; p = after_blanks(p, end)) {
+    const char* p = after_blanks(face + 1, end);
+    for (; p != end && *p != '#'; p = after_blanks(p, end)) {
       const char* const word_end = after_word(p, end);
       if (!scan_corner(p, word_end)) return;
       p = word_end;
       ++count;
     }
-    std::fill(text.begin() + (p - text.data()), text.begin() + (end - text.data()), ' ');
+    fill_blank(p, end);
+    const bool cut_short = end == text.data() + text.size();
+    if (count == 2 && !cut_short) return leave_out_edge(face, end);
     if (count < 3) {
       return fail("a face needs three corners and has " + std::to_string(count) +
                   ". Remove it or export the mesh again.");
@@ -197,6 +237,12 @@ class Scanner {
     ++result.faces;
     result.corners += count;
     if (result.corners > most_vertices) fail("the file has too many faces. Reduce the mesh.");
+  }
+
+  // A face of two corners is an edge that belongs to no face.
+  void leave_out_edge(const char* face, const char* end) {
+    fill_blank(face, end);
+    if (result.loose_edges++ == 0) result.loose_line = line;
   }
 
   // vertex[/[texture][/[normal]]]; only the vertex is used, the others need only be harmless to read.

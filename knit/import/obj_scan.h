@@ -16,10 +16,13 @@ struct ObjScan {
   std::size_t faces = 0;
   std::size_t corners = 0;  // of all faces
   std::size_t skip = 0;     // bytes of a byte order mark
-  std::string error;        // empty, or: ", line 12: what is wrong and what to do." to follow the file's name
+  std::size_t loose_edges = 0,
+              loose_line = 0;  // faces of two corners, which are left out; the first one's line
+  std::string error;  // empty, or: ", line 12: what is wrong and what to do." to follow the file's name
 };
 
-// Joins lines that a backslash continues and blanks comments behind faces, in place (the length stays).
+// Joins lines that a backslash continues, blanks comments behind faces, faces of two corners, form feeds, vertical
+// tabs and what ZBrush and DOS end a file with, and makes "fo" an "f"; in place (the length stays).
 ObjScan scan_obj(std::string& text, PartProgress progress = {nullptr, 0.0, 1.0});
 
 }  // namespace knit

@@ -1,6 +1,7 @@
 #include "knit/import/repair.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -26,7 +27,9 @@ constexpr std::array<Labels, repair_count> labels{Labels{"Drop stray vertices", 
                                                   Labels{"Drop fins", "Dropped fins"},
                                                   Labels{"Keep the largest piece", "Kept the largest piece"},
                                                   Labels{"Turn faces round", "Turned faces round"},
-                                                  Labels{"Fill small holes", "Filled small holes"}};
+                                                  Labels{"Fill small holes", "Filled small holes"},
+                                                  Labels{"Close openings flat", "Closed openings flat"}};
+constexpr std::string_view piece_key = "piece-";
 
 Effect drop_unreferenced(const Mesh& mesh) {
   std::vector<std::uint8_t> used(mesh.positions.size(), 0);
@@ -150,20 +153,37 @@ Effect drop_fins(const Mesh& mesh) {
               (fins == 1 ? " that hangs" : " that hang") + " on an edge of three or more"};
 }
 
-// Of equal ones the first. Triangles that collapse belong to no piece and go too.
-Effect keep_largest_piece(const Mesh& mesh) {
+// The sheets that are pieces, in the order in which pieces are counted. Triangles that collapse belong to none.
+std::vector<std::uint32_t> pieces_by_size(const Mesh& mesh, const Sheets& sheets) {
   const std::vector<VertexId> twin = find_twins(mesh.positions);
+  std::vector<VertexId> lowest(sheets.size.size(), no_vertex);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle corners = twins_of(mesh.triangles[t], twin);
+    if (collapsed(corners)) continue;
+    VertexId& least = lowest[sheets.of[t]];
+    least = std::min({least, corners[0], corners[1], corners[2]});
+  }
+  std::vector<std::uint32_t> pieces;
+  for (std::uint32_t s = 0; s < lowest.size(); ++s)
+    if (lowest[s] != no_vertex) pieces.push_back(s);
+  std::stable_sort(pieces.begin(), pieces.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(sheets.size[b], lowest[a]) < std::pair(sheets.size[a], lowest[b]);
+  });
+  return pieces;
+}
+
+// `number` from 1. Triangles that collapse go too. Nothing is done where there is one piece, or no such one.
+Effect keep_piece(const Mesh& mesh, std::size_t number) {
   const Sheets sheets = find_sheets(mesh, mesh.triangles.size());
-  std::size_t pieces = 0;
-  for (std::size_t t = 0; t < sheets.size.size(); ++t)
-    if (sheets.size[t] > 0 && !collapsed(twins_of(mesh.triangles[t], twin))) ++pieces;
-  if (pieces < 2) return {mesh, 0, "", "", ""};
+  const std::vector<std::uint32_t> pieces = pieces_by_size(mesh, sheets);
+  if (pieces.size() < 2 || number > pieces.size()) return {mesh, 0, "", "", ""};
   std::vector<std::uint8_t> keep(sheets.size.size(), 0);
-  keep[largest_of(sheets)] = 1;
+  keep[pieces[number - 1]] = 1;
   std::vector<Triangle> kept = of_sheets(mesh, sheets, keep);
   const std::size_t dropped = mesh.triangles.size() - kept.size();
-  return {with_triangles(mesh, std::move(kept)), pieces - 1, "drops", "dropped",
-          counted(pieces - 1, "piece", "pieces") + " of " + counted(dropped, "triangle", "triangles")};
+  const std::size_t others = pieces.size() - 1;
+  return {with_triangles(mesh, std::move(kept)), others, "drops", "dropped",
+          counted(others, "piece", "pieces") + " of " + counted(dropped, "triangle", "triangles")};
 }
 
 Effect turn_faces(const Mesh& mesh) {
@@ -188,6 +208,7 @@ Effect turn_faces(const Mesh& mesh) {
 }
 
 Effect effect_of(const Mesh& mesh, RepairKind kind) {
+  if (const std::size_t number = piece_kept(kind)) return keep_piece(mesh, number);
   switch (kind) {
     case RepairKind::unreferenced:
       return drop_unreferenced(mesh);
@@ -198,23 +219,41 @@ Effect effect_of(const Mesh& mesh, RepairKind kind) {
     case RepairKind::fins:
       return drop_fins(mesh);
     case RepairKind::largest_piece:
-      return keep_largest_piece(mesh);
+      return keep_piece(mesh, 1);
     case RepairKind::reorient:
       return turn_faces(mesh);
     case RepairKind::holes:
       return fill_holes(mesh);
+    case RepairKind::openings:
+      return close_openings(mesh);
   }
   return {mesh, 0, "", "", ""};
 }
 
 }  // namespace
 
-std::string_view key_of(RepairKind kind) { return repair_keys.at(static_cast<std::size_t>(kind)); }
+RepairKind keeping_piece(std::size_t number) { return static_cast<RepairKind>(repair_count + number - 1); }
+
+std::size_t piece_kept(RepairKind kind) {
+  const auto value = static_cast<std::size_t>(kind);
+  return value < repair_count ? 0 : value - repair_count + 1;
+}
+
+std::string key_of(RepairKind kind) {
+  if (const std::size_t number = piece_kept(kind)) return std::string(piece_key) + std::to_string(number);
+  return std::string(repair_keys.at(static_cast<std::size_t>(kind)));
+}
 
 std::optional<RepairKind> repair_named(std::string_view key) {
   const auto found = std::find(repair_keys.begin(), repair_keys.end(), key);
-  if (found == repair_keys.end()) return std::nullopt;
-  return static_cast<RepairKind>(found - repair_keys.begin());
+  if (found != repair_keys.end()) return static_cast<RepairKind>(found - repair_keys.begin());
+  if (!key.starts_with(piece_key)) return std::nullopt;
+  const std::string_view digits = key.substr(piece_key.size());
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
+  if (!whole || number < 1 || number > most_pieces) return std::nullopt;
+  return keeping_piece(number);
 }
 
 Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles) {
@@ -247,10 +286,12 @@ Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles) {
 Repaired repair(const Mesh& mesh, RepairKind kind) {
   Effect effect = effect_of(mesh, kind);
   if (effect.count == 0) return {mesh, {kind, 0, "", ""}};
-  const Labels& label = labels.at(static_cast<std::size_t>(kind));
+  const std::size_t number = piece_kept(kind);
+  const std::string piece = number > 0 ? " piece " + std::to_string(number) : "";
+  const Labels label = number > 0 ? Labels{"Keep", "Kept"} : labels.at(static_cast<std::size_t>(kind));
   return {std::move(effect.mesh),
-          {kind, effect.count, std::string(label.would) + ": " + effect.verb + " " + effect.what + ".",
-           std::string(label.did) + ": " + effect.past + " " + effect.what + "."}};
+          {kind, effect.count, label.would + piece + ": " + effect.verb + " " + effect.what + ".",
+           label.did + piece + ": " + effect.past + " " + effect.what + "."}};
 }
 
 // Which repairs help: tried in their order, each kept only where the check finds less wrong after it.
@@ -269,6 +310,7 @@ bool beyond_repair(const CheckResult& result) {
 }
 
 bool is_about(RepairKind kind, const CheckResult& wrong) {
+  if (piece_kept(kind) > 0) return has(wrong, FindingKind::several_pieces);
   switch (kind) {
     case RepairKind::unreferenced:
       return has(wrong, FindingKind::not_finite);
@@ -282,6 +324,7 @@ bool is_about(RepairKind kind, const CheckResult& wrong) {
     case RepairKind::reorient:  // filling goes round a hole as the faces at its rim do
       return has(wrong, FindingKind::open_edges) && has(wrong, FindingKind::flipped_faces);
     case RepairKind::holes:
+    case RepairKind::openings:
       return has(wrong, FindingKind::open_edges);
   }
   return false;
@@ -309,7 +352,36 @@ bool is_finite(const Mesh& mesh) {
   });
 }
 
+// Each kind once, as they are carried out; the piece that is asked for before the largest.
+std::vector<RepairKind> in_order(const std::vector<RepairKind>& kinds) {
+  const auto last = static_cast<std::size_t>(RepairKind::largest_piece);
+  std::vector<RepairKind> ordered;
+  for (std::size_t i = 0; i < repair_count; ++i) {
+    for (const RepairKind kind : kinds)
+      if (i == last && piece_kept(kind) > 0) ordered.push_back(kind);
+    const auto kind = static_cast<RepairKind>(i);
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) ordered.push_back(kind);
+  }
+  return ordered;
+}
+
+// All that may help, with that piece (0: the largest) to be kept.
+std::vector<RepairKind> every_kind(std::size_t piece) {
+  std::vector<RepairKind> kinds;
+  for (std::size_t i = 0; i < repair_count; ++i) {
+    const auto kind = static_cast<RepairKind>(i);
+    kinds.push_back(kind == RepairKind::largest_piece && piece > 0 ? keeping_piece(piece) : kind);
+  }
+  return kinds;
+}
+
 }  // namespace
+
+std::size_t RepairWish::piece() const {
+  for (const RepairKind kind : kinds)
+    if (const std::size_t number = piece_kept(kind)) return number;
+  return 0;
+}
 
 std::vector<RepairKind> RepairPlan::kinds() const {
   std::vector<RepairKind> all;
@@ -317,12 +389,11 @@ std::vector<RepairKind> RepairPlan::kinds() const {
   return all;
 }
 
-std::optional<RepairPlan> plan_repairs(const Mesh& mesh) {
+std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece) {
   CheckResult wrong = check(mesh);
   if (wrong.fit() || beyond_repair(wrong)) return std::nullopt;
   RepairPlan plan{mesh, {}};
-  for (std::size_t i = 0; i < repair_count; ++i) {
-    const auto kind = static_cast<RepairKind>(i);
+  for (const RepairKind kind : every_kind(piece)) {
     if (!is_about(kind, wrong)) continue;
     if (kind != RepairKind::unreferenced && has(wrong, FindingKind::not_finite)) return std::nullopt;
     Repaired repaired = repair(plan.mesh, kind);
@@ -341,9 +412,7 @@ std::optional<RepairPlan> plan_repairs(const Mesh& mesh) {
 RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
   RepairPlan plan{mesh, {}};
   if (mesh.triangles.empty() || !is_in_range(mesh)) return plan;
-  for (std::size_t i = 0; i < repair_count; ++i) {
-    const auto kind = static_cast<RepairKind>(i);
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) continue;
+  for (const RepairKind kind : in_order(kinds)) {
     if (kind != RepairKind::unreferenced && !is_finite(plan.mesh)) break;
     Repaired repaired = repair(plan.mesh, kind);
     if (repaired.step.count == 0) continue;
@@ -351,6 +420,20 @@ RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
     plan.steps.push_back(std::move(repaired.step));
   }
   return plan;
+}
+
+std::size_t pieces_to_choose(const Mesh& mesh, const RepairWish& wish) {
+  std::vector<RepairKind> before;
+  for (const RepairKind kind : wish.kinds)
+    if (kind < RepairKind::largest_piece) before.push_back(kind);
+  const auto plan = wish.all ? plan_repairs(mesh, wish.piece()) : std::nullopt;
+  if (plan) {
+    for (const RepairKind kind : plan->kinds())
+      if (kind < RepairKind::largest_piece) before.push_back(kind);
+  }
+  const Mesh repaired = carry_out(mesh, before).mesh;
+  if (repaired.triangles.empty() || !is_in_range(repaired) || !is_finite(repaired)) return 0;
+  return pieces_by_size(repaired, find_sheets(repaired, repaired.triangles.size())).size();
 }
 
 }  // namespace knit

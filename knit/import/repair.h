@@ -18,7 +18,7 @@
 namespace knit {
 
 // In the order in which they are carried out: each may rely on those before it.
-enum class RepairKind : std::uint8_t {
+enum class RepairKind : std::uint16_t {
   unreferenced,   // drops vertices that belong to no face
   weld,           // merges vertices a hair apart, so that a crack closes
   doubles,        // drops faces that stand there twice, and those with two corners at one place
@@ -26,17 +26,25 @@ enum class RepairKind : std::uint8_t {
   largest_piece,  // keeps the piece of most triangles
   reorient,       // turns faces so that all face outwards
   holes,          // fills small holes
+  openings,       // closes large ones flat: the rim of a cup, of a hat, of a scan that stood on a table
 };
-inline constexpr std::size_t repair_count = 7;
+inline constexpr std::size_t repair_count = 8;
 // What scripts and session files call them, and what buttons do.
 inline constexpr std::array<std::string_view, repair_count> repair_keys{
-    "unreferenced", "weld", "doubles", "fins", "largest-piece", "reorient", "holes"};
-std::string_view key_of(RepairKind kind);
+    "unreferenced", "weld", "doubles", "fins", "largest-piece", "reorient", "holes", "openings"};
+// Beside these there is a kind for each piece that may be kept instead of the largest, at its place in the order:
+// "piece-2". Pieces are counted from 1 by their triangles, most first; of equal ones the one with the lowest vertex.
+inline constexpr std::size_t most_pieces = 9999;
+RepairKind keeping_piece(std::size_t number);
+std::size_t piece_kept(RepairKind kind);  // 0: it is about something else
+
+std::string key_of(RepairKind kind);
 std::optional<RepairKind> repair_named(std::string_view key);
 
 // Two vertices this near each other, as a part of the mesh's diagonal, are one to `weld`.
 inline constexpr double weld_reach = 1e-5;
-// A hole is small when it is no longer round than this part of the mesh's diagonal.
+// A hole is small when it is no longer round than this part of the mesh's diagonal, else an opening: whoever made the
+// mesh may have meant it.
 inline constexpr double small_hole = 0.5;
 
 // One repair, with its numbers in words.
@@ -59,16 +67,21 @@ struct RepairPlan {
   std::vector<RepairStep> steps;  // that did something, in their order
   [[nodiscard]] std::vector<RepairKind> kinds() const;
 };
-// What a person asks for: these, or whichever are needed.
+// What a person asks for: these; or whichever are needed, of which only a piece to keep may be among `kinds`.
 struct RepairWish {
   bool all = false;
   std::vector<RepairKind> kinds;
+  [[nodiscard]] std::size_t piece() const;  // to be kept; 0: none by its number
   [[nodiscard]] bool any() const { return all || !kinds.empty(); }
 };
-// The repairs that make an unfit mesh fit (check.h); none where it is fit already or where they would not do.
-std::optional<RepairPlan> plan_repairs(const Mesh& mesh);
+// The repairs that make an unfit mesh fit (check.h); none where it is fit already or where they would not do. Of
+// several pieces it keeps that one; 0: the largest.
+std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece = 0);
 // Exactly these, each once, in their order, whether they are needed or not. Indices need not be in range: then
 // nothing is done.
 RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds);
+// How many pieces there are to choose from when the repairs before that choice have been carried out; 0: none of it
+// can be said.
+std::size_t pieces_to_choose(const Mesh& mesh, const RepairWish& wish);
 
 }  // namespace knit

@@ -142,7 +142,19 @@ bool has_edge(const EdgeTable& table, VertexId a, VertexId b) {
   return std::any_of(begin, end, [high = high](const EdgeUse& use) { return use.high == high; });
 }
 
-// Across the hole where that makes no edge that is there already; else as a fan about a new vertex in its middle.
+// About a new vertex in the middle: never makes an edge that is there already.
+std::vector<Triangle> fan(const Loop& loop, std::vector<glm::dvec3>& positions) {
+  std::vector<Triangle> faces;
+  glm::dvec3 middle(0.0);
+  for (const VertexId v : loop) middle += positions[v] / static_cast<double>(loop.size());
+  const auto centre = static_cast<VertexId>(positions.size());
+  positions.push_back(middle);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    faces.push_back({loop[i], loop[(i + 1) % loop.size()], centre});
+  return faces;
+}
+
+// Across the hole where that makes no edge that is there already; else as a fan.
 std::vector<Triangle> fill(const Loop& loop, const EdgeTable& table, std::vector<glm::dvec3>& positions) {
   std::vector<Triangle> faces;
   triangulate(loop, positions, faces);
@@ -158,16 +170,19 @@ std::vector<Triangle> fill(const Loop& loop, const EdgeTable& table, std::vector
       clear = clear && (is_side(a, b) || !has_edge(table, a, b));
     }
   }
-  if (clear) return faces;
-  faces.clear();
-  glm::dvec3 middle(0.0);
-  for (const VertexId v : loop) middle += positions[v] / static_cast<double>(loop.size());
-  const auto centre = static_cast<VertexId>(positions.size());
-  positions.push_back(middle);
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    faces.push_back({loop[i], loop[(i + 1) % loop.size()], centre});
-  return faces;
+  return clear ? faces : fan(loop, positions);
 }
+
+// The mesh with more faces, and their sides among its edges.
+void add_faces(Mesh& mesh, const std::vector<Triangle>& faces) {
+  std::vector<std::array<VertexId, 2>> edges = mesh.edges;
+  for (const Triangle& face : faces)
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back({face[k], face[(k + 1) % 3]});
+  mesh.triangles.insert(mesh.triangles.end(), faces.begin(), faces.end());
+  mesh.edges = unique_edges(edges, mesh.positions.size());
+}
+
+double longest_small(const Mesh& mesh) { return small_hole * bounds_of_used(mesh).diagonal(); }
 
 }  // namespace
 
@@ -210,23 +225,42 @@ Effect weld_near(const Mesh& mesh) {
 Effect fill_holes(const Mesh& mesh) {
   const std::vector<VertexId> twin = find_twins(mesh.positions);
   const EdgeTable table = make_edge_table(mesh.triangles, twin);
-  const double longest = small_hole * bounds_of_used(mesh).diagonal();
+  const double longest = longest_small(mesh);
   Effect effect{mesh, 0, "fills", "filled", ""};
   std::size_t rim_edges = 0;
-  std::vector<std::array<VertexId, 2>> edges = mesh.edges;
+  std::vector<Triangle> faces;
   for (const Loop& loop : find_rims(table, mesh.triangles, twin).loops) {
     if (loop.size() > most_rim || length_round(loop, mesh.positions) > longest) continue;
     ++effect.count;
     rim_edges += loop.size();
-    for (const Triangle& face : fill(loop, table, effect.mesh.positions)) {
-      effect.mesh.triangles.push_back(face);
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back({face[k], face[(k + 1) % 3]});
-    }
+    const std::vector<Triangle> filled = fill(loop, table, effect.mesh.positions);
+    faces.insert(faces.end(), filled.begin(), filled.end());
   }
-  effect.mesh.edges = unique_edges(edges, effect.mesh.positions.size());
-  const std::size_t faces = effect.mesh.triangles.size() - mesh.triangles.size();
+  add_faces(effect.mesh, faces);
   effect.what = counted(effect.count, "hole", "holes") + " of " + counted(rim_edges, "edge", "edges") +
-                " with " + counted(faces, "triangle", "triangles");
+                " with " + counted(faces.size(), "triangle", "triangles");
+  return effect;
+}
+
+Effect close_openings(const Mesh& mesh) {
+  const std::vector<VertexId> twin = find_twins(mesh.positions);
+  const EdgeTable table = make_edge_table(mesh.triangles, twin);
+  const double longest = longest_small(mesh);
+  Effect effect{mesh, 0, "closes", "closed", ""};
+  double round = 0.0;
+  std::vector<Triangle> faces;
+  for (const Loop& loop : find_rims(table, mesh.triangles, twin).loops) {
+    const double length = length_round(loop, mesh.positions);
+    if (loop.size() <= most_rim && length <= longest) continue;
+    ++effect.count;
+    round = std::max(round, length);
+    const std::vector<Triangle> closing = fan(loop, effect.mesh.positions);
+    faces.insert(faces.end(), closing.begin(), closing.end());
+  }
+  add_faces(effect.mesh, faces);
+  effect.what = counted(effect.count, "hole that is", "holes that are") +
+                " too large for a fault, the longest " + short_text(round) + " round, with " +
+                counted(faces.size(), "triangle", "triangles") + " about a new vertex in the middle";
   return effect;
 }
 

@@ -21,5 +21,6 @@ Mesh with_triangles(const Mesh& mesh, std::vector<Triangle> triangles);
 
 Effect weld_near(const Mesh& mesh);
 Effect fill_holes(const Mesh& mesh);
+Effect close_openings(const Mesh& mesh);
 
 }  // namespace knit

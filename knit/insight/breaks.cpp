@@ -121,11 +121,11 @@ Parsed with_value(const Form& form, std::string_view value) {
   }
 }
 
-// The label that a step gives to a stitch.
-std::optional<Label> label_given(const Step& step) {
+// The label that a step gives to a stitch. `casts_on`: the row in the making is worked on none.
+std::optional<Label> label_given(const Step& step, bool casts_on) {
   if (const auto* shaping = get_if<ShapingPlaced>(step)) return shaping->label;
   if (is<MainPlaced>(step)) return Label::main;
-  const bool cast = is<StitchCastOn>(step) || (is<StitchPlaced>(step) && step.place.stage == Stage::cast_on);
+  const bool cast = is<StitchCastOn>(step) || is<BridgeCastOn>(step) || (is<StitchPlaced>(step) && casts_on);
   return cast ? std::optional(Label::cast) : std::nullopt;
 }
 
@@ -157,7 +157,7 @@ Widths widths_of(const Row& row, double stitch_width) {
 
 // What a condition may ask of a step beside the step itself.
 struct Sight {
-  bool begins_stage = false, begins_row = false;
+  bool begins_stage = false, begins_row = false, casts_on = false;
   std::int32_t growth = 0;  // of the row that the step finishes
   Widths widths;            // its own; as here where no condition asks for them
 };
@@ -172,7 +172,7 @@ bool holds(const BreakCondition& condition, const Step& step, const Sight& sight
     case BreakKind::row:
       return sight.begins_row && step.place.row == condition.count;
     case BreakKind::label:
-      return label_given(step) == condition.label;
+      return label_given(step, sight.casts_on) == condition.label;
     case BreakKind::grows:
       return sight.growth > condition.count;
     case BreakKind::shrinks:
@@ -293,6 +293,9 @@ void BreakScanner::take(const Step& step, const Parameters& parameters, const Fa
   sight.begins_stage = !last_ || last_->stage != step.place.stage;
   sight.begins_row = sight.begins_stage || last_->row != step.place.row;
   last_ = step.place;
+  if (const auto* taken = get_if<TubeTaken>(step)) casts_on_ = taken->live == 0;
+  sight.casts_on = casts_on_;
+  if (is<StitchPlaced>(step) && finished_row_size(step)) casts_on_ = false;
   if (sight.begins_row || !is_common(step)) {
     const auto size = finished_row_size(step);
     const Row* row = fabric.find_row(step.place.row);

@@ -80,6 +80,7 @@ class BreakScanner {
 
   std::vector<BreakCondition> conditions_;
   bool measures_ = false;  // a condition asks for widths
+  bool casts_on_ = false;  // the tube taken up has no row yet and is worked on none
   std::vector<BreakHit> hits_;
   std::vector<std::size_t> counts_;
   std::size_t taken_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "knit/model/words.h"
+
 namespace knit {
 
 namespace {
@@ -47,6 +49,101 @@ const Problem& ProblemRanking::operator[](std::size_t i) const {
   std::size_t kind = 0;
   while (i >= by_kind_[kind].size()) i -= by_kind_[kind++].size();
   return by_kind_[kind][i];
+}
+
+namespace {
+
+std::string height_text(double heights) { return short_number(std::round(heights * 10.0) / 10.0) + " h"; }
+
+std::string part_words(const UncoveredPlace& place) {
+  const std::string at = vertex_text(place.vertex);
+  if (place.kind == UncoveredKind::flat) return "the flat part at " + at;
+  return place.kind == UncoveredKind::limb ? "the limb at " + at + ", which is left out"
+                                           : "the part at " + at;
+}
+
+// What was found to help: with geodesic timing contours go round the middle of a flat part; a limb is left out because
+// it is smaller than a row.
+std::string way_on(const UncoveredPlace& place, const Parameters& parameters) {
+  const bool geodesic = parameters.timing.kind == TimingKind::geodesic;
+  if (place.kind == UncoveredKind::limb) {
+    return place.width_that_keeps > 0.0
+               ? " Stitches narrower than about " + short_number(place.width_that_keeps) + " knit it."
+               : " Narrower stitches may knit it.";
+  }
+  if (parameters.rows.source == RowSource::rings)
+    return geodesic ? " Rows from contours follow it."
+                    : " Rows from contours with geodesic timing follow it.";
+  if (geodesic) return " Smaller stitches may reach it.";
+  return place.kind == UncoveredKind::flat ? " Geodesic timing knits flat parts."
+                                           : " Geodesic timing may reach it.";
+}
+
+// In stitch heights smaller stitches do not help, and often larger ones do.
+std::string way_on(const Parameters& parameters) {
+  const PlacementPolicy placement = parameters.stitches.placement;
+  const bool rings = parameters.rows.source == RowSource::rings;
+  if (placement == PlacementPolicy::thesis || placement == PlacementPolicy::even)
+    return " Placement nearest hangs each stitch on the nearest ones below.";
+  if (rings) return " Rows from contours lie one stitch height apart.";
+  return " Another timing or larger stitches may help.";
+}
+
+std::string rows_words(const Stretched& rows, std::size_t tubes, bool begins) {
+  const std::string numbers = rows.from == rows.to
+                                  ? "ow " + std::to_string(rows.from)
+                                  : "ows " + std::to_string(rows.from) + " to " + std::to_string(rows.to);
+  if (tubes > 1) return (begins ? "Tube " : "tube ") + tube_name(rows.tube) + ", r" + numbers;
+  return (begins ? "R" : "r") + numbers;
+}
+
+std::vector<Stretched> remarkable_rows(const Coverage& coverage) {
+  std::vector<Stretched> rows;
+  std::copy_if(coverage.stretched.begin(), coverage.stretched.end(), std::back_inserter(rows), is_remarkable);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Stretched& a, const Stretched& b) { return a.longest > b.longest; });
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& parameters) {
+  std::vector<Remark> remarks;
+  for (const UncoveredPlace& place : coverage.uncovered.places) {
+    remarks.push_back({percent_text(place.share) + " of the surface is covered by no row: " +
+                           part_words(place) + "." + way_on(place, parameters),
+                       std::nullopt, place.vertex});
+  }
+  const std::vector<Stretched> rows = remarkable_rows(coverage);
+  for (std::size_t i = 0; i < std::min(rows.size(), most_stretched); ++i) {
+    remarks.push_back({rows_words(rows[i], coverage.tubes, true) + ": wales up to " +
+                           height_text(rows[i].longest) + " long." + way_on(parameters),
+                       rows[i].at});
+  }
+  if (rows.size() <= most_stretched) return remarks;
+  const Stretched& next = rows[most_stretched];
+  remarks.push_back({"Stretched too: " + std::to_string(rows.size() - most_stretched) +
+                         " more stretches of rows, with wales up to " + height_text(next.longest) + " long.",
+                     next.at});
+  return remarks;
+}
+
+std::string summary_of(const Coverage& coverage) {
+  std::string words;
+  const std::vector<UncoveredPlace>& places = coverage.uncovered.places;
+  if (!places.empty()) {
+    words = percent_text(coverage.uncovered.share) +
+            " of the surface is covered by no row: " + part_words(places.front());
+    const auto more = static_cast<std::int64_t>(places.size()) - 1;
+    if (more > 0) words += " and " + plural(more, "more part", "more parts");
+  }
+  const std::vector<Stretched> rows = remarkable_rows(coverage);
+  if (rows.empty()) return words.empty() ? words : words + ".";
+  words += (words.empty() ? "Wales are up to " : "; wales are up to ") + height_text(rows.front().longest) +
+           " long in " + rows_words(rows.front(), coverage.tubes, false);
+  const auto more = static_cast<std::int64_t>(rows.size()) - 1;
+  if (more > 0) words += " and in " + plural(more, "more stretch of rows", "more stretches of rows");
+  return words + ".";
 }
 
 }  // namespace knit

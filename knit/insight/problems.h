@@ -1,12 +1,14 @@
-// Everything unusual in a run, worst first. Functions of steps.
+// Everything unusual in a run, worst first: functions of steps. And remarks on the whole run, which no step tells of.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "knit/quality/coverage.h"
 #include "knit/quality/measures.h"
 
 namespace knit {
@@ -45,5 +47,23 @@ class ProblemRanking {
   std::size_t size_ = 0;
   bool sorted_ = true;
 };
+
+// What rows leave uncovered, and those whose wales are stretched. One of the two places is set.
+struct Remark {
+  std::string words;            // what, where, and a way on
+  std::optional<StitchRef> at;  // a stitch at the end of the longest wale
+  VertexId vertex = no_vertex;  // of the mesh, in an uncovered part
+  [[nodiscard]] bool uncovered() const { return vertex != no_vertex; }
+};
+
+// Worth a line of its own: a wale of two rows' height, or more than a quarter of all wales there.
+inline bool is_remarkable(const Stretched& rows) { return rows.longest > 2.0 || rows.share > 0.25; }
+inline constexpr std::size_t most_stretched = 6;  // stretches that are told one by one
+
+// Uncovered parts first, the largest first; then the stretched rows that are remarkable, the longest wale first.
+// `parameters`: as the run has chosen them, none on auto; the ways on hang on them.
+std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& parameters);
+// The same in one sentence; empty where there is nothing to remark.
+std::string summary_of(const Coverage& coverage);
 
 }  // namespace knit

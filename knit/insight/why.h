@@ -10,7 +10,8 @@
 
 namespace knit {
 
-// Rows count from 1, everything else from 0.
+// Rows count from 1, everything else from 0. A row below 0 is a deal (knit/fabric/deal.h): stitches and row edges are its
+// bridge's, faces those at its saddle, faces and column edges of a ring those of its strip.
 struct StitchElement {
   std::int32_t row = 1, stitch = 0;
   friend bool operator==(const StitchElement&, const StitchElement&) = default;
@@ -45,8 +46,13 @@ bool exists(const State& state, const Element& thing);
 // Indices of a timeline's steps, as far as it is known.
 struct StepRange {
   std::size_t begin = 0, end = 0;
+  [[nodiscard]] bool holds(std::size_t step) const { return begin <= step && step < end; }
 };
 StepRange steps_of_row(const Timeline& timeline, Stage stage, std::int32_t row);
+// The deal of this number, from 1, done or in progress; null: neither. Of one in progress the bridge is planned whole.
+const Deal* deal_numbered(const State& state, std::int32_t number);
+// Of a deal, by its number: from the gaps that are found to the loops that are dealt. None: begin is end.
+StepRange steps_of_deal(const Timeline& timeline, std::int32_t deal);
 // The stage that makes a row's stitches.
 inline Stage stage_of_row(std::int32_t row) { return row <= 1 ? Stage::cast_on : Stage::rows; }
 
@@ -81,6 +87,14 @@ struct VertexStory {
 };
 // Requires a vertex of the mesh. A copy at the same place that stands in no ring shares its twin's story.
 VertexStory story_of(const Timeline& timeline, VertexId vertex);
+// Where a vertex stands among tubes, with rows from contours.
+struct OnTube {
+  TubeId tube = -1;            // -1: on none; it is left out, or on no surface that is knitted
+  std::int32_t event = -1;     // of the plan, that stands at it; -1: none
+  RowId below = 0, above = 0;  // rows of the tube beside it, as far as they are made; 0: none
+};
+// None where no tubes are planned. Cost: the pieces of the graph of tubes.
+std::optional<OnTube> on_tube(const Timeline& timeline, VertexId vertex);
 // The step that gave a vertex its time.
 std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex);
 // The ring of a row that was picked from the mesh's vertices; null: not yet known, or there is none.

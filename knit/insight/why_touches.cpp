@@ -30,6 +30,19 @@ bool makes_stitch(const Event& what, std::int32_t stitch) {
   return shared != nullptr && shared->shared && (shared->how == Closing::arc || stitch > 0);
 }
 
+// A bridge's own steps: its stitch is cast on; an edge of it is there with its second end; faces come when loops are dealt.
+bool makes_bridge_stitch(const Event& what, std::int32_t stitch) {
+  const auto* cast_on = get_if<BridgeCastOn>(what);
+  return cast_on != nullptr && cast_on->stitch == stitch + 1;
+}
+
+// The two ends of a row's or bridge's edge; only rows are rings.
+std::array<StitchRef, 2> ends_of(const Fabric& fabric, const RowEdgeElement& edge) {
+  const Row* row = fabric.find_row(edge.row);
+  const bool wraps = row != nullptr && edge.stitch + 1 == size_of(*row);
+  return {StitchRef{edge.row, edge.stitch}, StitchRef{edge.row, wraps ? 0 : edge.stitch + 1}};
+}
+
 // From a stitch to the next: measured the way, made its ends, moved them.
 bool makes_edge(const Event& what, std::int32_t stitch) {
   const auto placed = [&](std::int32_t made, std::int32_t of) {
@@ -67,8 +80,14 @@ struct Touches {
                        [&](std::int32_t cell) { return cell >= 0 && is(*t, ends_of(*t, cell)); });
   }
 
+  // Of a deal, by its number as a row.
+  [[nodiscard]] bool in_deal(std::int32_t row) const {
+    return step().place.stage == Stage::rows && steps_of_deal(timeline, -row).holds(index);
+  }
+
   bool operator()(const StitchElement& s) const {
     const Place& at = step().place;
+    if (s.row < 0 && in_deal(s.row)) return makes_bridge_stitch(step().what, s.stitch);
     if (at.stage == stage_of_row(s.row) && at.row == s.row) return makes_stitch(step().what, s.stitch);
     return any_end([&](const Join& t, const CellEnds& ends) {
       return (t.to == s.row && ends.above == s.stitch) || t.from.at(ends.below) == StitchRef{s.row, s.stitch};
@@ -77,6 +96,7 @@ struct Touches {
   // Between two stitches: what measured or moved the way from one to the other, and faces along it.
   bool operator()(const RowEdgeElement& e) const {
     const Place& at = step().place;
+    if (e.row < 0 && in_deal(e.row)) return makes_bridge_stitch(step().what, e.stitch + 1);
     if (at.stage == stage_of_row(e.row) && at.row == e.row) return makes_edge(step().what, e.stitch);
     const auto* face = get_if<FaceMade>(step());
     const Join* t = face != nullptr ? join() : nullptr;
@@ -84,10 +104,17 @@ struct Touches {
     const CellEnds from = ends_of(*t, face->index - 1);
     const CellEnds to = ends_of(*t, next_cell(*t, face->index - 1));
     if (t->to == e.row) return from.above == e.stitch && to.above != e.stitch;
-    return t->from.at(from.below) == StitchRef{e.row, e.stitch} && to.below != from.below;
+    // At a gap the stitch beside it is a bridge's; a bridge is met the other way on its other side.
+    const auto [one, two] = ends_of(timeline.furthest().fabric, e);
+    const StitchRef first = t->from.at(from.below), second = t->from.at(to.below);
+    return (first == one && second == two) || (first == two && second == one);
   }
-  bool operator()(const ColumnEdgeElement& e) const { return on_cell(e.row, e.edge); }
+  bool operator()(const ColumnEdgeElement& e) const {
+    if (e.row < 0) return in_deal(e.row) && is<LoopsDealt>(step());
+    return on_cell(e.row, e.edge);
+  }
   bool operator()(const FaceElement& f) const {
+    if (f.row < 0) return in_deal(f.row) && is<LoopsDealt>(step());
     const auto* face = get_if<FaceMade>(step());
     if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
     const Join* t = join();
@@ -104,6 +131,9 @@ struct Touches {
     const auto is = [&](VertexId other) { return other < twin.size() && twin[other] == twin[v.vertex]; };
     if (const auto* s = get_if<EndsFound>(step())) return is(s->start) || is(s->end);
     if (const auto* s = get_if<VertexTimed>(step())) return s->vertex == v.vertex;
+    if (const auto* s = get_if<NodeFound>(step())) return is(s->vertex);
+    if (const auto* s = get_if<TubeLeftOut>(step())) return is(s->vertex);
+    if (const auto* s = get_if<GapsFound>(step())) return is(s->vertex);
     if (const auto* s = get_if<CycleOrdered>(step())) return is(s->first);
     if (const auto* s = get_if<CandidateMeasured>(step())) return is(s->anchor) || is(s->candidate);
     if (const auto* s = get_if<BandMissed>(step())) return is(s->anchor) || is(s->taken);
@@ -126,7 +156,7 @@ struct Stretches {
   }
   [[nodiscard]] Ranges of_row(std::int32_t row) const {
     const std::vector<RowId> above = timeline.furthest().fabric.rows_on(row);
-    Ranges ranges{at(stage_of_row(row), row)};
+    Ranges ranges{row < 0 ? steps_of_deal(timeline, -row) : at(stage_of_row(row), row)};
     for (const Stage stage : {Stage::stitches, Stage::faces}) {
       ranges.push_back(at(stage, row));
       for (const RowId on : above) ranges.push_back(at(stage, on));
@@ -134,7 +164,18 @@ struct Stretches {
     return ranges;
   }
   [[nodiscard]] Ranges of_strip(std::int32_t row) const {
+    if (row < 0) return {steps_of_deal(timeline, -row)};
     return {at(Stage::stitches, row), at(Stage::faces, row)};
+  }
+  // Of deals whose saddle it is.
+  void add_deals_at(VertexId vertex, Ranges& ranges) const {
+    const State& run = timeline.furthest();
+    const std::vector<VertexId>& twin = timeline.input().twin;
+    for (std::size_t i = 0; run.tubes && i < run.fabric.deals().size(); ++i) {
+      const VertexId saddle = run.tubes->event(run.fabric.deals()[i]->event).vertex;
+      if (saddle < twin.size() && twin[saddle] == twin[vertex])
+        ranges.push_back(steps_of_deal(timeline, static_cast<std::int32_t>(i) + 1));
+    }
   }
   Ranges operator()(const StitchElement& s) const { return of_row(s.row); }
   Ranges operator()(const RowEdgeElement& e) const { return of_row(e.row); }
@@ -146,6 +187,8 @@ struct Stretches {
     Ranges ranges{{0, 1}};  // the ends
     const auto timed = timed_by(timeline, v.vertex);
     if (timed && *timed > 0) ranges.push_back({*timed, *timed + 1});
+    ranges.push_back(at(Stage::tubes, 0));
+    add_deals_at(v.vertex, ranges);
     const std::int32_t row = story_of(timeline, v.vertex).row;
     if (row > 1) ranges.push_back(at(Stage::rows, row));
     return ranges;

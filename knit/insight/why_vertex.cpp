@@ -82,6 +82,65 @@ std::optional<std::size_t> timed_by(const Timeline& timeline, VertexId vertex) {
   return timed != nullptr && timed->vertex == vertex ? std::optional(step) : std::nullopt;
 }
 
+namespace {
+
+// The tube of the plan that a tube of the graph is part of; -1: it is left out.
+TubeId planned_tube(const TubePlan& plan, std::int32_t part) {
+  for (std::size_t id = 0; id < plan.tubes.size(); ++id) {
+    const auto& parts = plan.tubes[id].parts;
+    if (std::find(parts.begin(), parts.end(), part) != parts.end()) return static_cast<TubeId>(id);
+  }
+  return -1;
+}
+
+// A piece that has the vertex as a corner and its rank inside lies in the vertex's tube; of a node, in each that meets it.
+TubeId tube_of_vertex(const TubeGraph& graph, const TubePlan& plan, VertexId vertex) {
+  for (std::size_t tube = 0; tube < graph.tubes.size(); ++tube) {
+    for (std::uint32_t i = graph.first_piece[tube]; i < graph.first_piece[tube + 1]; ++i) {
+      const TubePiece& piece = graph.pieces[i];
+      for (const VertexId corner : graph.surface.triangles[piece.triangle]) {
+        const std::uint32_t rank = graph.surface.rank[corner];
+        const bool inside = piece.low <= rank && rank <= piece.high;
+        if (graph.surface.origin[corner] != vertex || !inside) continue;
+        const TubeId found = planned_tube(plan, static_cast<std::int32_t>(tube));
+        if (found >= 0) return found;
+      }
+    }
+  }
+  return -1;
+}
+
+double value_at_vertex(const TubeGraph& graph, VertexId vertex) {
+  const auto& origin = graph.surface.origin;
+  const auto found = std::find(origin.begin(), origin.end(), vertex);
+  return graph.surface.values[static_cast<std::size_t>(found - origin.begin())];
+}
+
+}  // namespace
+
+std::optional<OnTube> on_tube(const Timeline& timeline, VertexId vertex) {
+  const State& run = timeline.furthest();
+  if (!run.tubes || !run.graph) return std::nullopt;
+  const std::vector<VertexId>& twin = timeline.input().twin;
+  const VertexId meant = twin[vertex];
+  OnTube on;
+  for (std::size_t i = 0; i < run.tubes->events.size(); ++i) {
+    const VertexId at = run.tubes->events[i].vertex;
+    if (at < twin.size() && twin[at] == meant) on.event = static_cast<std::int32_t>(i);
+  }
+  on.tube = tube_of_vertex(*run.graph, *run.tubes, meant);
+  if (on.tube < 0) return on;
+  const double value = value_at_vertex(*run.graph, meant);
+  for (const auto& row : run.fabric.rows()) {
+    if (row->tube != on.tube) continue;
+    if (run.tubes->tube(on.tube).values[static_cast<std::size_t>(row->level)] <= value)
+      on.below = row->id;
+    else if (on.above == 0)
+      on.above = row->id;
+  }
+  return on;
+}
+
 std::shared_ptr<const Ring> ring_of_row(const State& state, std::int32_t row) {
   if (row < 2 || row > state.fabric.next_row()) return nullptr;
   if (const Row* finished = state.fabric.find_row(row)) {

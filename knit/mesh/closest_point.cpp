@@ -1,6 +1,7 @@
 #include "knit/mesh/closest_point.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -37,15 +38,24 @@ glm::dvec3 closest_on_triangle(const glm::dvec3& point, const std::array<glm::dv
   return best;
 }
 
-glm::dvec3 closest_on_surface(const Mesh& mesh, const glm::dvec3& point) {
+glm::dvec3 closest_on_surface(const Input& input, const glm::dvec3& point) {
+  constexpr double but_for_rounding = 1.0 - 1e-12;
+  const Mesh& mesh = input.mesh;
   glm::dvec3 best = point;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const glm::dvec3 place =
-        closest_on_triangle(point, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-    if (square_of(place - point) >= least) continue;
-    least = square_of(place - point);
-    best = place;
+  for (std::size_t i = 0; i < input.boxes.size(); ++i) {
+    const auto& [low, high] = input.boxes[i];
+    const glm::dvec3 beside = glm::max(glm::max(low - point, point - high), glm::dvec3(0.0));
+    if (square_of(beside) * but_for_rounding > least) continue;
+    const std::size_t end = std::min((i + 1) * Input::boxed, mesh.triangles.size());
+    for (std::size_t t = i * Input::boxed; t < end; ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const glm::dvec3 place =
+          closest_on_triangle(point, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+      if (square_of(place - point) >= least) continue;
+      least = square_of(place - point);
+      best = place;
+    }
   }
   return best;
 }

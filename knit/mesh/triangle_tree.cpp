@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "knit/mesh/closest_point.h"
 #include "knit/mesh/ranking.h"
 
 namespace knit {
@@ -63,6 +64,7 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
                        static_cast<std::uint32_t>(centres.size())});
   }
   triangles_.reserve(triangles.size());
+  numbers_.reserve(triangles.size());
   nodes_.reserve(triangles.size());
   build(centres, positions, triangles);
 }
@@ -80,6 +82,7 @@ TriangleTree::Box TriangleTree::build(std::span<Centre> centres, std::span<const
     for (const Centre& centre : centres) {
       const auto& [a, b, c] = triangles[centre.triangle];
       triangles_.push_back({positions[a], positions[b], positions[c]});
+      numbers_.push_back(centre.triangle);
       for (const glm::dvec3& corner : triangles_.back()) {
         leaf.box = {glm::min(leaf.box.low, corner), glm::max(leaf.box.high, corner)};
       }
@@ -107,16 +110,43 @@ TriangleTree::Box TriangleTree::build(std::span<Centre> centres, std::span<const
 
 double TriangleTree::distance(const glm::dvec3& point) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return nodes_.empty() ? infinite : std::sqrt(search(0, point, infinite));
+  const auto see = [&](std::uint32_t i, double best) {
+    return std::min(best, to_triangle(point, triangles_[i]));
+  };
+  return nodes_.empty() ? infinite : std::sqrt(search(0, point, infinite, see));
 }
 
-// The least squared distance below the node, or `best` if nothing there is nearer.
-double TriangleTree::search(std::size_t node, const glm::dvec3& point, double best) const {
+double TriangleTree::distance(const glm::dvec3& point, const glm::dvec3& facing, double most) const {
+  constexpr double least_cosine = 0.1;
+  const auto see = [&](std::uint32_t i, double best) {
+    const Corners& t = triangles_[i];
+    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+    const double along = glm::dot(normal, facing);
+    const bool alike = along > 0.0 && along * along > least_cosine * least_cosine * glm::dot(normal, normal);
+    return alike ? std::min(best, to_triangle(point, t)) : best;
+  };
+  return nodes_.empty() ? most : std::sqrt(search(0, point, most * most, see));
+}
+
+SurfacePlace TriangleTree::nearest(const glm::dvec3& point) const {
+  SurfacePlace found;
+  const auto see = [&](std::uint32_t i, double best) {
+    const glm::dvec3 place = closest_on_triangle(point, triangles_[i]);
+    const double square = glm::dot(place - point, place - point);
+    if (square > best || (square == best && numbers_[i] > found.triangle)) return best;
+    found = {numbers_[i], place};
+    return square;
+  };
+  (void)search(0, point, std::numeric_limits<double>::infinity(), see);
+  return found;
+}
+
+// The least squared distance below the node, or `best` if nothing there is nearer: `see` looks at a triangle and says.
+template <class See>
+double TriangleTree::search(std::size_t node, const glm::dvec3& point, double best, See&& see) const {
   const Node& at = nodes_[node];
   if (at.count > 0) {
-    for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
-      best = std::min(best, to_triangle(point, triangles_[i]));
-    }
+    for (std::uint32_t i = at.first; i < at.first + at.count; ++i) best = see(i, best);
     return best;
   }
   std::array<std::size_t, 2> children{node + 1, at.first};
@@ -127,7 +157,7 @@ double TriangleTree::search(std::size_t node, const glm::dvec3& point, double be
   }
   const std::size_t nearer = distances[1] < distances[0] ? 1 : 0;
   for (const std::size_t i : {nearer, 1 - nearer}) {
-    if (distances[i] < best) best = search(children[i], point, best);
+    if (distances[i] <= best) best = search(children[i], point, best, see);
   }
   return best;
 }

@@ -13,6 +13,7 @@
 
 #include "knit/mesh/mesh.h"
 #include "knit/model/ring.h"
+#include "knit/model/settings.h"
 #include "knit/model/shared.h"
 
 namespace knit {
@@ -92,6 +93,7 @@ struct Levels {
 
 struct Timing {
   Ends ends;
+  TimingKind kind = TimingKind::linear;  // what was given, or chosen
   // What a time is read from: cuts are made in it, because it is what runs straight across a triangle. Empty:
   // the times themselves.
   std::vector<double> field;
@@ -103,7 +105,7 @@ struct Timing {
   Levels levels;
   [[nodiscard]] const std::vector<double>& cut_field() const { return field.empty() ? times : field; }
   [[nodiscard]] auto fields() const {
-    return std::tie(ends, field, scale, retimed, times, outside, criticals, levels);
+    return std::tie(ends, kind, field, scale, retimed, times, outside, criticals, levels);
   }
   friend bool operator==(const Timing&, const Timing&) = default;
 };

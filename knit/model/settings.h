@@ -21,12 +21,14 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-enum class TimingKind : std::uint8_t { linear, arc_length, geodesic, harmonic };
+// by_itself: linear, but geodesic where too much lies flat or uneven (knit/timing/choice.h).
+enum class TimingKind : std::uint8_t { linear, arc_length, geodesic, harmonic, by_itself };
 // Of the field, before its level sets are followed from contour to contour. by_itself: where they form more than one tube.
 enum class Smoothing : std::uint8_t { by_itself, off, on };
 // follow: on the wale that the round below begins on. direction: all on one side.
 enum class RoundStart : std::uint8_t { follow, direction };
-enum class RowSource : std::uint8_t { rings, contours };  // the mesh's own vertices, or cuts through edges
+// The mesh's own vertices, or cuts through edges; by_itself: rings where the mesh has them (knit/rows/choice.h).
+enum class RowSource : std::uint8_t { rings, contours, by_itself };
 enum class Metric : std::uint8_t { euclidean, arc, geodesic };  // the ruler of Algorithm 2
 enum class SizesFrom : std::uint8_t { mesh, gauge };      // which view of the stitch size is the given one
 enum class Closing : std::uint8_t { none, thesis, arc };  // how the closing gap is shared out

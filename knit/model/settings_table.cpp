@@ -25,9 +25,12 @@ constexpr Choice choice(std::span<const std::string_view> names) {
           names};
 }
 
-bool is_of_rings(const Parameters& p) { return p.rows.source == RowSource::rings; }
-bool is_of_contours(const Parameters& p) { return p.rows.source == RowSource::contours; }
-bool is_of_nearest(const Parameters& p) { return p.stitches.placement == PlacementPolicy::nearest; }
+bool is_of_rings(const Parameters& p) { return p.rows.source != RowSource::contours; }
+bool is_of_contours(const Parameters& p) { return p.rows.source != RowSource::rings; }
+bool is_of_nearest(const Parameters& p) {
+  return p.stitches.placement == PlacementPolicy::nearest ||
+         p.stitches.placement == PlacementPolicy::by_itself;
+}
 
 // The views of the stitch size, and what goes with it.
 constexpr Access<double> stitch_width{[](const Parameters& p) { return p.stitch.width; }, give_width};
@@ -36,10 +39,11 @@ constexpr Access<double> stitch_height{
 constexpr Access<Gauge> gauge{[](const Parameters& p) { return p.stitch.gauge; }, give_gauge};
 constexpr Access<double> epsilon{[](const Parameters& p) { return p.epsilon(); }, give_epsilon};
 
-constexpr std::array<std::string_view, 4> timing_names{"linear", "arc-length", "geodesic", "harmonic"};
+constexpr std::array<std::string_view, 5> timing_names{"linear", "arc-length", "geodesic", "harmonic",
+                                                       "auto"};
 constexpr std::array<std::string_view, 3> smoothing_names{"auto", "off", "on"};
 constexpr std::array<std::string_view, 2> round_start_names{"follow", "direction"};
-constexpr std::array<std::string_view, 2> source_names{"rings", "contours"};
+constexpr std::array<std::string_view, 3> source_names{"rings", "contours", "auto"};
 constexpr std::array<std::string_view, 3> metric_names{"euclidean", "arc", "geodesic"};
 constexpr std::array<std::string_view, 2> sizes_names{"mesh", "gauge"};
 constexpr std::array<std::string_view, 2> stall_names{"continue", "stop"};
@@ -80,7 +84,9 @@ constexpr std::array table{
         "How the time rises. linear: along the axis, Algorithm 1. arc-length: the same levels, with "
         "equal steps of time equally high on the surface. geodesic: with the distance from the "
         "start along the surface. harmonic: as smoothly as can be from start to end, with equal "
-        "steps equally high.",
+        "steps equally high. auto: linear, or geodesic where too much of the surface lies flat across the "
+        "axis, or would be "
+        "stretched.",
         "Timing", Stage::timing, choice<&Settings::timing, &TimingSettings::kind>(timing_names)},
     ParameterInfo{
         "level-tolerance", "Level tolerance", "of the time, 0 to 1",
@@ -129,7 +135,9 @@ constexpr std::array table{
         "Rows from",
         "",
         "rings: Algorithm 2 picks stitches from the mesh's own vertices. contours: the surface is cut "
-        "at equal heights, tube by tube, and stitches stand at equal arcs along each cut: any shape.",
+        "at equal heights, tube by tube, and stitches stand at equal arcs along each cut: any shape. auto: "
+        "rings where the mesh has "
+        "them all the way, else contours.",
         "Rows",
         Stage::timing,
         choice<&Settings::rows, &RowsSettings::source>(source_names),

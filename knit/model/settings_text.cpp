@@ -300,7 +300,7 @@ std::optional<std::string> fault_of(const Parameters& parameters, const Input& i
   if (auto fault = range_fault(p)) return fault;
   if (auto fault = ends_fault(p.timing, input.mesh)) return fault;
   if (auto fault = start_direction_fault(p, input.mesh)) return fault;
-  if (p.rows.source == RowSource::rings && p.epsilon() >= p.stitch.width) {
+  if (p.rows.source != RowSource::contours && p.epsilon() >= p.stitch.width) {
     return "epsilon " + number_text(p.epsilon()) + " is not below the stitch width " +
            number_text(p.stitch.width) +
            ", so a vertex would be a stitch away from itself; make epsilon smaller or the stitches wider.";
@@ -356,7 +356,9 @@ bool same_value(const ParameterInfo& info, const Parameters& a, const Parameters
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
   Stage first = Stage::done;
   for (const ParameterInfo& info : parameter_table()) {
-    if (info.first_reader < first && !same_value(info, a, b)) first = info.first_reader;
+    // The timing groups levels for contours too; but no row of contours reads what is the rings' own.
+    const bool by_none = info.first_reader > Stage::timing && !is_read(info, a) && !is_read(info, b);
+    if (info.first_reader < first && !by_none && !same_value(info, a, b)) first = info.first_reader;
   }
   return first;
 }

@@ -10,7 +10,7 @@ namespace knit {
 
 enum class StopReason : std::uint8_t {
   no_extent,         // start and end lie at the same time
-  no_row_levels,     // no level between the ends makes a row
+  no_row_levels,     // no level between the ends makes a row, or only one; then `time` is its
   not_a_ring,        // the level's vertices form no single loop
   splits,            // the level set falls into several loops
   stall,             // nothing in the band, and the person asked to stop

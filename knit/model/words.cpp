@@ -58,6 +58,11 @@ std::string short_number(double value) {
 std::string plural(std::int64_t count, std::string_view one, std::string_view many) {
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
+std::string percent_text(double share) {
+  const double percent = 100.0 * share;
+  const bool small = percent < 0.95 && percent > 0.0;
+  return short_number(small ? std::round(10.0 * percent) / 10.0 : std::round(percent)) + " %";
+}
 std::string stitch_count_text(std::int64_t count) { return plural(count, "stitch", "stitches"); }
 std::string tube_name(std::int32_t tube) {
   std::string name;

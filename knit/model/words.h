@@ -17,6 +17,7 @@ std::string_view name_of(Rule rule);    // "remainder last (R4)"
 std::string short_number(double value);
 
 std::string plural(std::int64_t count, std::string_view one, std::string_view many);  // "3 stitches"
+std::string percent_text(double share);                                               // "18 %", "0.4 %"
 std::string stitch_count_text(std::int64_t count);
 std::string tube_name(std::int32_t tube);  // "A", "Z", "AA", counted from 0
 std::string vertex_text(VertexId vertex);  // "vertex 12"

@@ -5,31 +5,12 @@
 #include <vector>
 
 #include "knit/mesh/triangle_tree.h"
+#include "knit/quality/knit_surface.h"
 #include "knit/quality/measures.h"
 
 namespace knit {
 
 namespace {
-
-struct Surface {
-  std::vector<glm::dvec3> positions;
-  std::vector<Triangle> triangles;
-};
-
-Surface knit_surface(const State& state) {
-  Surface surface;
-  surface.positions = knitting_path(state.fabric);
-  const auto add = [&](const std::vector<Face>& faces) {
-    for (const Face& face : faces) {
-      const auto& c = face.corners;
-      surface.triangles.push_back({c[0], c[1], c[2]});
-      if (face.corner_count == 4) surface.triangles.push_back({c[0], c[2], c[3]});
-    }
-  };
-  for (const auto& strip : state.fabric.strips()) add(strip->faces);
-  for (const auto& deal : state.fabric.deals()) add(deal->faces);
-  return surface;
-}
 
 // A quad's middle is that of the diagonal its two triangles share, so that samples lie on the surface.
 void append_samples(std::vector<glm::dvec3>& samples, const Face& face, const std::vector<glm::dvec3>& path) {
@@ -99,7 +80,7 @@ double area_of(const std::vector<glm::dvec3>& positions, const std::vector<Trian
 }  // namespace
 
 std::optional<Closeness> measure_closeness(const Input& input, const State& state) {
-  const Surface knit = knit_surface(state);
+  const KnitSurface knit = knit_surface(state);
   const Mesh& mesh = input.mesh;
   if (knit.triangles.empty() || mesh.triangles.empty()) return std::nullopt;
   Closeness closeness;
@@ -109,6 +90,13 @@ std::optional<Closeness> measure_closeness(const Input& input, const State& stat
   closeness.diagonal = input.bounds.diagonal();
   closeness.knit_area = area_of(knit.positions, knit.triangles);
   closeness.mesh_area = area_of(mesh.positions, mesh.triangles);
+  return closeness;
+}
+
+std::optional<Closeness> measure_closeness(const Input& input, const State& state, double stitch_width,
+                                           double stitch_height) {
+  std::optional<Closeness> closeness = measure_closeness(input, state);
+  if (closeness) closeness->coverage = measure_coverage(input, state, stitch_width, stitch_height);
   return closeness;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "knit/mesh/mesh.h"
+#include "knit/quality/coverage.h"
 #include "knit/run/state.h"
 
 namespace knit {
@@ -23,9 +24,13 @@ struct Closeness {
   Distances knit_to_mesh, mesh_to_knit;  // the ends of the tube stay open, which mesh_to_knit shows
   double diagonal = 0.0;                 // of the mesh's bounding box
   double knit_area = 0.0, mesh_area = 0.0;
+  std::optional<Coverage> coverage;  // once all faces are there, and where a stitch's size was given
 };
 
 // Nothing while there are no faces. Takes about a second a million triangles; meant for a worker.
 std::optional<Closeness> measure_closeness(const Input& input, const State& state);
+// With the coverage, which takes about as long again.
+std::optional<Closeness> measure_closeness(const Input& input, const State& state, double stitch_width,
+                                           double stitch_height);
 
 }  // namespace knit

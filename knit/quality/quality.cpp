@@ -97,6 +97,37 @@ void measure_wales(Quality& quality, const State& state, const std::vector<Stop>
   quality.wale = spread_of(lengths, 0.0, 2.0, 40);
 }
 
+void measure_tubes(Quality& quality, const State& state, const std::vector<Stop>& stops) {
+  std::vector<std::vector<double>> wales;
+  std::vector<std::size_t> tube_of(static_cast<std::size_t>(state.fabric.next_row()),
+                                   0);  // by a row's number
+  for (std::size_t i = 0; i < quality.rows.size(); ++i) {
+    const RowFit& fit = quality.rows[i];
+    const TubeId tube = state.fabric.row(fit.row).tube;
+    if (quality.tubes.empty() || quality.tubes.back().tube != tube)
+      quality.tubes.push_back({tube, fit.row, 0, 0, 0, 0.0, 0.0, 0.0});
+    TubeFit& of = quality.tubes.back();
+    ++of.rounds;
+    of.stitches += fit.stitches;
+    of.worst_course_cv_in_row = std::max(of.worst_course_cv_in_row, fit.course_cv);
+    tube_of[static_cast<std::size_t>(fit.row)] = quality.tubes.size();
+  }
+  wales.resize(quality.tubes.size());
+  for (const auto& strip : state.fabric.strips()) {
+    const std::size_t tube = tube_of[static_cast<std::size_t>(strip->to)];
+    if (tube == 0) continue;
+    for (const auto& [lower, upper] : strip->column_edges)
+      wales[tube - 1].push_back(glm::distance(stops[lower].position, stops[upper].position) /
+                                quality.stitch_height);
+  }
+  for (std::size_t i = 0; i < wales.size(); ++i) {
+    const LengthFigures figures = figures_of(wales[i]);
+    quality.tubes[i].wales = figures.count;
+    quality.tubes[i].wale_cv = figures.cv;
+    quality.tubes[i].longest_wale = figures.high;
+  }
+}
+
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   return angle_to(glm::dot(a, b), glm::length(glm::cross(a, b))) * 180.0 / std::numbers::pi;
 }
@@ -173,6 +204,7 @@ Quality measure_quality(const Input& input, const State& state, double stitch_wi
   quality.shaping = shaping_figures(state);
   const std::vector<Stop> stops = stops_of(state);
   measure_wales(quality, state, stops);
+  measure_tubes(quality, state, stops);
   quality.corner = corners_of(state, stops);
   quality.faces = count_faces(state);
   const std::size_t faces = quality.faces.quads + quality.faces.triangles;

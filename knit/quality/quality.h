@@ -43,6 +43,16 @@ struct RowFit {
   double course_cv = 0.0;  // of this row's course lengths
 };
 
+// Of one tube, whose rows follow each other.
+struct TubeFit {
+  TubeId tube = 0;
+  std::int32_t first_row = 1, rounds = 0, stitches = 0;
+  // Of the wales that end in its rows, in h; 0 while there are none.
+  std::size_t wales = 0;
+  double wale_cv = 0.0, longest_wale = 0.0;
+  double worst_course_cv_in_row = 0.0;
+};
+
 struct MirrorError {
   double mean = 0.0, max = 0.0;  // in w
 };
@@ -55,6 +65,7 @@ struct Quality {
   Spread wale;    // length / h
   Spread corner;  // inner angles of all faces, degrees
   std::vector<RowFit> rows;
+  std::vector<TubeFit> tubes;  // in working order; one where nothing branches
   FaceCounts faces;
   double quad_share = 0.0;     // of all faces
   double regular_share = 0.0;  // of the stitches between first and last row: one link down and one up

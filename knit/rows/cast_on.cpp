@@ -49,6 +49,16 @@ std::variant<FirstCycle, Stopped> find_first_cycle(const Input& input, const Tim
     Ring& ring = std::get<Ring>(ordered);
     if (!too_short(ring, stitch.width)) {
       const std::int32_t last = find_last_level(input, timing, level, rows, stitch);
+      if (last == level) {  // one row is no piece
+        return Stopped{StopReason::no_row_levels,
+                       {},
+                       levels.count(),
+                       1,
+                       static_cast<std::int32_t>(ring.vertices.size()),
+                       ring.vertices.front(),
+                       stitch.width,
+                       time};
+      }
       return FirstCycle{level, last, passed_over, std::move(ring)};
     }
     ++passed_over;

@@ -109,6 +109,18 @@ BridgeCastOn cast_on_bridge(ContourWork& work) {
   return {work.bridged, stitches};
 }
 
+// That are worked on after it; those of tubes that have ended by themselves are bound off.
+std::int32_t loops_after(const ContourAt& at, const ContourWork& work, const Deal& deal) {
+  const auto bound_off = [&](TubeId tube) {
+    return at.plan.event(at.plan.tube(tube).top).kind == EventKind::bind_off && is_done(at, work, tube);
+  };
+  const auto live = std::count_if(at.fabric.live().begin(), at.fabric.live().end(),
+                                  [&](const LiveLoop& loop) { return !bound_off(loop.tube); });
+  if (deal.kind == DealKind::ring_cast_on) return static_cast<std::int32_t>(live);
+  return static_cast<std::int32_t>(live) + static_cast<std::int32_t>(deal.to.size()) -
+         static_cast<std::int32_t>(deal.from.size());
+}
+
 Advanced<ContourEvent> give_loops(const ContourAt& at, ContourWork& work, std::optional<Deal>& made) {
   const Deal& deal = *work.deal;
   const bool split = deal.kind == DealKind::split;
@@ -117,12 +129,7 @@ Advanced<ContourEvent> give_loops(const ContourAt& at, ContourWork& work, std::o
       deal.kind, loops[0].size(), loops[1].size(), 0, static_cast<std::int32_t>(deal.bridge.size()), 0};
   if (split) step.whole = deal.taken.front().size();
   if (deal.kind == DealKind::join) step.whole = deal.given.front().size();
-  const auto live = static_cast<std::int32_t>(at.fabric.live().size());
-  const std::int32_t change =
-      deal.kind == DealKind::ring_cast_on
-          ? 0
-          : static_cast<std::int32_t>(deal.to.size()) - static_cast<std::int32_t>(deal.from.size());
-  step.held = std::max(0, live + change - 1);
+  step.held = std::max(0, loops_after(at, work, deal) - 1);
   work.dealt.resize(at.plan.events.size(), 0);
   work.dealt[static_cast<std::size_t>(deal.event)] = 1;
   made = deal;
@@ -133,10 +140,16 @@ Advanced<ContourEvent> give_loops(const ContourAt& at, ContourWork& work, std::o
 
 // --- rows ----------------------------------------------------------------------------------------------------
 
+// The tube's value as a time.
+double time_at(const Timing& timing, double value) {
+  return timing.retimed ? height_at(timing.scale, value) / timing.scale.total() : value;
+}
+
 CutFound find_cut(const ContourAt& at, ContourWork& work) {
   const Tube& tube = tube_in_work(at, work);
   work.phase = ContourPhase::loop;
-  return {current_tube(at.plan, work), work.row, tube.values[static_cast<std::size_t>(work.row)]};
+  return {current_tube(at.plan, work), work.row,
+          time_at(at.timing, tube.values[static_cast<std::size_t>(work.row)])};
 }
 
 Advanced<ContourEvent> take_tube(const ContourAt& at, ContourWork& work) {
@@ -229,11 +242,6 @@ RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const
   work.curve = Shared(begun_at(curve, step.arc));
   work.phase = ContourPhase::place;
   return step;
-}
-
-// The tube's value as a time.
-double time_at(const Timing& timing, double value) {
-  return timing.retimed ? height_at(timing.scale, value) / timing.scale.total() : value;
 }
 
 void finish_row(const ContourAt& at, ContourWork& work, std::optional<Row>& row) {

@@ -39,7 +39,7 @@ std::string TubeTaken::sentence(const Telling& at) const {
          short_number(static_cast<double>(height)) + ".";
 }
 StepFields TubeTaken::numbers() const {
-  return {{var::tube, tube},
+  return {{var::tube, std::string_view(tube_name(tube))},
           {var::rows, rows},
           {var::below, live},
           {"height", &var::surface_height, static_cast<double>(height)},
@@ -58,7 +58,9 @@ StepFields RowsReplanned::numbers() const {
 std::string CutFound::sentence(const Telling& at) const {
   return at.row() + ": tube " + tube_name(tube) + " is cut at t = " + short_number(time) + ".";
 }
-StepFields CutFound::numbers() const { return {{var::tube, tube}, {var::level, level}, {var::time, time}}; }
+StepFields CutFound::numbers() const {
+  return {{var::tube, std::string_view(tube_name(tube))}, {var::level, level}, {var::time, time}};
+}
 
 std::string LoopClosed::sentence(const Telling& at) const {
   return at.row() + ": the cut closes to one loop of " + plural(points, "point", "points") + ".";

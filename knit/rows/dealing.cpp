@@ -109,7 +109,7 @@ void build_bridge(const DealAt& at, const Sides& sides, std::int32_t least, Deal
     const glm::dvec3 place = way <= up && up > 0.0 ? sides.from + (way / up) * (deal.saddle - sides.from)
                                                    : deal.saddle + ((way - up) / std::max(down, 1e-300)) *
                                                                        (sides.to - deal.saddle);
-    deal.bridge.push_back({closest_on_surface(at.input.mesh, place), no_vertex});
+    deal.bridge.push_back({closest_on_surface(at.input, place), no_vertex});
   }
 }
 

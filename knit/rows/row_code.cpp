@@ -3,6 +3,7 @@
 #include <array>
 
 #include "knit/rows/cast_on_events.h"
+#include "knit/rows/choice.h"
 #include "knit/rows/contour_events.h"
 #include "knit/rows/ring_events.h"
 #include "knit/rows/row_variables.h"
@@ -16,6 +17,22 @@ template <RowSource source>
 bool made_from(const Parameters& parameters) {
   return parameters.rows.source == source;
 }
+
+constexpr std::array choice_lines{
+    CodeLine{"if every level is a ring: rings",
+             {},
+             nullptr,
+             "Algorithm 2 walks the mesh's own vertices, where they lie in rings from end to end.",
+             "docs/algorithm.md, Rings or contours",
+             lit_if<&RowsChosen::source, RowSource::rings>},
+    CodeLine{"else: contours",
+             {},
+             nullptr,
+             "Cuts through the surface follow any shape, tube by tube.",
+             "docs/algorithm.md, Rings or contours",
+             lit_if<&RowsChosen::source, RowSource::contours>}};
+
+constexpr std::array choice_aside{&var::rows_from, &var::level, &var::count, &var::without_ring};
 
 constexpr std::array cast_on_lines{
     CodeLine{"for each level after t = 0",
@@ -222,8 +239,13 @@ constexpr std::array contour_aside{&var::level,  &var::points, &var::ideal,     
                                    &var::passes, &var::slid,   &var::below,          &var::arcs_tried,
                                    &var::one,    &var::two,    &var::whole,          &var::stitch_height};
 
+// Only its own step shows it.
+bool never_chosen(const Parameters& /*parameters*/) { return false; }
+
 }  // namespace
 
+const PseudoCode rows_choice_code{
+    {Stage::timing, Stage::timing}, never_chosen, "Choosing rings or contours", choice_lines, choice_aside};
 const PseudoCode cast_on_code{
     {Stage::cast_on, Stage::cast_on}, made_from<RowSource::rings>, "Cast on", cast_on_lines, cast_on_aside};
 const PseudoCode ring_code{{Stage::rows, Stage::rows},

@@ -6,6 +6,7 @@
 
 namespace knit {
 
+extern const PseudoCode rows_choice_code;
 extern const PseudoCode cast_on_code;
 extern const PseudoCode ring_code;
 extern const PseudoCode contour_code;

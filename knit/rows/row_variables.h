@@ -18,6 +18,8 @@ inline constexpr CodeVariable length{"length", "L", "The length once round, in m
 inline constexpr CodeVariable width{"width", "w", "The stitch width: how long a stitch should be."};
 inline constexpr CodeVariable epsilon{"epsilon", "\xCE\xB5",
                                       "By how much a stitch may be shorter or longer than that."};
+inline constexpr CodeVariable rows_from{"rows_from", "rows", "What rows are made from: rings or contours."};
+inline constexpr CodeVariable without_ring{"without_ring", "there", "A vertex where there is no ring."};
 inline constexpr CodeVariable k{"k", "k", "How many stitches are cast on."};
 inline constexpr CodeVariable item{"item", "i", "The number of the stitch that is placed, from 1."};
 inline constexpr CodeVariable arc{"arc", "s", "How far along the ring the stitch stands."};
@@ -60,7 +62,7 @@ inline constexpr CodeVariable stitch_height{"stitch_height", "h",
 inline constexpr CodeVariable surface_height{"surface_height", "H",
                                              "The height of the tube, along the surface."};
 inline constexpr CodeVariable row_height{"row_height", "row height", "How far apart its rounds lie."};
-inline constexpr CodeVariable tube{"tube", "tube", "The tube that is worked, by its number."};
+inline constexpr CodeVariable tube{"tube", "tube", "The tube that is worked, by its letter."};
 inline constexpr CodeVariable passes{"passes", "passes", "How often the round was matched and slid."};
 inline constexpr CodeVariable slid{"slid", "shift", "By how much the round was moved along its loop."};
 inline constexpr CodeVariable squares{"squares", "\xCE\xA3",

@@ -7,6 +7,9 @@ namespace knit {
 
 namespace {
 
+// The way that knits any shape.
+constexpr const char* contours_words = "take rows from contours (--rows contours, or --preset best-rows)";
+
 // Why a level set falls into several loops, and what a person may do.
 std::string split_text(const std::string& where, const Stopped& s) {
   const std::string head = where + ": at level " + std::to_string(s.level) + ", t = " + short_number(s.time) +
@@ -17,10 +20,10 @@ std::string split_text(const std::string& where, const Stopped& s) {
       s.cause == CriticalKind::saddle
           ? "because the surface parts at " + saddle
           : "because another lowest part of the shape has begun, which joins the first only at " + saddle;
-  return head + why +
-         ". One tube of knitting cannot follow several; choose an axis or a timing along which the shape "
-         "does "
-         "not branch.";
+  return head + why + ". One tube cannot follow several: " + contours_words +
+         ", which knit each as a tube of its own, or another axis; a shape with a handle, like a ring, "
+         "branches "
+         "along every one.";
 }
 
 }  // namespace
@@ -39,15 +42,20 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
     case StopReason::too_fine:
       break;
     case StopReason::no_row_levels:
+      if (s.time > 0.0) {
+        return "Cast on: of the " + std::to_string(s.level) +
+               " levels of this mesh only that at t = " + short_number(s.time) +
+               " makes a row, and one row is no piece; " + contours_words +
+               ", another axis, or a mesh with more rings across it.";
+      }
       return "Cast on: none of the " + std::to_string(s.level) +
-             " levels of this mesh makes a first row between start and end; use a mesh with rings across the "
-             "axis, "
-             "another axis, or a stitch width below " +
-             short_number(s.value) + ".";
+             " levels of this mesh makes a first row between start and end; " + contours_words +
+             ", another axis, a mesh with rings across it, or a stitch width below " + short_number(s.value) +
+             ".";
     case StopReason::not_a_ring:
       return where + ": no closed ring can be made of the " + plural(s.count, "vertex", "vertices") + " of " +
-             level + " (" + vertex_text(s.vertex) +
-             "); use a mesh with rings across the axis, another axis, or a larger level tolerance.";
+             level + " (" + vertex_text(s.vertex) + "); " + contours_words +
+             ", another axis, or a mesh with rings across it.";
     case StopReason::splits:
       return split_text(where, s);
     case StopReason::stall:

@@ -13,7 +13,8 @@
 // Place (ordered; Place{} is the first step's), and as static functions
 //   Step advance(input, parameters, State&)      one smallest step, deterministic
 //   bool finished(state), Place next(state), Place place_of(step), bool is_stop(step)
-//   bool is_long(input, parameters, state)       the step to come may take longer than a frame
+//   bool sweeps(input, parameters, state)        the step to come works through all there is: a keyframe stands after it
+//   bool is_long(input, parameters, state)       it may take longer than a frame besides
 //   Place first_reader(before, after)            no step before this place reads what differs between the two
 //   Parameters resolved(parameters, input)         what follows from the ones wished, made so
 //   Parameters with_change(parameters, before, after)
@@ -129,7 +130,7 @@ class BasicTimeline {
   [[nodiscard]] const Parameters& parameters_at(const Place& place) const;
   [[nodiscard]] std::size_t first_step_at(const Place& place) const;
   bool extend_while(std::size_t steps, bool take_long);
-  void take_frontier_step(const Step& step, const Place& from, bool was_long);
+  void take_frontier_step(const Step& step, const Place& from, bool swept);
   [[nodiscard]] std::size_t first_step_to_differ(const Parameters& base,
                                                  const std::vector<Edit>& edits) const;
   Place change_everywhere(const Parameters& before, const Parameters& parameters);

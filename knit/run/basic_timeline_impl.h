@@ -50,10 +50,11 @@ bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long) {
       break;
     }
     const Place from = Machine::next(frontier_);
-    const bool was_long = next_is_long();
-    if (was_long && !take_long) break;
-    const Step step = Machine::advance(*input_, parameters_at(Machine::next(frontier_)), frontier_);
-    take_frontier_step(step, from, was_long);
+    if (!take_long && next_is_long()) break;
+    const Parameters& parameters = parameters_at(from);
+    const bool swept = Machine::sweeps(*input_, parameters, frontier_);
+    const Step step = Machine::advance(*input_, parameters, frontier_);
+    take_frontier_step(step, from, swept);
   }
   if (complete_ && sought_) return_to(*sought_);
   return !complete_;
@@ -61,7 +62,7 @@ bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long) {
 
 // `frontier_` has taken the step already; it came from the place `from`.
 template <class Machine>
-void BasicTimeline<Machine>::take_frontier_step(const Step& step, const Place& from, bool was_long) {
+void BasicTimeline<Machine>::take_frontier_step(const Step& step, const Place& from, bool swept) {
   if (Machine::is_stop(step)) {
     stop_ = step;
     complete_ = true;
@@ -70,7 +71,7 @@ void BasicTimeline<Machine>::take_frontier_step(const Step& step, const Place& f
   steps_.push_back(step);
   // A stage's first step may be long (levels are sorted); no replay should have to cross it.
   const bool entered = Machine::enters(from, Machine::next(frontier_));
-  if (steps_.size() % spacing_ == 0 || entered || was_long) keep_keyframe(steps_.size(), frontier_);
+  if (steps_.size() % spacing_ == 0 || entered || swept) keep_keyframe(steps_.size(), frontier_);
   if (sought_ && Machine::place_of(step) >= *sought_) return_to(*sought_);
 }
 

@@ -110,8 +110,8 @@ Taken take_join(const Parameters& parameters, State& state) {
   const JoinAt at{
       id, from, below, joins.mains, joins.shaped, joins.cast_on, row, follows, fabric.next_worked(id) == 0};
   Shared<Join> join;
-  Taken taken =
-      advance_index(parameters.stitches, parameters.stitch, at, std::get<IndexWork>(state.work), join);
+  Taken taken = advance_index(as_chosen(parameters, state).stitches, parameters.stitch, at,
+                              std::get<IndexWork>(state.work), join);
   keep(state.fabric, std::move(join));
   return taken;
 }
@@ -135,10 +135,19 @@ Taken take_line(State& state) {
   return taken;
 }
 
+// The last step of the stage timing, where nobody said what rows are made from.
+Taken take_choice(const Input& input, State& state) {
+  const RowsChosen chosen = choose_rows(input, *state.timing);
+  state.rows_from = chosen.source;
+  return Advanced<ChoiceEvent>(chosen, Ended::stage);
+}
+
 Taken take(const Input& input, const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
-      return advance_timing(input, parameters.timing, std::get<TimingWork>(state.work), state.timing);
+      if (state.timing) return take_choice(input, state);
+      return advance_timing(input, as_chosen(parameters, state).timing, std::get<TimingWork>(state.work),
+                            state.timing);
     case Stage::tubes:
       return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
                            std::get<TubesWork>(state.work), {state.graph, state.tubes});
@@ -171,7 +180,12 @@ RowId first_worked(const State& state) { return std::max(state.fabric.next_worke
 void begin_next_stage(const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
-      if (parameters.rows.source == RowSource::contours) return begin(state, Stage::tubes, 0, TubesWork{});
+      if (parameters.rows.source != RowSource::by_itself) state.rows_from = parameters.rows.source;
+      if (state.rows_from == RowSource::by_itself) {
+        ++state.next.item;
+        return;
+      }
+      if (state.rows_from == RowSource::contours) return begin(state, Stage::tubes, 0, TubesWork{});
       return begin(state, Stage::cast_on, 1, CastOnWork{});
     case Stage::tubes:
       return begin(state, Stage::cast_on, 1, ContourWork{});
@@ -233,11 +247,33 @@ constexpr std::size_t many_triangles = 20000;
 
 }  // namespace
 
-bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
-  if (input.mesh.triangles.size() < many_triangles) return false;
+bool step_sweeps(const Input& input, const Parameters& parameters, const State& state) {
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);
+}
+
+bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
+  return input.mesh.triangles.size() >= many_triangles && step_sweeps(input, parameters, state);
+}
+
+Parameters as_chosen(Parameters parameters, const State& state) {
+  const auto* timing = std::get_if<TimingWork>(&state.work);
+  if (parameters.timing.kind == TimingKind::by_itself) {
+    if (parameters.rows.source == RowSource::rings) {
+      parameters.timing.kind = TimingKind::linear;  // no other time has rings
+    } else if (state.timing) {
+      parameters.timing.kind = state.timing->kind;
+    } else if (timing != nullptr && timing->ends) {
+      parameters.timing.kind = timing->kind;
+    }
+  }
+  if (parameters.rows.source == RowSource::by_itself) parameters.rows.source = state.rows_from;
+  if (parameters.stitches.placement == PlacementPolicy::by_itself) {
+    if (state.rows_from == RowSource::rings) parameters.stitches.placement = PlacementPolicy::thesis;
+    if (state.rows_from == RowSource::contours) parameters.stitches.placement = PlacementPolicy::nearest;
+  }
+  return parameters;
 }
 
 const Join* planned_join(const State& state, RowId into) {

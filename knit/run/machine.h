@@ -15,8 +15,13 @@ namespace knit {
 // Requires !state.finished().
 Step advance(const Input& input, const Parameters& parameters, State& state);
 
-// Whether the step to come may take longer than a frame: a solve over a large surface. Requires
-// !state.finished().
+// Whether the step to come works through the whole surface: no replay should have to cross it. Requires !state.finished().
+bool step_sweeps(const Input& input, const Parameters& parameters, const State& state);
+
+// Whether it may take longer than a frame besides: the surface is large.
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state);
+
+// With each `auto` as the run has chosen, as far as it has.
+Parameters as_chosen(Parameters parameters, const State& state);
 
 }  // namespace knit

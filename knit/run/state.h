@@ -33,9 +33,10 @@ using Work = std::variant<TimingWork, TubesWork, CastOnWork, RowWork, ContourWor
 struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come
   Shared<Timing> timing;
-  Shared<TubeGraph> graph;       // with contours: of the time, or of the smoothed one
-  Shared<TubePlan> tubes;        // with contours: what is knitted
-  std::int32_t last_level = -1;  // the last level that makes a row, once cast on
+  RowSource rows_from = RowSource::by_itself;  // until the rows are made from something
+  Shared<TubeGraph> graph;                     // with contours: of the time, or of the smoothed one
+  Shared<TubePlan> tubes;                      // with contours: what is knitted
+  std::int32_t last_level = -1;                // the last level that makes a row, once cast on
   Fabric fabric;
   std::vector<Shared<CountedLine>> lines;
   Work work;
@@ -43,7 +44,8 @@ struct State {
   [[nodiscard]] Stage stage() const { return next.stage; }
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
-    return std::tie(next.stage, next.row, next.item, timing, graph, tubes, last_level, fabric, lines, work);
+    return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, last_level, fabric,
+                    lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };

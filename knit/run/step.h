@@ -12,6 +12,7 @@
 #include "knit/model/stage.h"
 #include "knit/model/stopped.h"
 #include "knit/rows/cast_on_events.h"
+#include "knit/rows/choice.h"
 #include "knit/rows/contour_events.h"
 #include "knit/rows/ring_events.h"
 #include "knit/stitches/faces_events.h"
@@ -22,8 +23,8 @@
 
 namespace knit {
 
-using Event = std::variant<TimingEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent, IndexEvent,
-                           FacesEvent, PatternEvent, Stopped>;
+using Event = std::variant<TimingEvent, ChoiceEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent,
+                           IndexEvent, FacesEvent, PatternEvent, Stopped>;
 
 struct Step {
   Place place;

@@ -12,6 +12,10 @@ Step KnitMachine::advance(const Input& input, const Parameters& parameters, Stat
   return knit::advance(input, parameters, state);
 }
 
+bool KnitMachine::sweeps(const Input& input, const Parameters& parameters, const State& state) {
+  return step_sweeps(input, parameters, state);
+}
+
 bool KnitMachine::is_long(const Input& input, const Parameters& parameters, const State& state) {
   return step_is_long(input, parameters, state);
 }
@@ -30,8 +34,9 @@ Parameters KnitMachine::with_change(const Parameters& parameters, const Paramete
   return knit::with_change(parameters, before, after);
 }
 
-// Just after a long step, or at a stage's beginning.
+// Just after a step that sweeps the surface, or at a stage's beginning.
 bool KnitMachine::worth_keeping(const State& state) {
+  if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return tubes->shown == 0;
   if (const auto* timing = std::get_if<TimingWork>(&state.work))
     return (timing->net || timing->scale) && timing->times.empty();
   const bool first_row = state.next.row <= 1 || (state.next.row == 2 && state.next.stage != Stage::pattern);

@@ -18,6 +18,7 @@ struct KnitMachine {
   static Place next(const State& state) { return state.next; }
   static Place place_of(const Step& step) { return step.place; }
   static bool is_stop(const Step& step) { return knit::is_stop(step); }
+  static bool sweeps(const Input& input, const Parameters& parameters, const State& state);
   static bool is_long(const Input& input, const Parameters& parameters, const State& state);
   static Place first_reader(const Parameters& before, const Parameters& after);
   static Parameters resolved(const Parameters& parameters, const Input& input);

@@ -47,38 +47,66 @@ class Dissection {
  private:
   using Keyed = std::vector<std::pair<double, VertexId>>;
 
-  Cut smallest_cut(const Vertices& vertices) {
-    Cut best = cut_across(vertices, directions[0]);
-    for (const glm::dvec3& direction : std::span(directions).subspan(1)) {
-      Cut cut = cut_across(vertices, direction);
-      if (cut.between.size() < best.between.size()) best = std::move(cut);
+  // A plane's halves: those below `middle` in this order, and the rest.
+  struct Halves {
+    Keyed keyed;
+    std::pair<double, VertexId> middle;
+    std::uint32_t low_side = 0,
+                  high_side = 0;  // numbers used once, so that vertices of other parts are in neither
+    [[nodiscard]] bool is_low(const std::pair<double, VertexId>& key) const { return key < middle; }
+  };
+
+  Halves halve(const Vertices& vertices, const glm::dvec3& direction) {
+    Halves halves{{}, {}, sides_ + 1, sides_ + 2};
+    sides_ += 2;
+    halves.keyed.reserve(vertices.size());
+    for (const VertexId v : vertices) halves.keyed.emplace_back(glm::dot(direction, positions_[v]), v);
+    ranked_ = halves.keyed;
+    put_least_first(std::span(ranked_), ranked_.size() / 2, std::less<>());
+    halves.middle = ranked_[ranked_.size() / 2];
+    mark(halves);
+    return halves;
+  }
+
+  void mark(const Halves& halves) {
+    for (const auto& key : halves.keyed)
+      side_[key.second] = halves.is_low(key) ? halves.low_side : halves.high_side;
+  }
+
+  // How many of each half, low and high, are beside the other.
+  [[nodiscard]] std::array<std::size_t, 2> beside_each_other(const Halves& halves) const {
+    std::array<std::size_t, 2> counts{};
+    for (const auto& key : halves.keyed) {
+      const bool low = halves.is_low(key);
+      if (touches(key.second, low ? halves.high_side : halves.low_side)) ++counts[low ? 0 : 1];
     }
-    return best;
+    return counts;
   }
 
   // The vertices between are those of one half beside the other, of the half that has fewer of them.
-  Cut cut_across(const Vertices& vertices, const glm::dvec3& direction) {
-    Keyed keyed;
-    keyed.reserve(vertices.size());
-    for (const VertexId v : vertices) keyed.emplace_back(glm::dot(direction, positions_[v]), v);
-    Keyed ranked = keyed;
-    put_least_first(std::span(ranked), ranked.size() / 2, std::less<>());
-    const auto middle = ranked[ranked.size() / 2];
-    // A number used once for each half, so that vertices of other parts are in neither.
-    const std::uint32_t low_side = ++sides_;
-    const std::uint32_t high_side = ++sides_;
-    for (const auto& key : keyed) side_[key.second] = key < middle ? low_side : high_side;
-    Cut from_low;
-    Cut from_high;
-    for (const auto& key : keyed) {
-      const VertexId v = key.second;
-      const bool low = key < middle;
-      const bool beside = touches(v, low ? high_side : low_side);
-      (low ? from_high.low : from_low.high).push_back(v);
-      if (low) (beside ? from_low.between : from_low.low).push_back(v);
-      if (!low) (beside ? from_high.between : from_high.high).push_back(v);
+  Cut smallest_cut(const Vertices& vertices) {
+    Halves best;
+    std::array<std::size_t, 2> fewest{vertices.size() + 1, vertices.size() + 1};
+    for (const glm::dvec3& direction : directions) {
+      Halves halves = halve(vertices, direction);
+      const std::array<std::size_t, 2> counts = beside_each_other(halves);
+      if (std::min(counts[0], counts[1]) >= std::min(fewest[0], fewest[1])) continue;
+      fewest = counts;
+      best = std::move(halves);
     }
-    return from_low.between.size() <= from_high.between.size() ? std::move(from_low) : std::move(from_high);
+    mark(best);
+    return cut(best, fewest[0] <= fewest[1]);
+  }
+
+  [[nodiscard]] Cut cut(const Halves& halves, bool from_low) const {
+    Cut cut;
+    for (const auto& key : halves.keyed) {
+      const VertexId v = key.second;
+      const bool low = halves.is_low(key);
+      const bool between = low == from_low && touches(v, low ? halves.high_side : halves.low_side);
+      (between ? cut.between : low ? cut.low : cut.high).push_back(v);
+    }
+    return cut;
   }
 
   [[nodiscard]] bool touches(VertexId v, std::uint32_t side) const {
@@ -91,6 +119,7 @@ class Dissection {
   std::span<const glm::dvec3> positions_;
   std::vector<std::uint32_t> side_;
   std::uint32_t sides_ = 0;
+  Keyed ranked_;  // kept for its memory
 };
 
 }  // namespace

@@ -24,6 +24,9 @@ using Vector = Eigen::VectorXd;
 constexpr double farthest_reach = 500.0;
 // No edge's weight is less, so that nothing comes loose where rounding takes a weight away.
 constexpr double least_weight = 1e-12;
+// How many times the square root of the surface's area it may be smoothed over: by then little is left but the mean, and
+// the masses must not drown in the Laplacian's rounding.
+constexpr double most_smoothing = 100.0;
 
 // The places that the net uses, numbered in the order of elimination; -1 for all other vertices.
 struct Unknowns {
@@ -202,7 +205,9 @@ std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrin
   for (std::size_t v = 0; v < field.size(); ++v)
     if (unknowns.of_vertex[v] >= 0) rough[unknowns.of_vertex[v]] = field[v];
   const Vector masses = lumped_masses(intrinsic, unknowns);
-  Matrix matrix = make_laplacian(intrinsic, unknowns) * (length * length);
+  const double longest = most_smoothing * std::sqrt(masses.sum());
+  const double reach = std::min(length, longest);
+  Matrix matrix = make_laplacian(intrinsic, unknowns) * (reach * reach);
   matrix.diagonal() += masses;
   const Vector smooth = solve(matrix, masses.cwiseProduct(rough));
   // But for rounding the extremes are never passed, as no weight is negative.

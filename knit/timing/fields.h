@@ -39,7 +39,7 @@ std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intr
                                    VertexId end);
 
 // The field with its level sets smoothed over about `length`: solves (M + length^2 L) f' = M f with the lumped masses M.
-// Between the least and the greatest of the field everywhere.
+// Between the least and the greatest of the field everywhere. More than 100 times the square root of the area counts as that.
 std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrinsic,
                                  const std::vector<double>& field, double length);
 

@@ -53,6 +53,32 @@ constexpr CodeLine measure_height{"{} \xE2\x86\x90 height along the surface",
                                   "docs/algorithm.md, Other timings: Heights",
                                   lit_by<HeightsMeasured>};
 
+constexpr std::array choice_lines{
+    CodeLine{"{} \xE2\x86\x90 share of the area across the axis",
+             {&var::flat},
+             &var::flat,
+             "Where the surface lies within 3 degrees of square to the axis no row of linear time comes.",
+             "docs/algorithm.md, Which timing",
+             lit_by<TimingChosen>},
+    CodeLine{"{} \xE2\x86\x90 CV of 1/slope along levels",
+             {&var::unevenness},
+             &var::unevenness,
+             "Rows lie farther apart where the surface leans; within a row that stretches wales.",
+             "docs/algorithm.md, Which timing",
+             lit_by<TimingChosen>},
+    CodeLine{"if {} > 2% or {} > 18%: geodesic",
+             {&var::flat, &var::unevenness},
+             nullptr,
+             "The distance along the surface climbs everywhere alike.",
+             "docs/algorithm.md, Which timing",
+             lit_by<TimingChosen>},
+    CodeLine{"else: linear",
+             {},
+             nullptr,
+             "Else the axis says it best, as in the thesis.",
+             "docs/algorithm.md, Which timing",
+             lit_if<&TimingChosen::timing, TimingKind::linear>}};
+
 constexpr std::array linear_lines{
     CodeLine{
         "{} \xE2\x86\x90 {} \xE2\x88\x92 {}",
@@ -209,6 +235,7 @@ constexpr std::array harmonic_lines{
     criticals_line,
     levels_line};
 
+constexpr std::array choice_aside{&var::timing_kind, &var::worst};
 constexpr std::array levels_aside{&var::minima,  &var::saddles,     &var::maxima,     &var::tolerance,
                                   &var::outside, &var::split_level, &var::split_loops};
 
@@ -218,6 +245,11 @@ constexpr std::array harmonic_aside{&var::clamped, &var::bands,       &var::mini
 
 }  // namespace
 
+const PseudoCode timing_choice_code{{Stage::timing, Stage::timing},
+                                    timed_by<TimingKind::by_itself>,
+                                    "Choosing the timing",
+                                    choice_lines,
+                                    choice_aside};
 const PseudoCode linear_code{{Stage::timing, Stage::timing},
                              timed_by<TimingKind::linear>,
                              "Algorithm 1: linear timing",

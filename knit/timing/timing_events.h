@@ -19,6 +19,18 @@ struct EndsFound {
   friend bool operator==(const EndsFound&, const EndsFound&) = default;
 };
 
+// With `--timing auto`: what the axis alone would do, and what follows.
+struct TimingChosen {
+  static constexpr std::string_view kind = "timing-chosen";
+  TimingKind timing;
+  bool for_flat;    // why not linear; else for unevenness
+  VertexId vertex;  // where it is worst
+  double flat, unevenness;
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const TimingChosen&, const TimingChosen&) = default;
+};
+
 struct VertexTimed {
   static constexpr std::string_view kind = "vertex-timed";
   VertexId vertex;
@@ -70,8 +82,8 @@ struct LevelsGrouped {
   friend bool operator==(const LevelsGrouped&, const LevelsGrouped&) = default;
 };
 
-using TimingEvent =
-    std::variant<EndsFound, FieldSolved, HeightsMeasured, VertexTimed, CriticalsFound, LevelsGrouped>;
+using TimingEvent = std::variant<EndsFound, TimingChosen, FieldSolved, HeightsMeasured, VertexTimed,
+                                 CriticalsFound, LevelsGrouped>;
 
 // Why the stage stopped, and what a person may do.
 std::string timing_stop_sentence(const Stopped& stop);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "knit/model/ties.h"
+#include "knit/timing/choice.h"
 #include "knit/timing/critical.h"
 #include "knit/timing/heights.h"
 #include "knit/timing/levels.h"
@@ -27,6 +28,14 @@ Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const TimingSett
   work.ends = std::get<Ends>(found);
   work.kind = settings.kind;
   return EndsFound{work.ends->start, work.ends->end, glm::length(work.ends->direction)};
+}
+
+TimingChosen choose_kind(const Input& input, TimingWork& work) {
+  const LevelFigures figures = measure_levels(input, *work.ends);
+  work.kind = better_timing(figures);
+  const bool for_flat = is_too_flat(figures);
+  return {work.kind, for_flat, for_flat ? figures.flat_at : figures.uneven_at, figures.flat,
+          figures.unevenness};
 }
 
 // Distances from the start become a field; without a picked end the farthest vertex is the end.
@@ -107,6 +116,7 @@ Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, 
                             Shared<Timing>& made) {
   Timing timing;
   timing.ends = *work.ends;
+  timing.kind = work.kind;
   timing.outside = work.outside;
   timing.times = work.times.to_vector();
   timing.criticals = *work.criticals;
@@ -126,6 +136,7 @@ Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, 
 Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& settings, TimingWork& work,
                                      Shared<Timing>& timing) {
   if (!work.ends) return find_ends_of_knitting(input, settings, work);
+  if (work.kind == TimingKind::by_itself) return choose_kind(input, work);
   const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
   if (solved_for && !work.field) return solve_next(input, settings, work);
   if (is_retimed(work.kind) && !work.scale) return measure(input, work);
@@ -142,7 +153,7 @@ bool next_is_a_solve(const Input& input, const TimingSettings& settings, const T
 }
 
 std::string_view work_ahead(const TimingWork& work) {
-  if (!work.ends) return "working";
+  if (!work.ends || work.kind == TimingKind::by_itself) return "working";
   if (!work.times.empty()) return work.criticals ? "sorting the levels" : "finding critical points";
   if (work.field || work.kind == TimingKind::arc_length) return "measuring heights";
   if (!work.net) return "laying out the surface";

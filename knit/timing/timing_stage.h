@@ -18,7 +18,7 @@ namespace knit {
 
 struct TimingWork {
   std::optional<Ends> ends;
-  TimingKind kind = TimingKind::linear;  // once the ends are found
+  TimingKind kind = TimingKind::linear;  // once the ends are found; by_itself until it is chosen
   // Of the timings that are solved for on the surface, each once it is there.
   Shared<IntrinsicMesh> net;
   Shared<std::vector<double>> heat;

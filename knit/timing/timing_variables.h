@@ -40,4 +40,11 @@ inline constexpr CodeVariable slopes{"slopes", "X", "In how many triangles the s
 inline constexpr CodeVariable far{"far", "\xCF\x86(v_end)",
                                   "How far the end is from the start along the surface."};
 
+inline constexpr CodeVariable timing_kind{"timing_kind", "timing", "How the time shall rise."};
+inline constexpr CodeVariable worst{"worst", "worst at", "The vertex where linear timing serves least."};
+inline constexpr CodeVariable flat{"flat", "flat",
+                                   "The share of the surface that lies flat across the axis."};
+inline constexpr CodeVariable unevenness{
+    "unevenness", "uneven", "By how much the distance between rows would vary, as a share of its mean."};
+
 }  // namespace knit::var

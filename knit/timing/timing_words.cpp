@@ -33,6 +33,23 @@ StepFields EndsFound::numbers() const {
   return {{var::start, start}, {var::end, end}, {"length", &var::mag, length}};
 }
 
+std::string TimingChosen::sentence(const Telling& /*at*/) const {
+  const std::string lies = percent_text(flat) + " of the surface lies flat across the axis";
+  const std::string varies = "the distance between rows varies by " + percent_text(unevenness);
+  if (timing == TimingKind::linear)
+    return "Timing by itself: linear, along the axis, as only " + lies + ", and " + varies + ".";
+  const std::string geodesic = "Timing by itself: geodesic, along the surface, because ";
+  if (for_flat)
+    return geodesic + lies + ", as at " + vertex_text(vertex) + ", where linear timing has no rows.";
+  return geodesic + "along the axis " + varies + ", most at " + vertex_text(vertex) + ".";
+}
+StepFields TimingChosen::numbers() const {
+  return {{var::timing_kind, timing == TimingKind::linear ? "linear" : "geodesic"},
+          {var::flat, flat},
+          {var::unevenness, unevenness},
+          {var::worst, vertex}};
+}
+
 std::string FieldSolved::sentence(const Telling& /*at*/) const {
   switch (which) {
     case FieldStep::net:

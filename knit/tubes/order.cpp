@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "knit/mesh/ranking.h"
@@ -50,6 +52,7 @@ struct OrderState {
   [[nodiscard]] auto key() const { return std::tie(done, last); }
   [[nodiscard]] auto tubes_so_far() const { return std::tie(parent, last); }
   [[nodiscard]] auto cost() const { return std::tie(held_most, yarns, held_sum, parent, last); }
+  [[nodiscard]] auto cost_but_held() const { return std::tie(yarns, held_sum, parent, last); }
 };
 
 using OrderLevel = std::vector<OrderState>;
@@ -66,7 +69,18 @@ class OrderSearch {
     }
   }
 
+  // Twice: how few holders do is settled by the first going, as of two ways to the same tubes the one that held fewer is
+  // never worse. It may have taken more yarns, which counts again where more are held later in any case: so among the orders
+  // that hold no more than that, the second looks at yarns and sums alone.
   TubeOrder run() {
+    const TubeOrder first = search();
+    if (!exact_) return first;
+    held_allowed_ = first.held_most;
+    return search();
+  }
+
+ private:
+  [[nodiscard]] TubeOrder search() {
     OrderState start;
     start.done = TubeSet(tubes_.size());
     std::size_t searched = 0;
@@ -81,8 +95,9 @@ class OrderSearch {
     if (levels.back().empty()) throw Bug("tubes that stand on each other");
     return best_of(levels);
   }
-
- private:
+  [[nodiscard]] bool is_better(const OrderState& a, const OrderState& b) const {
+    return held_allowed_ ? a.cost_but_held() < b.cost_but_held() : a.cost() < b.cost();
+  }
   [[nodiscard]] const TubeEvent& event(std::int32_t id) const {
     return events_[static_cast<std::size_t>(id)];
   }
@@ -132,11 +147,12 @@ class OrderSearch {
         if (at_ring_[static_cast<std::size_t>(id)] != 0 || level[i].done.has(id) ||
             !level[i].done.has_all(event(tube(id).bottom).below))
           continue;
-        next.push_back(worked(level[i], id, i));
+        OrderState after = worked(level[i], id, i);
+        if (!held_allowed_ || after.held_most <= *held_allowed_) next.push_back(std::move(after));
       }
     }
     // Of each set and last tube the best; of them the best.
-    const auto by_cost = [](const OrderState& a, const OrderState& b) { return a.cost() < b.cost(); };
+    const auto by_cost = [&](const OrderState& a, const OrderState& b) { return is_better(a, b); };
     std::sort(next.begin(), next.end(), [&](const OrderState& a, const OrderState& b) {
       const auto by_key = a.key() <=> b.key();
       return by_key != 0 ? by_key < 0 : by_cost(a, b);
@@ -156,9 +172,8 @@ class OrderSearch {
   // With the leaves of rings right before the first and right after the last tube that they belong to.
   [[nodiscard]] TubeOrder best_of(const std::vector<OrderLevel>& levels) const {
     const OrderLevel& last = levels.back();
-    const auto best =
-        std::min_element(last.begin(), last.end(),
-                         [](const OrderState& a, const OrderState& b) { return a.cost() < b.cost(); });
+    const auto best = std::min_element(
+        last.begin(), last.end(), [&](const OrderState& a, const OrderState& b) { return is_better(a, b); });
     TubeOrder order{{}, best->held_most, best->yarns, exact_};
     std::vector<TubeId> searched;
     const OrderState* state = &*best;
@@ -185,7 +200,8 @@ class OrderSearch {
 
   const std::vector<Tube>& tubes_;
   const std::vector<TubeEvent>& events_;
-  std::vector<std::uint8_t> at_ring_;  // of each tube: a rowless leaf of a ring
+  std::vector<std::uint8_t> at_ring_;         // of each tube: a rowless leaf of a ring
+  std::optional<std::int32_t> held_allowed_;  // none: whatever it takes
   bool exact_ = true;
 };
 

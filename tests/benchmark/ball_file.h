@@ -1,4 +1,4 @@
-// A sphere as a file of its own in the system's place for such, gone with it.
+// A mesh, a sphere for one, as a file of its own in the system's place for such, gone with it.
 #pragma once
 
 #include <unistd.h>
@@ -19,21 +19,26 @@ inline knit::Mesh ball(std::size_t triangles) {
   return knit::sphere(side, side + 1);
 }
 
-class BallFile {
+class MeshFile {
  public:
-  explicit BallFile(std::size_t triangles)
+  MeshFile(const std::string& name, const knit::Mesh& mesh)
       : path(std::filesystem::temp_directory_path() /
-             ("knit-mesh-ball-" + std::to_string(getpid()) + ".obj")) {
+             ("knit-mesh-" + name + "-" + std::to_string(getpid()) + ".obj")) {
     std::ofstream out(path, std::ios::binary);
-    knit::write_obj(out, ball(triangles), "");
+    knit::write_obj(out, mesh, "");
   }
-  ~BallFile() {
+  ~MeshFile() {
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
   }
-  BallFile(const BallFile&) = delete;
-  BallFile& operator=(const BallFile&) = delete;
+  MeshFile(const MeshFile&) = delete;
+  MeshFile& operator=(const MeshFile&) = delete;
   const std::filesystem::path path;
+};
+
+class BallFile : public MeshFile {
+ public:
+  explicit BallFile(std::size_t triangles) : MeshFile("ball", ball(triangles)) {}
 };
 
 inline std::string read_text(const std::filesystem::path& path) {

@@ -7,7 +7,8 @@
 //   build/dev/benchmark --frames        (whole frames, with drawing)
 //   build/dev/benchmark --large [TRIANGLES]   (whether a large mesh leaves a window responsive; a million)
 //   build/dev/benchmark --sizes         (timings and contour rows on spheres up to a million triangles: minutes)
-//   build/dev/benchmark --suite         (what docs/performance.md says: minutes)
+//   build/dev/benchmark --branching [MESH.obj]  (a shape that branches; without a mesh: a bear of cubes)
+//   build/dev/benchmark --suite [MESH.obj]      (what docs/performance.md says: minutes; the mesh: one that branches)
 //   build/dev/benchmark --soak SECONDS  (the program's life over and over; fails when memory grows)
 //   build/dev/benchmark --table SUITE.json PAGE.md   (writes the suite's figures into the page)
 //
@@ -24,6 +25,7 @@
 #include "app/render/memory.h"
 #include "knit/run/timeline.h"
 #include "tests/benchmark/ball_file.h"
+#include "tests/benchmark/branching.h"
 #include "tests/benchmark/frames.h"
 #include "tests/benchmark/large.h"
 #include "tests/benchmark/pipeline.h"
@@ -71,7 +73,9 @@ std::optional<Json> measure_asked(std::string_view option, int count, char** wor
   if (option == "--large")
     return benchmark::measure_large(assets, count > 2 ? std::stoul(words[2]) : 1000000);
   if (option == "--frames") return benchmark::measure_frames(assets);
-  if (option == "--suite") return benchmark::measure_suite(assets);
+  const fs::path mesh = count > 2 ? words[2] : "";
+  if (option == "--branching") return benchmark::measure_branching(assets, mesh);
+  if (option == "--suite") return benchmark::measure_suite(assets, mesh);
   return std::nullopt;
 }
 

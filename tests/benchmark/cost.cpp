@@ -40,6 +40,14 @@ nlohmann::ordered_json summary_of(const std::vector<Cost>& costs, double Cost::*
   return {{"median", at(0.5)}, {"p99", at(0.99)}, {"max", values.back()}};
 }
 
+nlohmann::ordered_json sums_of(const std::vector<std::vector<Cost>>& parts, double Cost::*part) {
+  std::vector<Cost> sums(parts.front().size());
+  for (const auto& costs : parts) {
+    for (std::size_t i = 0; i < costs.size(); ++i) sums[i].*part += costs[i].*part;
+  }
+  return summary_of(sums, part);
+}
+
 double median_of(const std::vector<Cost>& costs, double Cost::*part) {
   const std::vector<double> values = sorted(costs, part);
   return values[values.size() / 2];

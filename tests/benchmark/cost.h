@@ -17,6 +17,8 @@ Cost cost_of(const std::function<void()>& work);
 
 // Median, 99th percentile and maximum of one part.
 nlohmann::ordered_json summary_of(const std::vector<Cost>& costs, double Cost::*part);
+// The same of what several pieces of work come to together, measured as often.
+nlohmann::ordered_json sums_of(const std::vector<std::vector<Cost>>& parts, double Cost::*part);
 double median_of(const std::vector<Cost>& costs, double Cost::*part);
 
 // A frame of a plain screen, one sample a pixel: as the window draws it on a slow machine while things move.

@@ -8,6 +8,7 @@
 #include "knit/import/obj.h"
 #include "knit/model/stitch_size.h"
 #include "tests/benchmark/ball_file.h"
+#include "tests/benchmark/branching.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/large.h"
 #include "tests/benchmark/pipeline.h"
@@ -130,12 +131,14 @@ Json measure_growth() {
 
 }  // namespace
 
-Json measure_suite(const fs::path& assets) {
+Json measure_suite(const fs::path& assets, const fs::path& branching) {
   Json json;
   json["threads"] = std::thread::hardware_concurrency();
   json["thesis_sphere"] = measure_thesis_sphere(assets);
   json["million_triangles"] = measure_million();
   json["million_steps"] = measure_million_steps(assets);
+  say("a shape that branches");
+  json["branching"] = measure_branching(assets, branching);
   json["growth"] = measure_growth();
   say("from a changed parameter to the picture");
   json["tune_to_picture"] = measure_tuning_to_picture(assets);

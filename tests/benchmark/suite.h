@@ -7,6 +7,8 @@
 
 namespace benchmark {
 
-nlohmann::ordered_json measure_suite(const std::filesystem::path& assets);
+// `branching`: a mesh of a shape that branches; empty: one made in code.
+nlohmann::ordered_json measure_suite(const std::filesystem::path& assets,
+                                     const std::filesystem::path& branching);
 
 }  // namespace benchmark

@@ -109,6 +109,35 @@ std::string travelling(const Json& suite) {
   return text;
 }
 
+std::string branches(const Json& suite) {
+  const Json& shape = suite["branching"];
+  if (shape.contains("left_out"))
+    return "No shape that branches: " + shape["left_out"].get<std::string>() + "\n\n";
+  const Json& seek = shape["seek"];
+  std::string text = cells({"A shape that branches: " + shape["mesh"].get<std::string>() + ", " +
+                                grouped(shape["triangles"]) + " triangles, " + grouped(shape["tubes"]) +
+                                " tubes, " + grouped(seek["steps"]) + " steps",
+                            "measured"}) +
+                     "|---|---|\n";
+  text += cells({"linear run over parsing", number(shape["linear"]["run_over_parse"]["median"])});
+  text += cells({"geodesic run over parsing", number(shape["geodesic"]["run_over_parse"]["median"])});
+  text += cells({"geodesic: all that follows over the solve", number(shape["geodesic"]["rest_over_solve"])});
+  text +=
+      cells({"seek, median / 99th percentile / most, ms",
+             number(seek["median_ms"]) + " / " + number(seek["p99_ms"]) + " / " + number(seek["max_ms"])});
+  for (const auto& [key, words] :
+       {std::pair{"stitch_width", "stitch width"}, std::pair{"epsilon", "epsilon (not read)"}}) {
+    const Json& drag = shape["drag"][key];
+    const Json& whole = drag["change_to_picture_ms"];
+    text +=
+        cells({"dragging the " + std::string(words) + ", to the whole picture: median / 99th percentile, ms",
+               number(whole["median"]) + " / " + number(whole["p99"])});
+    text += cells({"of that until the first frame, ms",
+                   number(drag["first_frame_ms"]["median"]) + " / " + number(drag["first_frame_ms"]["p99"])});
+  }
+  return text + "\n";
+}
+
 std::string worst(const Json& part) {
   std::string text;
   for (const char* what : {"act_ms", "describe_ms", "panels_ms"})
@@ -150,7 +179,8 @@ std::optional<std::string> write_table(const std::filesystem::path& suite_file,
     return page_file.string() + " has no lines \"" + begin_mark + "\" and after it its end; write them in.";
   const std::string threads = std::to_string(suite["threads"].get<unsigned>());
   const std::string text = "Measured on " + threads + " threads of one machine in one run.\n\n" +
-                           goals(suite) + stages(suite) + growth(suite) + travelling(suite) + windows(suite);
+                           goals(suite) + stages(suite) + branches(suite) + growth(suite) +
+                           travelling(suite) + windows(suite);
   return app::write_file(page_file, page.substr(0, begin) + begin_mark + text + page.substr(end));
 }
 

@@ -1,6 +1,5 @@
 #include "tests/benchmark/travel.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "app/render/headless_gl.h"
@@ -13,19 +12,7 @@
 
 namespace benchmark {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
-
-Json sums_of(const std::vector<std::vector<Cost>>& parts, double Cost::*part) {
-  std::vector<Cost> sums(parts.front().size());
-  for (const auto& costs : parts) {
-    for (std::size_t i = 0; i < costs.size(); ++i) sums[i].*part += costs[i].*part;
-  }
-  return summary_of(sums, part);
-}
-
-}  // namespace
 
 Json measure_tuning_to_picture(const std::filesystem::path& assets) {
   Json json;

@@ -10,6 +10,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "tests/fuzz/bytes.h"
+#include "tests/stress/cubes.h"
 
 namespace fuzz {
 
@@ -42,8 +43,26 @@ inline knit::Mesh soup(Bytes& bytes) {
   return mesh;
 }
 
+// Any of the 27 cubes of a grid, one a bit: what parts, meets, lies as a ring or has handles.
+inline knit::Mesh cubes(Bytes& bytes) {
+  const unsigned how = bytes.byte();
+  unsigned chosen = 0;
+  for (unsigned i = 0; i < 4; ++i) chosen |= bytes.byte() << (8 * i);
+  test_support::CubeGrid grid({3, 3, 3});
+  if ((chosen & 0x7FFFFFFU) == 0) grid.fill({1, 1, 1});
+  for (int i = 0; i < 27; ++i) {
+    if ((chosen >> static_cast<unsigned>(i) & 1U) != 0) grid.fill({i / 9, i / 3 % 3, i % 3});
+  }
+  grid.make_solid();
+  knit::Mesh mesh = grid.surface(1 + static_cast<int>(how % 2));
+  test_support::round_off(mesh, static_cast<int>(how / 2 % 4));
+  return mesh;
+}
+
 inline knit::Mesh shape_of(Bytes& bytes) {
-  switch (bytes.below(6)) {
+  const unsigned shape = bytes.byte();
+  if (shape >= 192) return cubes(bytes);
+  switch (shape % 6) {
     case 0:
     case 1:
       return revolved(bytes);
@@ -118,7 +137,10 @@ inline knit::Parameters parameters_of(Bytes& bytes, double size, unsigned vertic
   knit::give_epsilon(p, band == 255 ? length_of(bytes, size) : p.stitch.width * (band + 1) / 256.0);
   knit::give_sizes(p, given);
   p.size.height_cm = p.size.from() == knit::SizesFrom::gauge ? bytes.between(0.1, 4.0) : 12.0;
-  p.stitches.stacking_penalty = bytes.below(2) == 1 ? bytes.between(0.0, 10.0) : 0.0;
+  const unsigned last = bytes.byte();
+  p.stitches.stacking_penalty = last % 2 == 1 ? bytes.between(0.0, 10.0) : 0.0;
+  p.tubes.smallest_limb = 1 + static_cast<int>(last / 2 % 4);
+  if ((last & 64U) != 0) p.tubes.smoothing_length = bytes.between(0.0, 10.0);
   return p;
 }
 

@@ -44,6 +44,16 @@ inline app::Session example_session(const std::string& name) {
   return session;
 }
 
+// The torus with rows from its rings: it must stop, because its level sets split.
+inline app::Session torus_from_rings() {
+  app::Session session = example_session("torus");
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.rows.source = knit::RowSource::rings;
+  parameters.stitches.placement = knit::PlacementPolicy::thesis;
+  app::apply(session, app::Tune{parameters});
+  return session;
+}
+
 // A new folder in the system's place for such, gone with the test.
 class Folder {
  public:

@@ -91,7 +91,8 @@ LabelTally::Counts LabelTally::count(const knit::State& state) {
     add(counts_of(*work->plan, static_cast<std::size_t>(work->placed)));
   }
   std::size_t& cast = sum[index_of(knit::Label::cast)];
-  if (const knit::Row* first = state.fabric.find_row(1)) cast += first->stitches.size();
+  for (const auto& row : state.fabric.rows()) cast += row->on.empty() ? row->stitches.size() : 0U;
+  for (const auto& deal : state.fabric.deals()) cast += deal->bridge.size();
   if (const auto* work = std::get_if<knit::CastOnWork>(&state.work)) cast += work->stitches.size();
   if (const auto* work = std::get_if<knit::ContourWork>(&state.work); work != nullptr && state.fabric.empty())
     cast += work->stitches.size();

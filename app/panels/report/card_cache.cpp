@@ -17,6 +17,7 @@ CardCache::Key CardCache::key_of(const knit::Timeline& timeline) {
     for (const auto& product : list) products.add(product.content_hash());
   };
   add(state.fabric.rows());
+  add(state.fabric.deals());
   add(state.fabric.joins());
   add(state.fabric.strips());
   const knit::Parameters& parameters = timeline.parameters();

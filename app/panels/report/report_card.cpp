@@ -1,9 +1,11 @@
 // The report card: how good the knit mesh is, in figures and plots, live.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "app/base/text.h"
 #include "app/files/card.h"
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/sides.h"
@@ -13,6 +15,7 @@
 #include "app/panels/report/card_cache.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -129,6 +132,60 @@ void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
   }
   draw_rule(frame, grid, frame.units(10.0f));
   ImGui::PopStyleVar();
+}
+
+// --- tubes --------------------------------------------------------------------------------------------------
+
+constexpr std::size_t most_tube_lines = 6;  // more are scrolled to
+
+void draw_cell(const std::string& words, Colour colour) {
+  ImGui::TableNextColumn();
+  const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
+  text(words);
+  ImGui::PopStyleColor();
+}
+
+void draw_tube(PanelFrame& frame, const knit::TubeFit& tube) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string name = knit::tube_name(tube.tube);
+  const bool clicked = ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
+  frame.mark("tube/" + name);
+  tooltip(
+      frame,
+      "Tube " + name +
+          ": its rounds and stitches; how uneven its wales are (standard deviation over mean), the longest "
+          "in "
+          "stitch heights h; how uneven the stitches of its worst round are.\n\nClick: to its first row.");
+  draw_cell(std::to_string(tube.rounds), theme().text);
+  draw_cell(std::to_string(tube.stitches), theme().text);
+  const bool wales = tube.wales > 0;
+  draw_cell(wales ? fixed_text(tube.wale_cv, 3) : "-", theme().text);
+  const bool stretched = wales && tube.longest_wale > knit::stretched_above;
+  draw_cell(wales ? fixed_text(tube.longest_wale, 2) : "-", stretched ? theme().warning : theme().text);
+  draw_cell(fixed_text(tube.worst_course_cv_in_row, 3), theme().text);
+  if (clicked) wish_row(frame, tube.first_row);
+}
+
+// A line a tube, where there is more than one.
+void draw_tubes(PanelFrame& frame, const knit::Quality* quality) {
+  if (quality == nullptr || quality->tubes.size() < 2) return;
+  constexpr std::array names{"Tube", "Rounds", "Stitches", "Wale CV", "Longest", "Course CV"};
+  push_font(frame.fonts.small);
+  const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+  const std::size_t lines = std::min(quality->tubes.size(), most_tube_lines) + 1;
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
+  const ImVec2 size(0.0f, std::ceil(line * static_cast<float>(lines)));
+  if (ImGui::BeginTable("tubes of the card", static_cast<int>(names.size()), flags, size)) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const char* name : names) draw_cell(name, theme().faint_text);
+    for (const knit::TubeFit& tube : quality->tubes) draw_tube(frame, tube);
+    ImGui::EndTable();
+  }
+  pop_font();
 }
 
 // --- plots --------------------------------------------------------------------------------------------------
@@ -258,6 +315,7 @@ void draw_side<SidePanel::report>(PanelFrame& frame) {
   if (frame.timeline() != nullptr) frame.own<CardCache>().refresh(*frame.timeline());
   const knit::Quality* quality = frame.timeline() != nullptr ? frame.own<CardCache>().quality() : nullptr;
   draw_figures(frame, quality);
+  draw_tubes(frame, quality);
   const knit::Quality none;
   draw_plots(frame, quality != nullptr ? *quality : none);
 }

@@ -10,8 +10,10 @@
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "knit/insight/narrate.h"
+#include "knit/insight/problems.h"
 #include "knit/insight/why.h"
 #include "knit/model/words.h"
+#include "knit/run/machine.h"
 
 namespace app {
 
@@ -111,9 +113,26 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
 // The list's lines, worst first: why the run stopped, what was repaired, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
-  std::optional<std::size_t> position;  // to see it
-  std::string line;                     // in the list; empty: the words, cut
+  std::optional<std::size_t> position;   // to see it
+  std::string line;                      // in the list; empty: the words, cut
+  std::optional<knit::Element> thing{};  // or this, whose making is shown
 };
+
+// On the whole run, once it is finished and measured.
+std::vector<knit::Remark> remarks_of(const PanelFrame& frame) {
+  const auto& closeness = frame.session.document->closeness;
+  if (!closeness || !closeness->coverage) return {};
+  const knit::Timeline& timeline = *frame.timeline();
+  return knit::remarks_on(*closeness->coverage,
+                          knit::as_chosen(timeline.parameters_of_stop(), timeline.furthest()));
+}
+
+Problem problem_of_remark(const knit::Remark& remark) {
+  Problem problem{remark.words, std::nullopt, "", {}};
+  if (remark.uncovered()) problem.thing = knit::VertexElement{remark.vertex};
+  if (remark.at) problem.thing = knit::StitchElement{remark.at->row, remark.at->stitch};
+  return problem;
+}
 
 // What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
 std::string short_line(const knit::Step& step) {
@@ -134,7 +153,10 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   i -= repaired.size();
   const auto& findings = frame.session.document->findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
-  const std::size_t step = frame.own<RunCache>().ranked()[i - findings.size()].step;
+  i -= findings.size();
+  const std::vector<knit::Remark> remarks = remarks_of(frame);
+  if (i < remarks.size()) return problem_of_remark(remarks[i]);
+  const std::size_t step = frame.own<RunCache>().ranked()[i - remarks.size()].step;
   return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
           short_line(timeline.step(step))};
 }
@@ -145,9 +167,12 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   const std::string line =
       cut_to_width(problem.line.empty() ? problem.words : problem.line, ImGui::GetContentRegionAvail().x);
   const bool here = problem.position && frame.timeline()->position() == *problem.position;
-  if (ImGui::Selectable("##problem", here) && problem.position) frame.wish(SeekTo{*problem.position});
+  if (ImGui::Selectable("##problem", here)) {
+    if (problem.position) frame.wish(SeekTo{*problem.position});
+    if (problem.thing) frame.wish(ShowWhy{*problem.thing});
+  }
   frame.mark("problem/" + std::to_string(i));
-  tooltip(frame, problem.position ? problem.words + "\n\nClick: go there." : problem.words);
+  tooltip(frame, problem.position || problem.thing ? problem.words + "\n\nClick: go there." : problem.words);
   ImGui::SameLine(0.0f, 0.0f);
   ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
   text(line);
@@ -195,7 +220,8 @@ void draw_repairs(PanelFrame& frame) {
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
   return frame.session.document->repaired.size() + frame.session.document->findings.size() +
-         frame.own<RunCache>().problems().size() + (frame.timeline()->stop() != nullptr ? 1 : 0);
+         remarks_of(frame).size() + frame.own<RunCache>().problems().size() +
+         (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
 void draw_rows(PanelFrame& frame) {

@@ -508,7 +508,7 @@ std::string why_no_tubes(const PanelFrame& frame) {
   const knit::Timeline& timeline = *frame.timeline();
   if (state_with_plan(timeline).tubes) return "";
   const std::string here = " Rows from contours show their tubes here";
-  if (timeline.parameters().rows.source == knit::RowSource::rings)
+  if (as_chosen(timeline.parameters(), timeline.furthest()).rows.source == knit::RowSource::rings)
     return "Rows come from the mesh's own rings, one tube from end to end." + here +
            ": choose contours in \"Rows from\".";
   if (timeline.stop() != nullptr)
