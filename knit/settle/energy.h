@@ -1,0 +1,75 @@
+// What settling makes small: squares of how far wales, courses, quads, rims and corners are from what they should be.
+//
+//   wale   * sum over wales    ((|e| - h) / h)^2
+//   course * sum over courses  ((|e| - w) / w)^2
+//   shear  * sum over quads    ((|d1| - |d2|) / hypotenuse(w, h))^2      d1, d2 the diagonals
+//   rim    * sum over stitches of rims  (distance to the rim's first polygon / w)^2
+//   fold   * sum over corners  max(0, 1/4 - n . ((q - p) x (r - p)) / (w h))^2
+//   cover  * sum over tips     share * max(0, (where it was - p) . out / w - slack)^2
+// Without the last, fabric slides off what sticks out: it would be shorter farther in.
+// One step of Levenberg-Marquardt linearises each in the tangent planes of its stitches, two unknowns a stitch, normals
+// held still: A = sum of g g^T, b = sum of g r, and (A + shift) x = -b. To A comes how edges that are too long resist being
+// turned, (|e| - L) / |e| of the identity across e: without it a step turns them wildly, and about twice as many iterations
+// are needed. Cost: one pass over all terms.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "knit/settle/blocks.h"
+#include "knit/settle/graph.h"
+#include "knit/settle/settle_settings.h"
+
+namespace knit {
+
+// A stitch that stands out, as at the end of a limb, by its share from 0 to 1; it is held back from sliding in.
+struct Tip {
+  std::uint32_t stitch = 0;
+  double share = 0.0;
+  glm::dvec3 out{0.0};  // which way, of length 1
+  double was = 0.0;     // how far along it
+  [[nodiscard]] auto fields() const { return std::tie(stitch, share, out, was); }
+  friend bool operator==(const Tip&, const Tip&) = default;
+};
+
+// The terms, with what does not change while stitches move.
+struct SettleTerms {
+  SettleGraph graph;
+  std::vector<std::vector<glm::dvec3>> rim_polygons;  // as the stitches of graph.rims lay at first
+  std::vector<Tip> tips;
+  double facing = 1.0;               // -1: faces run clockwise seen from the mesh's outside
+  double width = 1.0, height = 1.0;  // of a stitch
+  [[nodiscard]] auto fields() const { return std::tie(graph, rim_polygons, tips, facing, width, height); }
+  friend bool operator==(const SettleTerms&, const SettleTerms&) = default;
+};
+
+// By number along the knitting path.
+struct Placed {
+  std::span<const glm::dvec3> positions, normals;
+};
+
+// Two directions of length 1 that span the plane across a normal.
+struct Frame {
+  glm::dvec3 u{0.0}, v{0.0};
+};
+Frame frame_across(const glm::dvec3& normal);
+
+// Which way faces run: by most corners.
+double facing_of(const SettleGraph& graph, Placed placed);
+
+// Stitches that lie farther out than those up to two faces away, by a share of the stitch's width.
+std::vector<Tip> tips_of(const SettleGraph& graph, Placed placed, double width);
+
+double sum_of_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed);
+
+// How the sum changes with each position, normals held still.
+std::vector<glm::dvec3> slopes_of(const SettleTerms& terms, const SettleSettings& settings, Placed placed);
+
+// The system of a step, without its shift.
+void linearise(const SettleTerms& terms, const SettleSettings& settings, Placed placed,
+               std::span<const Frame> frames, const BlockPattern& pattern, BlockSystem& system);
+
+}  // namespace knit

@@ -1,0 +1,51 @@
+// The mesh as settling walks on it: nearest places that are reached without going through the shape.
+//
+// A stitch that is moved off the surface goes to the nearest place that can be walked to from where it was: over triangles
+// within the ball that reaches back to where it was, and none whose outside looks the other way. So it stays on its side of a
+// thin sheet, however close the other side is. Cost: the triangles within the ball. Normals are those of the vertices,
+// weighted by area and interpolated, of length 1. Mesh units.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <tuple>
+#include <vector>
+
+#include "knit/mesh/mesh.h"
+
+namespace knit {
+
+// Per vertex of the mesh, that of its twin; of length 1, or 0 where no triangle with an area is.
+struct VertexNormals {
+  std::vector<glm::dvec3> normals;
+  [[nodiscard]] auto fields() const { return std::tie(normals); }
+  friend bool operator==(const VertexNormals&, const VertexNormals&) = default;
+};
+VertexNormals vertex_normals(const Input& input);
+
+// Where a stitch is.
+struct OnSurface {
+  std::uint32_t triangle = 0;
+  glm::dvec3 point{0.0};
+  glm::dvec3 normal{0.0, 1.0, 0.0};
+};
+
+// Of a place on a triangle; `otherwise` where the corners' normals cancel out.
+glm::dvec3 normal_at(const Input& input, const VertexNormals& normals, std::uint32_t triangle,
+                     const glm::dvec3& point, const glm::dvec3& otherwise);
+
+// Refers to what it is given.
+class SurfaceWalk {
+ public:
+  SurfaceWalk(const Input& input, const VertexNormals& normals);
+  [[nodiscard]] OnSurface nearest(const OnSurface& from, const glm::dvec3& to);
+
+ private:
+  const Input* input_;
+  const VertexNormals* normals_;
+  std::vector<std::uint32_t> met_;  // per triangle: the walk that met it last
+  std::uint32_t walks_ = 0;
+  std::vector<std::uint32_t> queue_;
+};
+
+}  // namespace knit

@@ -1,0 +1,486 @@
+// Settling: its parts against figures worked out elsewhere, and what it may and may not do to a knitted shape.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "knit/mesh/closest_point.h"
+#include "knit/mesh/triangle_tree.h"
+#include "knit/model/stitch_size.h"
+#include "knit/quality/measures.h"
+#include "knit/run/timeline.h"
+#include "knit/settle/settle.h"
+#include "tests/support/bodies.h"
+#include "tests/support/catch.h"
+#include "tests/support/rough_sphere.h"
+#include "tests/support/run.h"
+#include "tests/support/tube.h"
+
+using namespace knit;
+
+namespace {
+
+struct Knitted {
+  std::shared_ptr<const Input> input;
+  StitchSize stitch;
+  State state;
+};
+
+Knitted knitted(Mesh mesh, double share_of_diagonal, TimingKind timing = TimingKind::linear) {
+  Knitted made{make_input(std::move(mesh)), {}, {}};
+  Parameters parameters = default_parameters(made.input->bounds);
+  give_width(parameters, share_of_diagonal * made.input->bounds.diagonal());
+  parameters.timing.kind = timing;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters = resolved(parameters, *made.input);
+  Timeline timeline(made.input, parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.stop() == nullptr);
+  made.stitch = parameters.stitch;
+  made.state = timeline.furthest();
+  return made;
+}
+
+SettleWork begun(const Knitted& made, const SettleSettings& settings = {}) {
+  SettleWork work;
+  begin_settling(*made.input, made.state.fabric, made.stitch, settings, work);
+  return work;
+}
+
+SettleWork settled(const Knitted& made, const SettleSettings& settings = {}) {
+  SettleWork work = begun(made, settings);
+  while (!work.done) advance_settling(*made.input, settings, work);
+  return work;
+}
+
+std::vector<glm::dvec3> normals_of(const Input& input, const SettleWork& work) {
+  std::vector<glm::dvec3> normals;
+  for (std::size_t i = 0; i < work.at->positions.size(); ++i)
+    normals.push_back(
+        normal_at(input, work.plan->normals, work.at->triangles[i], work.at->positions[i], {0.0, 1.0, 0.0}));
+  return normals;
+}
+
+LengthFigures figures(const std::vector<std::array<std::uint32_t, 2>>& edges,
+                      const std::vector<glm::dvec3>& at, double wanted) {
+  std::vector<double> lengths;
+  for (const auto& [a, b] : edges) lengths.push_back(glm::distance(at[a], at[b]) / wanted);
+  return figures_of(lengths);
+}
+LengthFigures wales(const SettleWork& work, const Settled& at) {
+  return figures(work.plan->terms.graph.wales, at.positions, work.plan->terms.height);
+}
+LengthFigures courses(const SettleWork& work, const Settled& at) {
+  return figures(work.plan->terms.graph.courses, at.positions, work.plan->terms.width);
+}
+
+double mean_corner_off(const SettleWork& work, const Settled& at) {
+  double sum = 0.0;
+  for (const auto& quad : work.plan->terms.graph.quads) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const glm::dvec3 a = at.positions[quad[(i + 3) % 4]] - at.positions[quad[i]];
+      const glm::dvec3 b = at.positions[quad[(i + 1) % 4]] - at.positions[quad[i]];
+      sum += std::abs(std::acos(glm::dot(a, b) / (glm::length(a) * glm::length(b))) - std::numbers::pi / 2);
+    }
+  }
+  return sum / (4.0 * static_cast<double>(work.plan->terms.graph.quads.size())) * 180.0 / std::numbers::pi;
+}
+
+// Corners that have turned over.
+std::size_t turned_corners(const Input& input, const SettleWork& work) {
+  const std::vector<glm::dvec3> normals = normals_of(input, work);
+  const auto& p = work.at->positions;
+  return static_cast<std::size_t>(std::count_if(
+      work.plan->terms.graph.corners.begin(), work.plan->terms.graph.corners.end(), [&](const auto& corner) {
+        const glm::dvec3 area = glm::cross(p[corner[1]] - p[corner[0]], p[corner[2]] - p[corner[0]]);
+        return glm::dot(area, normals[corner[0]]) * work.plan->terms.facing < 0.0;
+      }));
+}
+
+// How far rims have gone from where they were, in w.
+double farthest_rim(const SettleWork& work) {
+  double farthest = 0.0;
+  for (std::size_t rim = 0; rim < work.plan->terms.graph.rims.size(); ++rim) {
+    const std::vector<glm::dvec3>& polygon = work.plan->terms.rim_polygons[rim];
+    for (const std::uint32_t stitch : work.plan->terms.graph.rims[rim]) {
+      double nearest = 1e300;
+      for (const auto& [from, to] : Edges(polygon.size(), true)) {
+        const glm::dvec3 place =
+            closest_on_triangle(work.at->positions[stitch], {polygon[from], polygon[to], polygon[to]});
+        nearest = std::min(nearest, glm::distance(place, work.at->positions[stitch]));
+      }
+      farthest = std::max(farthest, nearest / work.plan->terms.width);
+    }
+  }
+  return farthest;
+}
+
+Mesh flattened(Mesh mesh, double share) {
+  for (glm::dvec3& p : mesh.positions) p.z *= share;
+  return mesh;
+}
+
+// A tube about y whose upper part is bent by 69 degrees in the plane z = 0.
+Mesh elbow() {
+  std::vector<ProfilePoint> profile{{0.0, -1.6}};
+  for (unsigned j = 0; j <= 64; ++j) profile.push_back({0.4, -1.6 + 3.2 * j / 64.0});
+  profile.push_back({0.0, 1.6});
+  Mesh mesh = revolve("elbow", profile, 32, false);
+  for (glm::dvec3& p : mesh.positions) {
+    const double turn = std::clamp(p.y, -0.2, 1.0), rest = p.y - turn, bend = 1.0;
+    const double angle = turn / bend;
+    p = {bend - (bend - p.x) * std::cos(angle) + rest * std::sin(angle),
+         (bend - p.x) * std::sin(angle) + rest * std::cos(angle), p.z};
+  }
+  return mesh;
+}
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+}  // namespace
+
+TEST_CASE("settle: the nearest place of a surface and its triangle are those that trying all finds") {
+  const Mesh mesh = test_support::arch();
+  const TriangleTree tree(mesh.positions, mesh.triangles);
+  test_support::Dice dice(3);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 point(dice.between(-2, 2), dice.between(-1, 2), dice.between(-1, 1));
+    const SurfacePlace found = tree.nearest(point);
+    double least = 1e300;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const glm::dvec3 place =
+          closest_on_triangle(point, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+      least = std::min(least, glm::distance(place, point));
+    }
+    CHECK(glm::distance(found.point, point) == Approx(least).margin(1e-12));
+    const auto& [a, b, c] = mesh.triangles[found.triangle];
+    CHECK(glm::distance(
+              closest_on_triangle(found.point, {mesh.positions[a], mesh.positions[b], mesh.positions[c]}),
+              found.point) < 1e-12);
+  }
+}
+
+TEST_CASE("settle: a walk finds the nearest place, but not through a thin sheet") {
+  const auto input = make_input(flattened(sphere(64, 33), 0.01));
+  const VertexNormals normals = vertex_normals(*input);
+  SurfaceWalk walk(*input, normals);
+  const TriangleTree tree(input->mesh.positions, input->mesh.triangles);
+  test_support::Dice dice(5);
+  for (int i = 0; i < 200; ++i) {
+    const SurfacePlace start = tree.nearest({dice.between(-0.5, 0.5), dice.between(-0.5, 0.5), 1.0});
+    const OnSurface from{start.triangle, start.point,
+                         normal_at(*input, normals, start.triangle, start.point, {0, 0, 1})};
+    REQUIRE(from.normal.z > 0.9);
+    // As deep as the other side: trying all would go there.
+    const glm::dvec3 to = start.point + glm::dvec3(dice.between(-0.1, 0.1), dice.between(-0.1, 0.1), -0.03);
+    CHECK(tree.nearest(to).point.z < 0.0);
+    const OnSurface there = walk.nearest(from, to);
+    CHECK(there.point.z > 0.0);
+    CHECK(there.normal.z > 0.9);
+    const auto& [a, b, c] = input->mesh.triangles[there.triangle];
+    CHECK(glm::distance(closest_on_triangle(to, {input->mesh.positions[a], input->mesh.positions[b],
+                                                 input->mesh.positions[c]}),
+                        there.point) < 1e-12);
+    CHECK(glm::distance(glm::dvec2(there.point), glm::dvec2(to)) < 0.01);
+  }
+}
+
+TEST_CASE("settle: a walk goes round the edge of a box") {
+  Mesh box = test_support::cylinder(48, 1.0, 1.0, 8);  // a right angle between side and lid
+  const auto input = make_input(std::move(box));
+  const VertexNormals normals = vertex_normals(*input);
+  SurfaceWalk walk(*input, normals);
+  const SurfacePlace start =
+      TriangleTree(input->mesh.positions, input->mesh.triangles).nearest({1.0, 0.95, 0.0});
+  const OnSurface from{start.triangle, start.point,
+                       normal_at(*input, normals, start.triangle, start.point, {1, 0, 0})};
+  const OnSurface there = walk.nearest(from, {0.85, 1.01, 0.0});
+  CHECK(there.point.y == Approx(1.0));
+  CHECK(there.point.x == Approx(0.85).margin(1e-9));
+}
+
+TEST_CASE("settle: a system of blocks is solved, and one that is not positive is refused") {
+  constexpr std::uint32_t side = 17;
+  test_support::Dice dice(7);
+  std::vector<glm::dvec3> places;
+  Pairs pairs;
+  const auto number = [&](std::uint32_t i, std::uint32_t j) { return i * side + j; };
+  for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t j = 0; j < side; ++j) {
+      places.emplace_back(i + dice.between(0, 0.1), j + dice.between(0, 0.1), dice.between(0, 1));
+      if (j + 1 < side) pairs.push_back({number(i, j), number(i, j + 1)});
+      if (i + 1 < side) pairs.push_back({number(i, j), number(i + 1, j)});
+      if (i + 1 < side && j + 1 < side) pairs.push_back({number(i, j), number(i + 1, j + 1)});
+    }
+  }
+  places.emplace_back(50, 50, 50);  // beside nothing
+  const BlockPattern pattern = make_block_pattern(pairs, places);
+  BlockSystem system;
+  system.diagonal.assign(places.size(), Block{7.0, 0.5, 0.5, 8.0});
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    system.below.push_back(
+        {dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)});
+  for (std::size_t i = 0; i < places.size(); ++i)
+    system.right.emplace_back(dice.between(-1, 1), dice.between(-1, 1));
+  BlockSolver solver(pattern);
+  std::vector<glm::dvec2> solution;
+  REQUIRE(solver.solve(system, 0.25, solution));
+  const std::vector<glm::dvec2> first = solution;
+  REQUIRE(solver.solve(system, 0.25, solution));
+  CHECK(solution == first);
+
+  std::vector<glm::dvec2> left(places.size());  // what the product is short of
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::uint32_t at = pattern.place[i];
+    left[at] += system.right[at] - glm::dvec2(7.25 * solution[i].x + 0.5 * solution[i].y,
+                                              0.5 * solution[i].x + 8.25 * solution[i].y);
+  }
+  for (const auto& [a, b] : pairs) {
+    const Block& m = system.below[pattern.slot(a, b)];
+    const bool a_is_row = pattern.place[a] > pattern.place[b];
+    const std::uint32_t row = a_is_row ? a : b, column = a_is_row ? b : a;
+    left[pattern.place[row]] -= glm::dvec2(m[0] * solution[column].x + m[1] * solution[column].y,
+                                           m[2] * solution[column].x + m[3] * solution[column].y);
+    left[pattern.place[column]] -= glm::dvec2(m[0] * solution[row].x + m[2] * solution[row].y,
+                                              m[1] * solution[row].x + m[3] * solution[row].y);
+  }
+  for (const glm::dvec2& l : left) CHECK(glm::length(l) < 1e-12);
+
+  system.diagonal[3] = {-1.0, 0.0, 0.0, 1.0};
+  CHECK_FALSE(solver.solve(system, 0.25, solution));
+}
+
+TEST_CASE("settle: the graph of a tube has its edges, corners and rims") {
+  test_support::HandTube tube;
+  tube.sizes = {16, 16, 18};
+  const State state = test_support::tube_state(tube);
+  const SettleGraph graph = make_settle_graph(state.fabric);
+  CHECK(graph.stitches == 50);
+  CHECK(graph.wales.size() == 34);
+  CHECK(graph.courses.size() == 50);
+  CHECK(graph.quads.size() == 32);
+  CHECK(graph.corners.size() == 4 * 32 + 2);
+  CHECK(graph.beside.size() == 34 + 50 + 2 * 32);
+  REQUIRE(graph.rims.size() == 2);
+  CHECK(graph.rims[0].size() + graph.rims[1].size() == 34);
+  CHECK(std::set<std::uint32_t>(graph.rims[0].begin(), graph.rims[0].end()).size() == graph.rims[0].size());
+}
+
+TEST_CASE("settle: stitches that were shaken on a cylinder go back to where they fit") {
+  const double height = 0.14, width = 2.0 * std::sin(std::numbers::pi / 32.0);
+  test_support::HandTube tube;
+  tube.sizes = std::vector<int>(12, 32);
+  tube.row_height = height;
+  Mesh cylinder = test_support::cylinder(128, 1.0, 13 * height, 64);
+  for (glm::dvec3& p : cylinder.positions) p.y -= height;  // lids away from the rims
+  const auto input = make_input(std::move(cylinder));
+  test_support::Dice dice(11);
+  const double shake = GENERATE(0.0, 0.3);
+  Fabric shaken;
+  const State state = test_support::tube_state(tube);
+  for (const auto& row : state.fabric.rows()) {
+    Row moved = *row;
+    for (Stitch& stitch : moved.stitches)
+      stitch.position +=
+          shake * width * glm::dvec3(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
+    shaken.add(moved);
+  }
+  for (const auto& strip : state.fabric.strips()) shaken.add(strip);
+  SettleWork work;
+  const SettleSettings settings;
+  StitchSize stitch;
+  stitch.width = width;
+  stitch.height = height;
+  begin_settling(*input, shaken, stitch, settings, work);
+  const double before = work.sum;
+  while (!work.done) advance_settling(*input, settings, work);
+  CHECK(work.sum <= before);
+  CHECK(work.sum / 384.0 < (shake > 0.0 ? 2e-2 : 1e-5));
+  CHECK(wales(work, *work.at).cv < (shake > 0.0 ? 0.03 : 1e-3));
+}
+
+TEST_CASE("settle: slopes are those of the sum, and the step's right side is half of them") {
+  const Knitted made = knitted(test_support::arch(), 0.06);
+  SettleWork work = begun(made);
+  const SettleSettings settings;
+  std::vector<glm::dvec3> positions = work.at->positions;
+  const std::vector<glm::dvec3> normals = normals_of(*made.input, work);
+  test_support::Dice dice(13);  // shaken so that corners turn over and rims are off
+  for (glm::dvec3& p : positions)
+    p += 0.4 * made.stitch.width * glm::dvec3(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
+  const SettleTerms& terms = work.plan->terms;
+  const std::vector<glm::dvec3> slopes = slopes_of(terms, settings, {positions, normals});
+  const double tiny = 1e-6 * made.stitch.width;
+  double largest = 0.0;
+  for (const glm::dvec3& slope : slopes) largest = std::max(largest, glm::length(slope));
+  for (std::size_t i = 0; i < positions.size(); i += 3) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<glm::dvec3> moved = positions;
+      moved[i][axis] += tiny;
+      const double up = sum_of_terms(terms, settings, {moved, normals});
+      moved[i][axis] -= 2 * tiny;
+      const double down = sum_of_terms(terms, settings, {moved, normals});
+      CHECK((up - down) / (2 * tiny) == Approx(slopes[i][axis]).margin(1e-5 * largest));
+    }
+  }
+  std::vector<Frame> frames;
+  for (const glm::dvec3& normal : normals) frames.push_back(frame_across(normal));
+  BlockSystem system;
+  linearise(terms, settings, {positions, normals}, frames, work.plan->pattern, system);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::dvec2& right = system.right[work.plan->pattern.place[i]];
+    CHECK(right.x == Approx(-0.5 * glm::dot(slopes[i], frames[i].u)).margin(1e-9 * largest));
+    CHECK(right.y == Approx(-0.5 * glm::dot(slopes[i], frames[i].v)).margin(1e-9 * largest));
+    CHECK(glm::dot(frames[i].u, normals[i]) == Approx(0.0).margin(1e-12));
+  }
+}
+
+TEST_CASE("settle: a sphere's wales come out even, and its rims stay") {
+  for (const TimingKind timing : {TimingKind::linear, TimingKind::geodesic}) {
+    const Knitted made = knitted(sphere(64, 33), 0.04, timing);
+    const SettleWork work = settled(made);
+    CHECK(wales(work, *work.at).cv <= 0.034);
+    CHECK(wales(work, *work.at).high <= 1.3);
+    CHECK(courses(work, *work.at).cv <= 0.07);
+    CHECK(mean_corner_off(work, *work.at) <= 8.5);
+    CHECK(mean_corner_off(work, *work.at) < mean_corner_off(work, work.plan->start));
+    CHECK(turned_corners(*made.input, work) == 0);
+    CHECK(farthest_rim(work) <= 0.5);
+  }
+}
+
+TEST_CASE("settle: an elbow's long wales are gone") {
+  const Knitted made = knitted(elbow(), 0.035);
+  const SettleWork work = settled(made);
+  const LengthFigures placed = wales(work, work.plan->start), now = wales(work, *work.at);
+  CHECK(placed.cv > 0.2);
+  CHECK(now.cv <= 0.085);
+  CHECK(now.high <= 2.0);
+  CHECK(courses(work, *work.at).cv <= 0.16);
+  CHECK(turned_corners(*made.input, work) == 0);
+  CHECK(farthest_rim(work) <= 1.5);
+}
+
+TEST_CASE("settle: each iteration lowers the sum, moves nobody far, and is the same every time") {
+  const Knitted made = knitted(test_support::arch(), 0.05);
+  const SettleSettings settings;
+  SettleWork work = begun(made), again = begun(made);
+  CHECK(work == again);
+  CHECK(content_hash_of(work) == content_hash_of(again));
+  std::vector<SettleWork> states{work};
+  while (!work.done) {
+    const SettleIteration told = advance_settling(*made.input, settings, work);
+    CHECK(told.before == states.back().sum);
+    if (told.taken) {
+      CHECK(told.after < told.before);
+      CHECK(told.iteration == work.iteration);
+      CHECK(told.greatest_move <= 1.6);
+      CHECK(told.mean_move <= told.greatest_move);
+    }
+    states.push_back(work);
+  }
+  CHECK(work.iteration >= 3);
+  CHECK(work.iteration <= settings.most_iterations);
+  // From the middle, as after a rewind.
+  for (std::size_t from : {std::size_t{0}, states.size() / 2}) {
+    SettleWork copy = states[from];
+    for (std::size_t i = from + 1; i < states.size(); ++i) {
+      advance_settling(*made.input, settings, copy);
+      CHECK(copy == states[i]);
+      CHECK(content_hash_of(copy) == content_hash_of(states[i]));
+    }
+  }
+  CHECK(content_hash_of(states.front()) != content_hash_of(states.back()));
+}
+
+TEST_CASE("settle: it ends after as many iterations as are allowed") {
+  const Knitted made = knitted(test_support::arch(), 0.05);
+  SettleSettings settings;
+  settings.most_iterations = 2;
+  CHECK(settled(made, settings).iteration == 2);
+}
+
+TEST_CASE("settle: every stitch is on the surface, on the triangle that it names") {
+  const Knitted made = knitted(test_support::arch(), 0.04);
+  const SettleWork work = settled(made);
+  for (std::size_t i = 0; i < work.at->positions.size(); ++i) {
+    const auto& [a, b, c] = made.input->mesh.triangles[work.at->triangles[i]];
+    const auto& p = made.input->mesh.positions;
+    CHECK(glm::distance(closest_on_triangle(work.at->positions[i], {p[a], p[b], p[c]}),
+                        work.at->positions[i]) < 1e-9);
+  }
+}
+
+TEST_CASE("settle: on a pancake nobody changes sides") {
+  // Thinner than a stitch, standing on its edge: rounds go over both sides.
+  const Knitted made = knitted(flattened(sphere(96, 65), 0.02), 0.04);
+  const SettleWork work = settled(made);
+  const std::vector<glm::dvec3>& start = work.plan->start.positions;
+  std::size_t changed = 0, near_the_edge = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (start[i].z * work.at->positions[i].z >= 0.0) continue;
+    ++changed;
+    if (glm::length(glm::dvec2(work.at->positions[i])) > 0.8) ++near_the_edge;
+  }
+  CHECK(changed == near_the_edge);  // round the edge, as a stitch may slide, not through
+  CHECK(wales(work, *work.at).cv < wales(work, work.plan->start).cv);
+}
+
+TEST_CASE("settle: twins stay alike") {
+  const Knitted made = knitted(test_support::arch(), 0.04);
+  const SettleWork work = settled(made);
+  // The legs are twins, one each side of the plane x = 0: as many stitches, as even.
+  std::array<std::vector<double>, 2> lengths;
+  for (const auto& [a, b] : work.plan->terms.graph.wales) {
+    const glm::dvec3 &p = work.at->positions[a], &q = work.at->positions[b];
+    if (std::abs(p.x + q.x) < 0.8) continue;
+    lengths[p.x + q.x < 0.0 ? 0 : 1].push_back(glm::distance(p, q) / work.plan->terms.height);
+  }
+  const LengthFigures left = figures_of(lengths[0]), right = figures_of(lengths[1]);
+  REQUIRE(left.count > 100);
+  CHECK(static_cast<double>(left.count) == Approx(static_cast<double>(right.count)).epsilon(0.03));
+  CHECK(left.mean == Approx(right.mean).margin(0.01));
+  CHECK(left.cv == Approx(right.cv).margin(0.01));
+}
+
+TEST_CASE("settle: rows from the mesh's own rings settle as well") {
+  const auto input = test_support::small_sphere();
+  const Parameters parameters = resolved(test_support::small_parameters(), *input);
+  Timeline timeline(input, parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.furthest().finished());
+  SettleWork work;
+  begin_settling(*input, timeline.furthest().fabric, parameters.stitch, {}, work);
+  while (!work.done) advance_settling(*input, {}, work);
+  CHECK(work.plan->terms.graph.rims.size() == 2);
+  CHECK(wales(work, *work.at).cv < 0.6 * wales(work, work.plan->start).cv);
+  CHECK(turned_corners(*input, work) == 0);
+}
+
+TEST_CASE("settle: a shape turned inside out in its fabric is settled as well") {
+  // Faces clockwise seen from outside: the corner's sign is told by most of them.
+  test_support::HandTube tube;
+  tube.sizes = std::vector<int>(8, 24);
+  tube.row_height = 0.19;
+  State state = test_support::tube_state(tube);
+  SettleGraph graph = make_settle_graph(state.fabric);
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
+  std::vector<glm::dvec3> outside, inside;
+  for (const glm::dvec3& p : path) {
+    outside.push_back(glm::normalize(glm::dvec3(p.x, 0.0, p.z)));
+    inside.push_back(-outside.back());
+  }
+  CHECK(facing_of(graph, {path, outside}) == -facing_of(graph, {path, inside}));
+  SettleTerms terms{graph, {}, {}, 1.0, 2.0 * std::sin(std::numbers::pi / 24.0), 0.19};
+  for (const auto& rim : graph.rims) {
+    std::vector<glm::dvec3>& polygon = terms.rim_polygons.emplace_back();
+    for (const std::uint32_t stitch : rim) polygon.push_back(path[stitch]);
+  }
+  terms.facing = facing_of(graph, {path, inside});
+  CHECK(sum_of_terms(terms, {}, {path, inside}) == Approx(0.0).margin(1e-12));
+  CHECK(sum_of_terms(terms, {}, {path, outside}) > 100.0);
+}
