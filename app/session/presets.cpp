@@ -12,20 +12,21 @@ constexpr std::array thesis_settings{
     PresetSetting{"rows", "rings"},       PresetSetting{"start-direction", "auto"},
     PresetSetting{"cast-on", "6"},        PresetSetting{"metric", "euclidean"},
     PresetSetting{"last-anchor", "keep"}, PresetSetting{"close", "thesis"},
-    PresetSetting{"placement", "thesis"},
+    PresetSetting{"placement", "thesis"}, PresetSetting{"settle", "off"},
 };
 constexpr std::array best_settings{
     PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "mesh"},
     PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
     PresetSetting{"cast-on", "auto"},       PresetSetting{"placement", "nearest"},
     PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
+    PresetSetting{"settle", "on"},
 };
 constexpr std::array gauge_settings{
     PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
     PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
     PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
     PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},
+    PresetSetting{"follow-mains", "off"},  PresetSetting{"settle", "on"},
 };
 
 constexpr std::array table{

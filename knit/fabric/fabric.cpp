@@ -173,6 +173,26 @@ void Fabric::add(Deal deal) {
 void Fabric::add(Shared<Join> join) { joins_.push_back(std::move(join)); }
 void Fabric::add(Shared<Strip> strip) { strips_.push_back(std::move(strip)); }
 
+Fabric Fabric::moved_to(std::span<const glm::dvec3> positions) const {
+  Fabric moved = *this;
+  const auto move = [&](std::vector<Stitch>& stitches, RowId id) {
+    std::size_t number = first_on_path(id);
+    for (Stitch& stitch : stitches) stitch.position = positions[number++];
+  };
+  for (Shared<Row>& row : moved.rows_) {
+    Row copy = *row;
+    move(copy.stitches, copy.id);
+    row = Shared(std::move(copy));
+  }
+  for (std::size_t i = 0; i < moved.deals_.size(); ++i) {
+    if (moved.deals_[i]->bridge.empty()) continue;
+    Deal copy = *moved.deals_[i];
+    move(copy.bridge, bridge_row(static_cast<std::int32_t>(i) + 1));
+    moved.deals_[i] = Shared(std::move(copy));
+  }
+  return moved;
+}
+
 std::size_t Fabric::copy_bytes() const {
   std::size_t bytes = sizeof(void*) * 2 * (rows_.size() + deals_.size() + joins_.size() + strips_.size());
   for (const LiveLoop& loop : live_)

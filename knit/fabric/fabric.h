@@ -11,6 +11,7 @@
 // Rows and deals come first, then joins, then strips, each in working order; what is there is never changed.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "knit/fabric/deal.h"
@@ -91,6 +92,9 @@ class Fabric {
   void add(Deal deal);
   void add(Shared<Join> join);
   void add(Shared<Strip> strip);
+
+  // The same stitches at other places, given along the path. Nothing else of it changes.
+  [[nodiscard]] Fabric moved_to(std::span<const glm::dvec3> positions) const;
 
   // What a copy costs: pointers, not what is shared.
   [[nodiscard]] std::size_t copy_bytes() const;

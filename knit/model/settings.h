@@ -35,8 +35,10 @@ enum class Closing : std::uint8_t { none, thesis, arc };  // how the closing gap
 enum class LastAnchor : std::uint8_t { keep, drop };      // drop: when nearer than w/2 to the first stitch
 enum class OnStall : std::uint8_t { continue_, stop };    // when no vertex lies in the band
 enum class Resample : std::uint8_t { on, off };           // when a row more than doubles or halves
-enum class FollowMains : std::uint8_t { off, on };        // nearest: shaping stands beside mains
-enum class Weld : std::uint8_t { off, on };               // merge coincident vertices on import
+// Whether stitches are moved on the surface to where they are at ease; by_itself: those of contours.
+enum class Settling : std::uint8_t { off, on, by_itself };
+enum class FollowMains : std::uint8_t { off, on };  // nearest: shaping stands beside mains
+enum class Weld : std::uint8_t { off, on };         // merge coincident vertices on import
 
 struct MeshSettings {
   Weld weld = Weld::off;
@@ -121,6 +123,19 @@ struct StitchSettings {
   friend bool operator==(const StitchSettings&, const StitchSettings&) = default;
 };
 
+// Weights of squares that a perfect fabric has at 0, each a share of the stitch's size.
+struct SettleSettings {
+  Settling settling = Settling::off;
+  double wale = 2.0;    // of a wale's length, against h
+  double course = 1.0;  // of a course's, against w
+  double shear = 0.25;  // of a quad's two diagonals, which are to be alike
+  double rim = 1.0;     // of the way from where the rim of an opening was
+  double fold = 1.0;    // of a face's corner that is about to turn over
+  double cover = 0.5;   // of the way in of a stitch that stood out, as at the end of a limb
+  int most_iterations = 60;
+  friend bool operator==(const SettleSettings&, const SettleSettings&) = default;
+};
+
 // In the order in which they are read.
 struct Settings {
   MeshSettings mesh;
@@ -129,6 +144,7 @@ struct Settings {
   TubeSettings tubes;
   RowsSettings rows;
   StitchSettings stitches;
+  SettleSettings settle;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

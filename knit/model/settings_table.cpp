@@ -32,6 +32,15 @@ bool is_of_nearest(const Parameters& p) {
          p.stitches.placement == PlacementPolicy::by_itself;
 }
 
+bool is_settled(const Parameters& p) {
+  const bool by_itself = p.settle.settling == Settling::by_itself && is_of_contours(p);
+  return p.settle.settling == Settling::on || by_itself;
+}
+template <auto Field>
+constexpr Number settle_weight() {
+  return {field<&Settings::settle, Field>(), 0.0, 100.0, Zero::allowed};
+}
+
 // The views of the stitch size, and what goes with it.
 constexpr Access<double> stitch_width{[](const Parameters& p) { return p.stitch.width; }, give_width};
 constexpr Access<double> stitch_height{
@@ -51,6 +60,7 @@ constexpr std::array<std::string_view, 2> anchor_names{"keep", "drop"};
 constexpr std::array<std::string_view, 2> switch_names{"on", "off"};
 constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"};
 constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
+constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
                         [](Parameters& p, int view) { give_sizes(p, static_cast<SizesFrom>(view)); }},
@@ -201,6 +211,29 @@ constexpr std::array table{
                   "nearest: on places all shaping beside main stitches, so that it runs in lines.",
                   "Stitches", Stage::stitches,
                   choice<&Settings::stitches, &StitchSettings::follow_mains>(off_on_names), is_of_nearest},
+    ParameterInfo{"settle", "Settle", "",
+                  "Whether the stitches are moved on the surface, once all faces are made, until wales are h "
+                  "and courses w "
+                  "long as well as can be. No word of the pattern changes. auto: with contours.",
+                  "Settling", Stage::settle,
+                  choice<&Settings::settle, &SettleSettings::settling>(settling_names)},
+    ParameterInfo{"settle-wale", "Wales", "weight", "How much it counts that wales are h long.", "Settling",
+                  Stage::settle, settle_weight<&SettleSettings::wale>(), is_settled},
+    ParameterInfo{"settle-course", "Courses", "weight", "How much it counts that stitches are w wide.",
+                  "Settling", Stage::settle, settle_weight<&SettleSettings::course>(), is_settled},
+    ParameterInfo{"settle-shear", "Shear", "weight", "How much it counts that quads are square.", "Settling",
+                  Stage::settle, settle_weight<&SettleSettings::shear>(), is_settled},
+    ParameterInfo{"settle-rim", "Rims", "weight",
+                  "How much it counts that the rims of openings stay where they were.", "Settling",
+                  Stage::settle, settle_weight<&SettleSettings::rim>(), is_settled},
+    ParameterInfo{"settle-fold", "Folds", "weight", "How much it counts that no face turns over.", "Settling",
+                  Stage::settle, settle_weight<&SettleSettings::fold>(), is_settled},
+    ParameterInfo{"settle-cover", "Cover", "weight",
+                  "How much it counts that stitches at the ends of limbs stay there.", "Settling",
+                  Stage::settle, settle_weight<&SettleSettings::cover>(), is_settled},
+    ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
+                  "Settling", Stage::settle,
+                  Count{field<&Settings::settle, &SettleSettings::most_iterations>(), 1, 500}, is_settled},
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 namespace knit {
 
 namespace {
-constexpr std::array<std::string_view, 9> stage_names{"import",   "timing", "tubes",   "cast-on", "rows",
-                                                      "stitches", "faces",  "pattern", "done"};
+constexpr std::array<std::string_view, 10> stage_names{"import",   "timing", "tubes",  "cast-on", "rows",
+                                                       "stitches", "faces",  "settle", "pattern", "done"};
 }
 
 std::string_view name_of(Stage stage) { return stage_names.at(static_cast<std::size_t>(stage)); }

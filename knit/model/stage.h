@@ -10,10 +10,21 @@
 namespace knit {
 
 // `import` comes before the machine; `done` follows its last step.
-enum class Stage : std::uint8_t { import, timing, tubes, cast_on, rows, stitches, faces, pattern, done };
+enum class Stage : std::uint8_t {
+  import,
+  timing,
+  tubes,
+  cast_on,
+  rows,
+  stitches,
+  faces,
+  settle,
+  pattern,
+  done
+};
 
 inline constexpr std::array machine_stages{Stage::timing,   Stage::tubes, Stage::cast_on, Stage::rows,
-                                           Stage::stitches, Stage::faces, Stage::pattern};
+                                           Stage::stitches, Stage::faces, Stage::settle,  Stage::pattern};
 
 std::string_view name_of(Stage stage);  // "cast-on"
 std::optional<Stage> stage_named(std::string_view name);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/model/bug.h"
+#include "knit/settle/settle_stage.h"
 #include "knit/stitches/nearest.h"
 
 namespace knit {
@@ -125,6 +126,12 @@ Taken take_strip(State& state) {
   return taken;
 }
 
+Taken take_settling(const Input& input, const Parameters& parameters, State& state) {
+  if (!state.placed) state.placed = Shared(knitting_path(state.fabric));
+  return advance_settle(input, parameters.settle, parameters.stitch, std::get<SettleWork>(state.work),
+                        state.fabric);
+}
+
 Taken take_line(State& state) {
   const RowId row = state.next.row;
   const LineAt at{row, size_of(state.fabric.row(row)), state.fabric.join_into(row), state.next.item > 0,
@@ -159,6 +166,8 @@ Taken take(const Input& input, const Parameters& parameters, State& state) {
       return take_join(parameters, state);
     case Stage::faces:
       return take_strip(state);
+    case Stage::settle:
+      return take_settling(input, parameters, state);
     case Stage::pattern:
       return take_line(state);
     case Stage::import:
@@ -203,6 +212,10 @@ void begin_next_stage(const Parameters& parameters, State& state) {
       if (state.fabric.joins().empty()) return begin(state, Stage::pattern, 1, PatternWork{});
       return begin(state, Stage::faces, first_worked(state), FacesWork{});
     case Stage::faces:
+      if (as_chosen(parameters, state).settle.settling == Settling::on)
+        return begin(state, Stage::settle, 0, SettleWork{});
+      return begin(state, Stage::pattern, 1, PatternWork{});
+    case Stage::settle:
       return begin(state, Stage::pattern, 1, PatternWork{});
     case Stage::pattern:
     case Stage::import:
@@ -269,11 +282,17 @@ Parameters as_chosen(Parameters parameters, const State& state) {
     }
   }
   if (parameters.rows.source == RowSource::by_itself) parameters.rows.source = state.rows_from;
+  if (parameters.settle.settling == Settling::by_itself && state.rows_from != RowSource::by_itself)
+    parameters.settle.settling = state.rows_from == RowSource::contours ? Settling::on : Settling::off;
   if (parameters.stitches.placement == PlacementPolicy::by_itself) {
     if (state.rows_from == RowSource::rings) parameters.stitches.placement = PlacementPolicy::thesis;
     if (state.rows_from == RowSource::contours) parameters.stitches.placement = PlacementPolicy::nearest;
   }
   return parameters;
+}
+
+Fabric placed_fabric(const State& state) {
+  return state.placed ? state.fabric.moved_to(*state.placed) : state.fabric;
 }
 
 const Join* planned_join(const State& state, RowId into) {

@@ -14,6 +14,7 @@
 #include "knit/rows/cast_on_stage.h"
 #include "knit/rows/contour_stage.h"
 #include "knit/rows/ring_stage.h"
+#include "knit/settle/settle.h"
 #include "knit/stitches/faces_stage.h"
 #include "knit/stitches/index_stage.h"
 #include "knit/stitches/pattern_stage.h"
@@ -28,7 +29,7 @@ struct Finished {
 };
 
 using Work = std::variant<TimingWork, TubesWork, CastOnWork, RowWork, ContourWork, IndexWork, FacesWork,
-                          PatternWork, Finished>;
+                          SettleWork, PatternWork, Finished>;
 
 struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come
@@ -38,6 +39,8 @@ struct State {
   Shared<TubePlan> tubes;                      // with contours: what is knitted
   std::int32_t last_level = -1;                // the last level that makes a row, once cast on
   Fabric fabric;
+  // Where stitches were placed, along the path, once they settle; the fabric has them where they settled to.
+  Shared<std::vector<glm::dvec3>> placed;
   std::vector<Shared<CountedLine>> lines;
   Work work;
 
@@ -51,6 +54,9 @@ struct State {
 };
 
 inline std::uint64_t hash_of(const State& state) { return content_hash_of(state); }
+
+// The fabric as its stitches were placed, whether they have settled or not.
+Fabric placed_fabric(const State& state);
 
 // Finished or in progress; null until it is planned.
 const Join* planned_join(const State& state, RowId into);

@@ -15,6 +15,7 @@
 #include "knit/rows/choice.h"
 #include "knit/rows/contour_events.h"
 #include "knit/rows/ring_events.h"
+#include "knit/settle/settle_events.h"
 #include "knit/stitches/faces_events.h"
 #include "knit/stitches/index_events.h"
 #include "knit/stitches/pattern_events.h"
@@ -24,7 +25,7 @@
 namespace knit {
 
 using Event = std::variant<TimingEvent, ChoiceEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent,
-                           IndexEvent, FacesEvent, PatternEvent, Stopped>;
+                           IndexEvent, FacesEvent, SettleEvent, PatternEvent, Stopped>;
 
 struct Step {
   Place place;

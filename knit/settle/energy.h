@@ -19,9 +19,9 @@
 #include <tuple>
 #include <vector>
 
+#include "knit/model/settings.h"
 #include "knit/settle/blocks.h"
 #include "knit/settle/graph.h"
-#include "knit/settle/settle_settings.h"
 
 namespace knit {
 

@@ -19,7 +19,6 @@
 #include "knit/model/shared.h"
 #include "knit/settle/blocks.h"
 #include "knit/settle/energy.h"
-#include "knit/settle/settle_settings.h"
 #include "knit/settle/surface.h"
 
 namespace knit {
