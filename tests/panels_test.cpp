@@ -181,8 +181,8 @@ TEST_CASE("choices, the axis and welding are one click") {
   CHECK(only<Tune>(desk.click("knob/axis", 0.05f)).parameters.timing.axis.kind == knit::AxisKind::x);
   desk.ui.own<ChangeMode>().from_here = true;
   CHECK(only<Tune>(desk.click("knob/weld", 0.9f)).parameters.mesh.weld == knit::Weld::on);
-  CHECK(only<EditFromHere>(desk.click("knob/rows", 0.5f)).parameters.rows.source ==
-        knit::RowSource::contours);
+  CHECK(only<EditFromHere>(desk.click("knob/on-stall", 0.9f)).parameters.rows.on_stall ==
+        knit::OnStall::stop);
   CHECK(only<SetPicking>(desk.click("pick/start")).picking == Picking::start);
 }
 

@@ -95,7 +95,9 @@ std::vector<Session> all_ways() {
   add([](Parameters& p) { p.rows.cast_on = 3, p.rows.resample = knit::Resample::off; });
   add([](Parameters& p) { p.stitches.placement = knit::PlacementPolicy::even, p.rows.cast_on = 13; });
   add([](Parameters& p) { p.stitches.placement = knit::PlacementPolicy::nearest; });
-  add([](Parameters& p) { p.rows.source = knit::RowSource::contours; });
+  add([](Parameters& p) {
+    p.rows.source = knit::RowSource::contours, p.settle.settling = knit::Settling::on;
+  });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, p.rows.cast_on = 4; });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 0.7); });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 1e-7); });

@@ -465,6 +465,8 @@ void describe_variable(const Session& session, Scene& scene) {
     case knit::Stage::pattern:
     case knit::Stage::done:
       return light.strip();
+    case knit::Stage::settle:  // of all stitches at once, which are shown anyway
+      return;
   }
 }
 

@@ -244,6 +244,11 @@ constexpr std::array terms{
          "set parts into "
          "two loops, or two join.",
          "critical point, level set, stop", "docs/algorithm.md, Critical points, and where one tube ends"},
+    Term{"settle", "settling, at ease",
+         "To move the stitches on the surface, once they are placed and linked, until wales are as high and "
+         "courses as wide "
+         "as stitches are, as well as can be. The pattern stays as it is.",
+         "wale, course, stitch", "docs/algorithm.md, Settling"},
     Term{"shaping", "", "Increases and decreases: what makes the fabric wider and narrower.",
          "increase, decrease, main stitch", "docs/algorithm.md, Stitch index; the thesis, 2.1.3 and 2.1.4"},
     Term{"SSK", "slip slip knit",

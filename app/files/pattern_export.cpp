@@ -11,8 +11,8 @@
 #include "app/session/view.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/fold.h"
+#include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
-#include "knit/pattern/pieces.h"
 
 namespace app {
 
@@ -132,67 +132,89 @@ std::string pattern_json(const knit::Rounds& rounds) {
 
 namespace {
 
-std::string_view json_word(knit::LayKind kind) {
-  constexpr std::array<std::string_view, 6> words{"keep", "set aside", "take", "cast on", "pick up", "loops"};
+std::string_view json_word(knit::LimbDealKind kind) {
+  constexpr std::array<std::string_view, 8> words{"cast on", "provisional", "loops",  "rejoin",
+                                                  "aside",   "move",        "divide", "join"};
   return words.at(static_cast<std::size_t>(kind));
 }
-std::string_view json_word(knit::PieceStart start) {
-  constexpr std::array<std::string_view, 5> words{"cast on", "provisional", "loops", "divided", "rejoined"};
-  return words.at(static_cast<std::size_t>(start));
+std::string_view json_word(knit::LimbItemKind kind) {
+  constexpr std::array<std::string_view, 4> words{"keep", "take", "cast on", "pick up"};
+  return words.at(static_cast<std::size_t>(kind));
 }
-std::string_view json_word(knit::PieceYarn yarn) {
-  constexpr std::array<std::string_view, 3> words{"begun", "goes on", "hangs"};
-  return words.at(static_cast<std::size_t>(yarn));
-}
-std::string_view json_word(knit::PieceEndKind kind) {
-  constexpr std::array<std::string_view, 4> words{"goes on", "held", "closed", "grafted"};
+std::string_view json_word(knit::LimbEndKind kind) {
+  constexpr std::array<std::string_view, 4> words{"held", "goes on", "closed", "grafted"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
-// Of a gap its number and the first of its stitches, else a piece and the first of its stitches.
-Json lay_json(const knit::Lay& lay) {
-  Json json{{"use", json_word(lay.kind)}};
-  if (lay.gap > 0)
-    json["gap"] = lay.gap;
-  else
-    json["piece"] = knit::piece_name(lay.piece);
-  json["first"] = lay.first;
-  json["count"] = lay.count;
+Json item_json(const knit::LimbNames& names, const knit::LimbItem& item) {
+  Json json{{"use", json_word(item.kind)}, {"count", item.count}};
+  if (item.kind == knit::LimbItemKind::take) {
+    json["holder"] = names.holder(item.piece, item.holder);
+    json["first"] = item.first;
+    json["held"] = item.held;
+  }
+  if (item.gap > 0) json["gap"] = item.gap;
+  if (item.kind == knit::LimbItemKind::pick_up) json["first"] = item.first;
   return json;
 }
 
-Json end_json(const knit::PieceEnd& end) {
-  Json json{{"kind", json_word(end.kind)}, {"to", Json::array()}};
-  for (const std::int32_t piece : end.to) json["to"].push_back(knit::piece_name(piece));
-  if (end.yarn_for >= 0) json["yarn_for"] = knit::piece_name(end.yarn_for);
-  if (end.kind != knit::PieceEndKind::grafted) return json;
-  json["first"] = end.own_first;
+Json deal_json(const knit::LimbNames& names, const knit::LimbDeal& deal) {
+  Json json{{"kind", json_word(deal.kind)}, {"after", deal.after}};
+  if (deal.kind == knit::LimbDealKind::loops) json["piece"] = names(deal.piece);
+  if (deal.kind == knit::LimbDealKind::divide || deal.kind == knit::LimbDealKind::set_aside)
+    json["holder"] = names.holder(deal.piece, deal.holder);
+  if (deal.kind == knit::LimbDealKind::divide) {
+    json["keep"] = deal.before;
+    json["held"] = deal.held;
+    json["gap"] = deal.gap;
+    json["bridge"] = deal.bridge;
+    json["rest"] = deal.rest;
+  }
+  if (deal.kind == knit::LimbDealKind::move) json["slip"] = deal.before;
+  if (deal.items.empty()) return json;
+  json["items"] = Json::array();
+  for (const knit::LimbItem& item : deal.items) json["items"].push_back(item_json(names, item));
+  return json;
+}
+
+Json end_json(const knit::LimbNames& names, const knit::LimbEnd& end) {
+  Json json{{"kind", json_word(end.kind)}};
+  if (end.piece >= 0) json["piece"] = names(end.piece);
+  if (end.kind != knit::LimbEndKind::grafted) return json;
+  json["slips_back"] = end.slips_back;
   json["others_first"] = end.other_first;
   json["grafts"] = Json::array();
-  for (const knit::Grafted& graft : end.grafts) json["grafts"].push_back({graft.own, graft.others});
+  for (const knit::LimbGraft& graft : end.grafts) json["grafts"].push_back({graft.own, graft.others});
   return json;
 }
 
-Json piece_json(const knit::Piece& piece, std::int32_t number) {
-  Json json{
-      {"name", knit::piece_name(number)}, {"start", json_word(piece.start)}, {"yarn", json_word(piece.yarn)},
-      {"stitches", piece.rounds.cast_on}, {"laid", Json::array()},           {"rounds", Json::array()}};
+Json piece_json(const knit::LimbNames& names, const knit::LimbPlan& plan, std::int32_t number) {
+  const knit::LimbPiece& piece = plan.piece(number);
+  Json json{{"name", names(number)}, {"begin", Json::array()}, {"rounds", Json::array()}};
+  if (piece.twins.front() != number) json["twin_of"] = names(piece.twins.front());
   if (piece.inner) json["inner"] = true;
-  for (const knit::Lay& lay : piece.laid) json["laid"].push_back(lay_json(lay));
-  for (const knit::Round& round : piece.rounds.rounds) json["rounds"].push_back(round_json(round));
-  json["end"] = end_json(piece.end);
+  for (const knit::LimbDeal& deal : piece.deals) json["begin"].push_back(deal_json(names, deal));
+  std::int32_t next = piece.is_cast_on() ? 2 : 1;
+  for (const knit::LimbRound& round : piece.rounds) {
+    Json line = round_json({next++, round.operations, round.before, round.after});
+    if (round.slips_back) line["slips_back"] = true;
+    json["rounds"].push_back(std::move(line));
+  }
+  json["rows"] = piece.rows;
+  json["starts"] = piece.starts;
+  json["end"] = end_json(names, piece.end);
   return json;
 }
 
 }  // namespace
 
-std::string pattern_json(const knit::Pieces& pieces) {
+std::string pattern_json(const knit::LimbPlan& plan, const knit::PatternOptions& options) {
+  const knit::LimbNames names(plan, options);
   std::vector<Json> lines;
-  for (std::size_t i = 0; i < pieces.pieces.size(); ++i)
-    lines.push_back(piece_json(pieces.pieces[i], static_cast<std::int32_t>(i)));
+  for (std::int32_t i = 0; i < plan.count(); ++i) lines.push_back(piece_json(names, plan, i));
   return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 2,\n  \"yarns\": " +
-         std::to_string(pieces.yarns) + ",\n  \"holders\": " + std::to_string(pieces.held_most) +
-         ",\n  \"gaps\": " + Json(pieces.gaps).dump() + ",\n" + listed("pieces", lines) + "\n}\n";
+         std::to_string(plan.yarns) + ",\n  \"holders\": " + std::to_string(plan.held_most) +
+         ",\n  \"gaps\": " + Json(plan.gaps).dump() + ",\n" + listed("pieces", lines) + "\n}\n";
 }
 
 namespace {
@@ -346,7 +368,7 @@ knit::WrittenPattern written(const Session& session, const Work& work) {
 
 knit::WrittenPattern written(const Session& session) {
   const knit::State& state = state_of(session);
-  return knit::in_pieces(state) ? written(session, knit::pieces_of(state))
+  return knit::has_limbs(state) ? written(session, knit::plan_limbs(state))
                                 : written(session, knit::rounds_of(state));
 }
 
@@ -364,7 +386,7 @@ std::string file_in_pieces(const Session& session, PatternFormat format, std::sp
     case PatternFormat::html:
       return pattern_html(written(session), {}, png);
     case PatternFormat::json:
-      return pattern_json(knit::pieces_of(state_of(session)));
+      return pattern_json(knit::plan_limbs(state_of(session)), session.view->pattern);
     case PatternFormat::knitspeak:
       break;
   }
@@ -402,13 +424,13 @@ std::optional<std::string> pattern_missing(const Session& session) {
 
 std::optional<std::string> chart_missing(const Session& session) {
   if (auto missing = pattern_missing(session)) return missing;
-  if (knit::in_pieces(state_of(session))) return no_chart_of_pieces;
+  if (knit::has_limbs(state_of(session))) return no_chart_of_pieces;
   return std::nullopt;
 }
 
 std::optional<std::string> format_missing(const Session& session, PatternFormat format) {
   if (auto missing = pattern_missing(session)) return missing;
-  if (format == PatternFormat::knitspeak && knit::in_pieces(state_of(session))) return no_knitspeak_of_pieces;
+  if (format == PatternFormat::knitspeak && knit::has_limbs(state_of(session))) return no_knitspeak_of_pieces;
   return std::nullopt;
 }
 
@@ -423,7 +445,7 @@ std::vector<std::string> pattern_instructions(const Session& session) {
 
 std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png) {
-  if (knit::in_pieces(state_of(session))) return file_in_pieces(session, format, picture_png);
+  if (knit::has_limbs(state_of(session))) return file_in_pieces(session, format, picture_png);
   const knit::Rounds rounds = knit::rounds_of(state_of(session));
   switch (format) {
     case PatternFormat::text:
@@ -442,7 +464,7 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
 }
 
 std::string chart_file_text(const Session& session) {
-  if (knit::in_pieces(state_of(session))) return std::string(no_chart_of_pieces) + "\n";
+  if (knit::has_limbs(state_of(session))) return std::string(no_chart_of_pieces) + "\n";
   const knit::Rounds rounds = knit::rounds_of(state_of(session));
   ChartLook look;
   look.title = session.view->pattern.title.empty() ? session.document->timeline.input().mesh.name

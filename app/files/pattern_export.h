@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "knit/limbs/limb_plan.h"
 #include "knit/pattern/chart.h"
-#include "knit/pattern/pieces.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
 
@@ -22,8 +22,8 @@ std::string pattern_knitspeak(const knit::Rounds& rounds);
 
 // Operations run-length encoded, a round a line; the graph a row a line.
 std::string pattern_json(const knit::Rounds& rounds);
-// A piece a line.
-std::string pattern_json(const knit::Pieces& pieces);
+// Version 2: a piece a line, with what it begins on, its rounds and its end.
+std::string pattern_json(const knit::LimbPlan& plan, const knit::PatternOptions& options = {});
 
 // The written pattern as one page to print: no other file is needed.
 

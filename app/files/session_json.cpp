@@ -9,6 +9,7 @@
 #include "app/session/view.h"
 #include "knit/model/hash.h"
 #include "knit/model/settings_table.h"
+#include "knit/pattern/limb_words.h"
 
 namespace app {
 
@@ -54,6 +55,7 @@ Json pattern_json(const knit::PatternOptions& pattern) {
                {"markers", pattern.markers},
                {"stars", pattern.stars}};
   if (pattern.needle_mm) json["needle-mm"] = *pattern.needle_mm;
+  if (!pattern.piece_names.empty()) json["piece-names"] = pattern.piece_names;
   return json;
 }
 
@@ -245,6 +247,15 @@ void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
   pattern.markers = fields.flag("markers");
   pattern.stars = fields.flag("stars");
   if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
+  if (!fields.has("piece-names")) return;
+  JsonFields names = fields.object("piece-names");
+  for (const auto& [letters, word] : names.json().items()) {
+    std::string text = names.text(letters);
+    if (knit::is_piece_word(text))
+      pattern.piece_names[letters] = std::move(text);
+    else
+      names.set_fault(letters, "must be one capitalised word.");
+  }
 }
 
 void read_breaks(JsonFields& fields, SavedSession& saved) {

@@ -4,8 +4,8 @@
 #include "app/lessons/lesson_truths.h"
 #include "app/session/document.h"
 #include "knit/insight/waiting.h"
+#include "knit/limbs/limb_plan.h"
 #include "knit/model/words.h"
-#include "knit/pattern/pieces.h"
 #include "knit/tubes/plan.h"
 
 namespace app::truths {
@@ -174,8 +174,13 @@ Truth waiting_tube(const Session& session, const JudgeCall& /*call*/) {
 
 namespace {
 
-knit::RowId last_row(const knit::Pieces& pieces, std::size_t piece, const knit::Fabric& fabric) {
-  return piece + 1 < pieces.pieces.size() ? pieces.pieces[piece + 1].rows_before : fabric.row_count();
+// In the order of the run's rows, whatever order the pattern is written in.
+knit::LimbPlan limbs_in_order_of_rows(const knit::State& run) {
+  knit::LimbOptions options;
+  for (const auto& row : run.fabric.rows()) {
+    if (options.order.empty() || options.order.back() != row->tube) options.order.push_back(row->tube);
+  }
+  return knit::plan_limbs(run, options);
 }
 
 }  // namespace
@@ -183,18 +188,18 @@ knit::RowId last_row(const knit::Pieces& pieces, std::size_t piece, const knit::
 Truth yarn_broken(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::State& run = timeline.furthest();
-  if (!timeline.complete() || !knit::pieces_are_known(run)) return not_yet();
-  if (!knit::in_pieces(run))
+  if (!timeline.complete() || !knit::limbs_are_known(run)) return not_yet();
+  if (!knit::has_limbs(run))
     return {{"row:" + str(run.fabric.row_count())}, "One yarn goes through all rows, to the last one.", 0.0};
-  const knit::Pieces pieces = knit::pieces_of(run);
+  const knit::LimbPlan limbs = limbs_in_order_of_rows(run);
   Truth truth;
-  for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-    if (pieces.pieces[i].end.yarn_for >= 0) continue;
-    const knit::RowId row = last_row(pieces, i, run.fabric);
+  for (std::int32_t i = 0; i < limbs.count(); ++i) {
+    if (limbs.piece(i).end.kind == knit::LimbEndKind::goes_on) continue;
+    const knit::RowId row = limbs.piece(i).rows.back();
     if (truth.answers.empty() || row == call.row) {
       truth.reason = "After row " + str(row) +
                      " the yarn is broken: no piece goes on where it hangs, at the end of " + "piece " +
-                     knit::tube_name(static_cast<std::int32_t>(i)) + ".";
+                     knit::tube_name(i) + ".";
     }
     truth.answers.push_back("row:" + str(row));
   }
@@ -204,7 +209,7 @@ Truth yarn_broken(const Session& session, const JudgeCall& call) {
 std::string why_not_broken(const Session& session, const JudgeCall& /*call*/, const std::string& answer) {
   const knit::State& run = session.document->timeline.furthest();
   const std::int32_t row = row_of_answer(answer);
-  if (!run.fabric.has_row(row) || !knit::in_pieces(run)) return "";
+  if (!run.fabric.has_row(row) || !knit::has_limbs(run)) return "";
   const bool goes_on =
       run.fabric.has_row(row + 1) && run.fabric.row(row + 1).tube == run.fabric.row(row).tube;
   return goes_on ? "After row " + str(row) + " the next row of the same tube goes on with the yarn."

@@ -17,6 +17,7 @@
 #include "app/session/presets.h"
 #include "app/session/view.h"
 #include "knit/model/stage.h"
+#include "knit/pattern/limb_words.h"
 
 namespace app {
 
@@ -34,6 +35,7 @@ struct Words {
   std::string theme, scale, repair, piece;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
+  std::vector<std::string> piece_names;
   bool markers = false, stars = false;
   bool explain = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
@@ -129,6 +131,9 @@ void declare(CLI::App& app, Words& words) {
       ->group("Pattern");
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
+  app.add_option("--piece-name", words.piece_names, "what a piece of the pattern is called: A=Tail")
+      ->group("Pattern")
+      ->allow_extra_args(false);
   declare_figures(app, words.figures);
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
@@ -259,9 +264,26 @@ std::optional<std::string> read_lesson_words(const Words& words, CommandLine& li
   return std::nullopt;
 }
 
+// "A=Tail"
+std::optional<std::string> read_piece_names(const Words& words, CommandLine& line) {
+  for (const std::string& given : words.piece_names) {
+    const std::size_t sign = given.find('=');
+    const std::string letters = given.substr(0, sign);
+    const std::string word = sign == std::string::npos ? "" : given.substr(sign + 1);
+    const bool known = !letters.empty() && letters.size() <= 2 &&
+                       letters.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+    if (!known || !knit::is_piece_word(word))
+      return "--piece-name cannot be \"" + given +
+             "\"; give a piece's letter and one capitalised word: A=Tail.";
+    line.pattern.piece_names[letters] = word;
+  }
+  return std::nullopt;
+}
+
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
-  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars};
+  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, {}};
+  if (auto fault = read_piece_names(words, line)) return fault;
   if (words.needle.empty()) return std::nullopt;
   line.pattern.needle_mm = needle_mm_of(words.needle);
   if (!line.pattern.needle_mm)

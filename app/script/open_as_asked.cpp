@@ -30,6 +30,7 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
   if (given.needle_mm) pattern.needle_mm = given.needle_mm;
   pattern.markers = pattern.markers || given.markers;
   pattern.stars = pattern.stars || given.stars;
+  for (const auto& [letters, word] : given.piece_names) pattern.piece_names[letters] = word;
   return pattern;
 }
 

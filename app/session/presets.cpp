@@ -19,14 +19,13 @@ constexpr std::array best_settings{
     PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
     PresetSetting{"cast-on", "auto"},       PresetSetting{"placement", "nearest"},
     PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
-    PresetSetting{"settle", "on"},
 };
 constexpr std::array gauge_settings{
     PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
     PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
     PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
     PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},  PresetSetting{"settle", "on"},
+    PresetSetting{"follow-mains", "off"},
 };
 
 constexpr std::array table{

@@ -21,7 +21,7 @@ namespace {
 constexpr double right_angle = 1.5707963267948966;
 
 // The grid is a little finer than the mesh is to be: evening out only takes away.
-Mesh made_of(std::string name, const Solid& solid, const Block& block, double edge,
+Mesh made_of(std::string name, const Solid& solid, const GridBlock& block, double edge,
              const std::optional<Rim>& rim = std::nullopt) {
   Mesh mesh = surface_of(solid, block, 0.9 * edge);
   mesh.name = std::move(name);

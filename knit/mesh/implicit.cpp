@@ -44,7 +44,7 @@ constexpr std::array<std::array<unsigned, 4>, 16> orders{{{0, 1, 2, 3},
 // the other way round.
 class Marching {
  public:
-  Marching(const Solid& solid, const Block& block, double cell) : low_(block.low), cell_(cell) {
+  Marching(const Solid& solid, const GridBlock& block, double cell) : low_(block.low), cell_(cell) {
     const glm::dvec3 size = block.high - block.low;
     for (std::size_t k = 0; k < 3; ++k)
       cells_[k] = static_cast<std::size_t>(std::ceil(size[static_cast<int>(k)] / cell));
@@ -126,7 +126,7 @@ class Marching {
 
 }  // namespace
 
-Mesh surface_of(const Solid& solid, const Block& block, double cell) {
+Mesh surface_of(const Solid& solid, const GridBlock& block, double cell) {
   return Marching(solid, block, cell).march();
 }
 

@@ -16,13 +16,13 @@ namespace knit {
 
 using Solid = std::function<double(const glm::dvec3& place)>;
 
-struct Block {
+struct GridBlock {
   glm::dvec3 low{0.0};
   glm::dvec3 high{0.0};
 };
 
 // By a grid of cubes with sides of `cell`. Triangles are of all sizes and forms (see evening.h); edges are left empty.
-Mesh surface_of(const Solid& solid, const Block& block, double cell);
+Mesh surface_of(const Solid& solid, const GridBlock& block, double cell);
 
 // Moves a place near the surface onto it, by as many steps of Newton's method, each of four evaluations.
 glm::dvec3 onto_surface(const Solid& solid, glm::dvec3 place, int times);

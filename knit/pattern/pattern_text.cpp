@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <sstream>
 
 #include "knit/pattern/written_pattern.h"
@@ -45,6 +46,30 @@ bool is_heading(const WrittenPattern::Instruction& instruction) {
   return !instruction.round && instruction.kind == WrittenPattern::Instruction::Kind::heading;
 }
 
+// A step too long for a line is told one item a line.
+bool is_list(const WrittenPattern::Instruction& instruction) {
+  return instruction.kind == WrittenPattern::Instruction::Kind::step && instruction.remark.size() > columns &&
+         instruction.remark.find(": ") != std::string::npos;
+}
+
+std::string item_by_item(const std::string& step) {
+  std::size_t begin = step.find(": ") + 1;
+  std::string text = step.substr(0, begin) + "\n";
+  while (begin < step.size()) {
+    const std::size_t comma = std::min(step.find(", ", begin), step.size() - 1);
+    text += " " + step.substr(begin, comma + 1 - begin) + "\n";
+    begin = comma + 1;
+  }
+  return text;
+}
+
+// A step of a piece is one line, like a round.
+std::string step_or_remark(const WrittenPattern::Instruction& instruction) {
+  if (is_list(instruction)) return item_by_item(instruction.remark);
+  const bool step = instruction.kind == WrittenPattern::Instruction::Kind::step && instruction.row == 0;
+  return step ? instruction.remark + "\n" : wrapped(instruction.remark);
+}
+
 std::string explained(const std::pair<std::string, std::string>& abbreviation) {
   return abbreviation.first + ": " + abbreviation.second;
 }
@@ -81,7 +106,10 @@ std::string pattern_as_text(const WrittenPattern& pattern) {
   text += wrapped(pattern.start);
   for (const auto& instruction : pattern.instructions) {
     if (is_heading(instruction)) text += "\n";
-    text += instruction.round ? instruction_text(instruction) + "\n" : wrapped(instruction.remark);
+    if (instruction.round)
+      text += instruction_text(instruction) + "\n";
+    else
+      text += step_or_remark(instruction);
   }
   heading("FINISHING");
   for (const std::string& line : pattern.finishing) text += wrapped(line);

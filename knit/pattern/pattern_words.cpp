@@ -75,7 +75,8 @@ std::string stitches_text(std::int32_t count) {
 std::string RoundLine::text() const {
   const std::string label = first == last ? "Rnd " + std::to_string(first)
                                           : "Rnds " + std::to_string(first) + "-" + std::to_string(last);
-  return label + ": " + words + ". (" + stitches_text(stitches) + ")";
+  const std::string moved = moves_marker ? ", marker moved back 1 st" : "";
+  return label + ": " + words + ". (" + stitches_text(stitches) + moved + ")";
 }
 
 std::vector<RoundLine> round_lines(const Rounds& rounds, const PatternOptions& options) {
@@ -87,7 +88,7 @@ std::vector<RoundLine> round_lines(const Rounds& rounds, const PatternOptions& o
     if (same)
       lines.back().last = round.number;
     else
-      lines.push_back({round.number, round.number, std::move(words), round.after});
+      lines.push_back({round.number, round.number, std::move(words), round.after, 0, {}, false});
   }
   return lines;
 }

@@ -27,7 +27,7 @@ struct Rounds {
   friend bool operator==(const Rounds&, const Rounds&) = default;
 };
 
-// Of the joins that are there. Requires at least one row, and a single chain of them: else there are pieces (pieces.h).
+// Of the joins that are there. Requires at least one row, and a single chain of them: else there are limbs (knit/limbs).
 Rounds rounds_of(const State& state);
 
 // One stitch and what it was worked from: stitches `first`, `first` + 1 ... of the row below, `count` of them.

@@ -13,14 +13,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "knit/limbs/limb_plan.h"
 #include "knit/model/settings.h"
 #include "knit/pattern/fold.h"
-#include "knit/pattern/pieces.h"
 #include "knit/pattern/rounds.h"
 
 namespace knit {
@@ -32,6 +33,8 @@ struct PatternOptions {
   std::optional<double> needle_mm;  // none: the usual one for the weight class
   bool markers = false;             // at main lines
   bool stars = false;               // *...; rep from * to end, where a round is one repeat
+  // What a person calls pieces, by their letters: {"A", "Tail"}. One capitalised word each (is_piece_word).
+  std::map<std::string, std::string> piece_names = {};
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
 };
 
@@ -47,7 +50,7 @@ struct PatternSizes {
 };
 PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge);
 // Length and height are not known, and 0: they depend on how the pieces lie.
-PatternSizes sizes_of(const Pieces& pieces, const Gauge& gauge);
+PatternSizes sizes_of(const LimbPlan& plan, const Gauge& gauge);
 
 // Up to so many stitches are drawn together with the yarn's end, at the cast on too; more are bound off, or
 // stay open.
@@ -66,6 +69,8 @@ struct RoundLine {
   std::int32_t stitches = 0;  // afterwards
   // Of the fabric, that come before round 1: rounds of a piece are numbered from 1.
   std::int32_t rows_before = 0;
+  std::vector<std::int32_t> twins_before = {};  // the same of twins that are made by the same words
+  bool moves_marker = false;                    // back by a stitch
   [[nodiscard]] std::string text() const;
 };
 
@@ -93,7 +98,7 @@ struct WrittenPattern {
 
 WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name);
-WrittenPattern write_pattern(const Pieces& pieces, const Gauge& gauge, const PatternOptions& options,
+WrittenPattern write_pattern(const LimbPlan& plan, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name);
 
 // Lines of at most 100 columns, but a round is always one line. No line begins like a round but the rounds.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/import/quoting.h"
+#include "knit/reader/limbs_reader.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
 
@@ -285,8 +286,21 @@ class Reader {
   Counts counts_, wrong_made_;
 };
 
+// Of a pattern with limbs: what is told of any pattern. Its rounds are no single chain, so they are not handed on.
+ReadPattern as_pattern(ReadLimbs limbs) {
+  ReadPattern read;
+  read.rounds.cast_on = static_cast<std::int32_t>(limbs.cast_on);
+  read.mistakes = std::move(limbs.mistakes);
+  read.rounds_read = limbs.rounds_read;
+  read.stitches = static_cast<std::int64_t>(limbs.stitches.size());
+  for (const auto& loop : limbs.closed) read.closed_with += static_cast<std::int32_t>(loop.size());
+  return read;
+}
+
 }  // namespace
 
-ReadPattern read_pattern(std::string_view text) { return Reader().run(text); }
+ReadPattern read_pattern(std::string_view text) {
+  return has_limb_headings(text) ? as_pattern(read_limbs(text)) : Reader().run(text);
+}
 
 }  // namespace knit

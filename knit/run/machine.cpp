@@ -257,16 +257,19 @@ Step advance(const Input& input, const Parameters& parameters, State& state) {
 namespace {
 
 constexpr std::size_t many_triangles = 20000;
+constexpr std::size_t many_settled = 1500;  // stitches: an iteration takes some milliseconds
 
 }  // namespace
 
 bool step_sweeps(const Input& input, const Parameters& parameters, const State& state) {
+  if (std::holds_alternative<SettleWork>(state.work)) return true;
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);
 }
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
+  if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
   return input.mesh.triangles.size() >= many_triangles && step_sweeps(input, parameters, state);
 }
 

@@ -51,8 +51,8 @@ constexpr std::array lines{
              source,
              lit_by<StitchesSettled>}};
 
-constexpr std::array aside{&var::iteration, &var::tries, &var::mean_move, &var::wale_edges,
-                           &var::course_edges};
+constexpr std::array aside{&var::iteration, &var::tries,      &var::sum_before,  &var::taken,
+                           &var::mean_move, &var::wale_edges, &var::course_edges};
 
 }  // namespace
 

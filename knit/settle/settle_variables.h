@@ -12,6 +12,9 @@ inline constexpr CodeVariable course_edges{"course_edges", "courses",
                                            "How many edges along rows shall be w long."};
 inline constexpr CodeVariable settle_sum{"settle_sum", "E",
                                          "The sum of the weighted squares, which is made small."};
+inline constexpr CodeVariable sum_before{"sum_before", "E before", "The sum before the iteration."};
+inline constexpr CodeVariable taken{"taken", "taken",
+                                    "Whether the step was taken; else none made it better."};
 inline constexpr CodeVariable iteration{"iteration", "k", "The number of the iteration, from 1."};
 inline constexpr CodeVariable tries{"tries", "tries", "How many shifts were tried in it."};
 inline constexpr CodeVariable shift{"shift", "\xCE\xBC",

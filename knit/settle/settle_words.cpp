@@ -26,11 +26,11 @@ StepFields StitchesSettled::numbers() const {
   return {{var::iteration, iteration},
           {var::tries, tries},
           {var::shift, double{shift}},
-          {"before", nullptr, double{before}},
+          {var::sum_before, double{before}},
           {var::settle_sum, double{after}},
           {var::mean_move, double{mean_move}},
           {var::greatest_move, double{greatest_move}},
-          {"taken", nullptr, taken}};
+          {var::taken, taken}};
 }
 
 }  // namespace knit

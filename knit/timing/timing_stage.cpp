@@ -148,7 +148,7 @@ Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& s
 bool next_is_a_solve(const Input& input, const TimingSettings& settings, const TimingWork& work) {
   const bool all_timed = work.times.size() == input.mesh.positions.size();
   const TimingKind kind = work.ends ? work.kind : settings.kind;
-  if (kind == TimingKind::linear) return all_timed;
+  if (kind == TimingKind::linear || kind == TimingKind::by_itself) return all_timed;
   return work.ends && (!work.times.empty() ? all_timed : !work.field || !work.scale);
 }
 

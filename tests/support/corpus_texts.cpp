@@ -162,7 +162,7 @@ void add_numbers(std::vector<Case>& all) {
 }
 
 void add_polygons(std::vector<Case>& all) {
-  all.push_back(opens("loose-edge.obj", corners + faces + "f 1 2\n", {4, 4, {}}));
+  all.push_back(opens("loose-edge.obj", corners + faces + "f 1 2\n", {4, 4, {"two corners"}}));
   all.push_back(opens("five-corners.obj", prism(5), {10, 16, {}}));
   all.push_back(opens("hundred-corners.obj", prism(100), {200, 396, {}}));
   all.push_back(refused("ten-thousand-corners.obj", prism(10000),

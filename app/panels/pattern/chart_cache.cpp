@@ -1,7 +1,7 @@
 #include "app/panels/pattern/chart_cache.h"
 
+#include "knit/limbs/limb_plan.h"
 #include "knit/model/hash.h"
-#include "knit/pattern/pieces.h"
 
 namespace app {
 
@@ -18,6 +18,10 @@ std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
     knit::hash_into(hasher, std::string_view(*words));
   for (const double number : {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds})
     knit::hash_into(hasher, number);
+  for (const auto& [letters, word] : options.piece_names) {
+    knit::hash_into(hasher, std::string_view(letters));
+    knit::hash_into(hasher, std::string_view(word));
+  }
   hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U));
   return hasher.value();
 }
@@ -32,9 +36,9 @@ void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOpti
   key_ = key;
   chart_ = {};
   pattern_ = {};
-  in_pieces_ = knit::in_pieces(state);
-  if (in_pieces_ && knit::pieces_are_known(state))
-    pattern_ = knit::write_pattern(knit::pieces_of(state), gauge, options, timeline.input().mesh.name);
+  in_pieces_ = knit::has_limbs(state);
+  if (in_pieces_ && knit::limbs_are_known(state))
+    pattern_ = knit::write_pattern(knit::plan_limbs(state), gauge, options, timeline.input().mesh.name);
   if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
