@@ -61,7 +61,11 @@ void add_pattern(Link& link, const knit::PatternOptions& pattern) {
   if (pattern.needle_mm) link.add("--needle-mm", knit::number_text(*pattern.needle_mm));
   if (pattern.markers) link.add("--markers");
   if (pattern.stars) link.add("--stars");
-  for (const auto& [letters, word] : pattern.piece_names) link.add("--piece-name", letters + "=" + word);
+  for (const auto& [letters, word] : pattern.piece_names) {
+    std::string named = letters;
+    named.append("=").append(word);
+    link.add("--piece-name", named);
+  }
 }
 
 }  // namespace

@@ -211,6 +211,7 @@ Json piece_json(const knit::LimbNames& names, const knit::LimbPlan& plan, std::i
 std::string pattern_json(const knit::LimbPlan& plan, const knit::PatternOptions& options) {
   const knit::LimbNames names(plan, options);
   std::vector<Json> lines;
+  lines.reserve(static_cast<std::size_t>(plan.count()));
   for (std::int32_t i = 0; i < plan.count(); ++i) lines.push_back(piece_json(names, plan, i));
   return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 2,\n  \"yarns\": " +
          std::to_string(plan.yarns) + ",\n  \"holders\": " + std::to_string(plan.held_most) +

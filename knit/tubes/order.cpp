@@ -73,7 +73,7 @@ class OrderSearch {
   // never worse. It may have taken more yarns, which counts again where more are held later in any case: so among the orders
   // that hold no more than that, the second looks at yarns and sums alone.
   TubeOrder run() {
-    const TubeOrder first = search();
+    TubeOrder first = search();
     if (!exact_) return first;
     held_allowed_ = first.held_most;
     return search();
