@@ -45,8 +45,10 @@ Truth next_vertex(const Session& session, const JudgeCall& /*call*/) {
                : untold("No stitch is looked for at this place; set the page up again.");
   }
   const auto* measured = knit::get_if<knit::CandidateMeasured>(timeline.step(*step));
-  const knit::VertexId vertex =
-      measured != nullptr ? measured->candidate : knit::get_if<knit::BandMissed>(timeline.step(*step))->taken;
+  const auto* missed = knit::get_if<knit::BandMissed>(timeline.step(*step));
+  const knit::VertexId vertex = measured != nullptr ? measured->candidate
+                                : missed != nullptr ? missed->taken
+                                                    : knit::no_vertex;
   return {{vertex_name(vertex)}, said_by(timeline, *step), 0.0};
 }
 
