@@ -84,6 +84,7 @@ std::optional<std::string> join_patterns(const CommandLine& line, const std::vec
   for (std::size_t i = 0; i < line.saves.size(); ++i) {
     if (!is_joined(line.saves[i])) continue;
     std::vector<fs::path> parts;
+    parts.reserve(pieces.size());
     for (const CommandLine& piece : pieces) parts.push_back(piece.saves[i].path);
     const std::string text = joined_text(parts);
     if (text.empty()) continue;
