@@ -116,7 +116,7 @@ std::string event_words(const knit::TubeEvent& event) {
 
 // Where a vertex stands when rows are cut: no row is picked from it, but rows run beside it.
 std::string cut_words(const knit::Timeline& timeline, knit::VertexId vertex) {
-  const std::string cut = "Rows are cut through the surface here; no vertex is a candidate.";
+  std::string cut = "Rows are cut through the surface here; no vertex is a candidate.";
   const auto on = knit::on_tube(timeline, vertex);
   if (!on) return cut;
   const knit::TubePlan& plan = *timeline.furthest().tubes;
