@@ -15,7 +15,6 @@ namespace app {
 namespace {
 
 constexpr int isoline_count = 20;
-constexpr std::size_t most_cuts_shown = 150;
 constexpr std::size_t most_names = 24;  // more would only cover each other
 
 const knit::Step* step_shown(const Session& session) {
