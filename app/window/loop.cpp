@@ -97,6 +97,8 @@ Kept begin(Session& session, const CommandLine& line, const Window& window, Fram
   PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
   drawer.draw(session, shape_of(window, 0.0, 1), {});
   if (!session.view->gaze.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
+  // What has just appeared finds its size in a frame that is not shown: a click that waits already shall meet it.
+  for (int i = 0; i < 2; ++i) drawer.draw(session, shape_of(window, 0.0, 1), {});
   return {std::move(preferences), RescueKeeper(session, folder), AskedAtStart(session)};
 }
 
