@@ -164,3 +164,81 @@ TEST_CASE("another machine's long step can be taken elsewhere, and its stop ends
   REQUIRE(run.stop() != nullptr);
   CHECK(run.known() == 0);
 }
+
+TEST_CASE("another machine's run stays, whole, until the one that is waited for takes over") {
+  Recorder run = recorder({1, 3});
+  run.extend_to_end();
+  run.seek(430);
+  const Recorder before = run;
+  run.tune_beside({1, 5});
+  CHECK(run.is_waiting());
+  CHECK_FALSE(run.complete());
+  CHECK(run.extend_briefly(1000));  // there is more to come, elsewhere
+  CHECK(run.steps() == before.steps());
+  CHECK(run.state() == before.state());
+  CHECK(run.parameters() == Counter::Parameters{1, 5});
+  CHECK(run.wished_parameters() == Counter::Parameters{1, 5});
+  CHECK(run.base_parameters() == Counter::Parameters{1, 3});
+  CHECK(run.back());
+  CHECK(run.position() == 429);
+
+  Recorder other = run.awaited_run();
+  CHECK(other.known() == 400);        // what reads the change is still to come
+  CHECK_FALSE(run.take_over(other));  // it is not whole
+  other.extend_to_end();
+  Recorder fresh = recorder({1, 5});
+  const std::vector<Counter::State> states = states_of(fresh);
+  CHECK(other.steps() == fresh.steps());
+  CHECK(run.take_over(other));
+  CHECK(run.complete());
+  CHECK(run.position() == 429);
+  check_scrubbing(run, states);
+  CHECK_FALSE(run.take_over(other));  // none is waited for
+}
+
+TEST_CASE("a run of an earlier wish is shown, and the wish stays, but one that is taken back is none") {
+  Recorder run = recorder({1, 3});
+  run.extend_to_end();
+  run.seek(0);
+  run.tune_beside({1, 5});
+  Recorder first = run.awaited_run();
+  first.extend_to_end();
+  run.tune_beside({1, 7});
+  CHECK(run.take_over(first));
+  CHECK(run.base_parameters() == Counter::Parameters{1, 5});
+  CHECK(run.wished_parameters() == Counter::Parameters{1, 7});
+  CHECK(run.is_waiting());
+  CHECK(run.position() == 0);
+  run.tune_beside({1, 5});
+  CHECK_FALSE(run.is_waiting());
+  CHECK(run.complete());
+}
+
+TEST_CASE("what else changes parameters, or works the run out, makes the wish the run first") {
+  for (const int how : {0, 1, 2, 3}) {
+    CAPTURE(how);
+    Recorder run = recorder({1, 3});
+    run.extend_to_end();
+    run.seek(100);
+    run.tune_beside({1, 5});
+    Recorder late = run.awaited_run();
+    late.extend_to_end();
+    if (how == 0) run.tune({2, 5});
+    if (how == 1) run.edit_from_here({2, 5});
+    if (how == 2) run.set_knobs({1, 3}, {});
+    if (how == 3) run.extend(1);
+    CHECK_FALSE(run.is_waiting());
+    CHECK_FALSE(run.take_over(late));
+    run.extend_to_end();
+    Recorder fresh =
+        recorder(how == 0 ? Counter::Parameters{2, 5} : Counter::Parameters{1, how == 2 ? 3 : 5});
+    fresh.extend_to_end();
+    if (how == 1) {
+      fresh.seek(100);
+      fresh.edit_from_here({2, 5});
+      fresh.extend_to_end();
+    }
+    CHECK(run.steps() == fresh.steps());
+    CHECK(run.edits() == fresh.edits());
+  }
+}

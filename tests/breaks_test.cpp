@@ -225,9 +225,12 @@ TEST_CASE(
              hold = hits_of(timeline, "hold");
   REQUIRE(split.size() == 1);
   REQUIRE(join.size() == 1);
-  REQUIRE(hold.size() == 1);
+  // The second half after the split, and the first once it is as high.
+  REQUIRE(hold.size() == 2);
+  CHECK(knit::is<LoopsDealt>(timeline.step(hold.front())));
+  CHECK(knit::is<TubeTaken>(timeline.step(hold.back())));
   CHECK(split.front() < hold.front());
-  CHECK(hold.front() < join.front());
+  CHECK(hold.back() < join.front());
   // What a tube begins on is no change of the tube before.
   for (const std::size_t step : hits_of(timeline, "grows>0")) {
     const Row& row = timeline.furthest().fabric.row(timeline.step(step).place.row);

@@ -1,7 +1,9 @@
 // What people met with meshes in the wild, each as a small mesh of its kind: what is read, what is refused with which way
 // out, and that the way out works.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <sstream>
 
@@ -37,9 +39,10 @@ std::string refusal(const Mesh& mesh) {
 }
 
 // Stitches of each row, from contours.
-std::vector<int> rows_from_contours(const Mesh& mesh) {
+std::vector<int> rows_from_contours(const Mesh& mesh, TimingKind timing = TimingKind::linear) {
   const auto input = make_input(mesh);
   Parameters parameters = default_parameters(input->bounds);
+  parameters.timing.kind = timing;
   parameters.rows.source = RowSource::contours;
   parameters.stitches.placement = PlacementPolicy::nearest;
   Timeline timeline(input, resolved(parameters, *input));
@@ -59,8 +62,8 @@ Mesh two_balls() {
 }
 
 // A cylinder on a wider one, of 16 corners. The ledge between them is a strip of quads, or one polygon that goes round
-// the outside, across a bridge, and back round the inside, as CAD programs write it.
-std::string stepped(bool keyhole) {
+// the outside, across a bridge at a corner, and back round the inside, as CAD programs write it.
+std::string stepped(bool keyhole, int bridge = 0) {
   constexpr int n = 16;
   std::ostringstream text;
   for (const auto& [radius, height] : {std::pair(1.0, 0.0), {1.0, 1.0}, {0.5, 1.0}, {0.5, 3.0}}) {
@@ -77,9 +80,9 @@ std::string stepped(bool keyhole) {
   }
   if (keyhole) {
     text << 'f';
-    for (int i = 0; i <= n; ++i) text << corner(1, i);
-    for (int i = n; i > 0; --i) text << corner(2, i);
-    text << corner(2, 0) << '\n';
+    for (int i = 0; i <= n; ++i) text << corner(1, bridge + i);
+    for (int i = n; i >= 0; --i) text << corner(2, bridge + i);
+    text << '\n';
   }
   text << 'f';
   for (int i = n - 1; i >= 0; --i) text << corner(0, i);
@@ -210,4 +213,35 @@ TEST_CASE("cases: rows from contours do not depend on how a flat ledge is cut in
   CHECK(refusal(keyhole) == "");
   CHECK(strip.triangles != keyhole.triangles);
   CHECK(rows_from_contours(strip) == rows_from_contours(keyhole));
+}
+
+// Their curves run straight over each triangle, and a solved field is not straight over long ones.
+TEST_CASE("cases: a flat ledge of one polygon is knitted alike by every timing, wherever its bridge is",
+          "[cases]") {
+  const Mesh strip = read(stepped(false));
+  for (const TimingKind timing :
+       {TimingKind::linear, TimingKind::arc_length, TimingKind::harmonic, TimingKind::geodesic}) {
+    INFO("timing " << static_cast<int>(timing));
+    const std::vector<int> wanted = rows_from_contours(strip, timing);
+    for (const int bridge : {0, 5, 11}) {
+      INFO("bridge " << bridge);
+      const std::vector<int> rows = rows_from_contours(read(stepped(true, bridge)), timing);
+      REQUIRE(rows.size() == wanted.size());
+      // Corners on one circle may be joined either way.
+      for (std::size_t i = 0; i < rows.size(); ++i) CHECK(std::abs(rows[i] - wanted[i]) <= 1);
+    }
+  }
+}
+
+TEST_CASE("cases: a ledge of one polygon gets the triangles of a strip", "[cases]") {
+  const Mesh ring = read(stepped(true, 5));
+  CHECK(ring.triangles.size() == read(stepped(false)).triangles.size());
+  int on_ledge = 0;
+  for (const Triangle& t : ring.triangles) {
+    if (!std::all_of(t.begin(), t.end(), [](VertexId v) { return v >= 16 && v < 48; })) continue;
+    ++on_ledge;
+    for (const std::size_t k : {0, 1, 2})  // none is longer than a diagonal of the strip's quads
+      CHECK(glm::distance(ring.positions[t[k]], ring.positions[t[(k + 1) % 3]]) < 0.62);
+  }
+  CHECK(on_ledge == 32);
 }

@@ -272,8 +272,8 @@ TEST_CASE("at a split the saddle is named, its two arcs have two colours, and th
   CHECK(captions_of(scene) == Texts{"split"});
   CHECK(scene.captions[0].position ==
         glm::vec3(session.document->timeline.input().mesh.positions[found.vertex]));
-  CHECK(points_of(scene, dark_theme.of(knit::Label::m1r)) == static_cast<std::size_t>(found.one));
-  CHECK(points_of(scene, dark_theme.of(knit::Label::k2tog)) == static_cast<std::size_t>(found.two));
+  CHECK(points_of(scene, dark_theme.one_side) == static_cast<std::size_t>(found.one));
+  CHECK(points_of(scene, dark_theme.other_side) == static_cast<std::size_t>(found.two));
   const auto bridge = static_cast<std::size_t>(work_of(session).deal->bridge.size());
   REQUIRE(bridge > 0);
   CHECK(points_of(scene, dark_theme.anchor) == 0);

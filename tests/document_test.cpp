@@ -67,7 +67,7 @@ Names different(const Changes& a, const Changes& b) {
 Names different(const Document& a, const Document& b) {
   [[maybe_unused]] const auto& [source, original, mesh_hash, findings, repaired, before_repair, defaults,
                                 timeline, before_change, changes, travel, place_note, pinned, sweep, saved,
-                                closeness, closeness_run, load_ms, run_ms] = a;
+                                closeness, closeness_run, load_ms, run_ms, pieces] = a;
   return those_that_differ({{"source", source != b.source},
                             {"original", original->positions != b.original->positions},
                             {"mesh_hash", mesh_hash != b.mesh_hash},
@@ -85,15 +85,17 @@ Names different(const Document& a, const Document& b) {
                             {"saved", saved != b.saved},
                             {"closeness", closeness != b.closeness},
                             {"closeness_run", closeness_run != b.closeness_run},
-                            {"run_ms", run_ms != b.run_ms}});
+                            {"run_ms", run_ms != b.run_ms},
+                            {"pieces", pieces != b.pieces}});
 }
 
 Names different(const Gaze& a, const Gaze& b) {
-  const auto& [camera, camera_kept, picking, hovered_stitch, hovered_rounds, knit_along, knit_along_round] =
-      a;
+  const auto& [camera, camera_kept, picking, knit_along_deal, hovered_stitch, hovered_rounds, knit_along,
+               knit_along_round] = a;
   return those_that_differ({{"camera", !(camera == b.camera)},
                             {"camera_kept", camera_kept != b.camera_kept},
                             {"picking", picking != b.picking},
+                            {"knit_along_deal", knit_along_deal != b.knit_along_deal},
                             {"hovered_stitch", hovered_stitch != b.hovered_stitch},
                             {"hovered_rounds", hovered_rounds != b.hovered_rounds},
                             {"knit_along", knit_along != b.knit_along},
@@ -101,7 +103,8 @@ Names different(const Gaze& a, const Gaze& b) {
 }
 
 Names different(const View& a, const View& b) {
-  const auto& [gaze, aspect, layers, playback, slow_motion, breaks, side, list, centre, pattern, dialogs] = a;
+  const auto& [gaze, aspect, layers, playback, slow_motion, breaks, side, list, centre, positions, pattern,
+               dialogs] = a;
   return those_that_differ({{"gaze", !different(gaze, b.gaze).empty()},
                             {"aspect", aspect != b.aspect},
                             {"layers", layers != b.layers},
@@ -111,6 +114,7 @@ Names different(const View& a, const View& b) {
                             {"side", side != b.side},
                             {"list", list != b.list},
                             {"centre", centre != b.centre},
+                            {"positions", positions != b.positions},
                             {"pattern", !(pattern == b.pattern)},
                             {"dialogs", !(dialogs == b.dialogs)}});
 }
@@ -134,12 +138,13 @@ Names different(const Outbox& a, const Outbox& b) {
 
 Names different(const Jobs& a, const Jobs& b) {
   const auto& [beside, opening, made_mesh, repair_offer, run, animation] = a;
-  const auto& [long_step, measuring] = run;
+  const auto& [long_step, awaited, measuring] = run;
   return those_that_differ({{"beside", beside != b.beside},
                             {"opening", opening != b.opening},
                             {"made_mesh", made_mesh != b.made_mesh},
                             {"mend_offer", repair_offer.has_value() != b.repair_offer.has_value()},
                             {"long_step", long_step.has_value() != b.run.long_step.has_value()},
+                            {"awaited", awaited.has_value() != b.run.awaited.has_value()},
                             {"measuring", measuring.has_value() != b.run.measuring.has_value()},
                             {"animation", animation != b.animation}});
 }
@@ -151,8 +156,8 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 18, travel_fields = 8, change_fields = 5, view_fields = 11,
-                      gaze_fields = 7, learning_fields = 3, outbox_fields = 6, job_fields = 7,
+constexpr std::size_t document_fields = 19, travel_fields = 8, change_fields = 5, view_fields = 12,
+                      gaze_fields = 8, learning_fields = 3, outbox_fields = 6, job_fields = 8,
                       program_fields = 3;
 
 // --- a session with something in every field ---------------------------------------------------------------
@@ -168,7 +173,7 @@ void fill(Document& document) {
   document.timeline.extend(300);
   document.timeline.seek(200);
   document.before_change = base;
-  document.changes = {{{base, {}}}, {{base, {}}}, true, {"cast-on"}, Knobs{base, {}}};
+  document.changes = {{Change{{base, {}}, {}}}, {Change{{base, {}}, {}}}, true, {"cast-on"}, Knobs{base, {}}};
   Travel& travel = document.travel;
   travel.history = {{document.timeline.place()}, {document.timeline.place()}};
   travel.left_by_seek = 200;
@@ -190,12 +195,14 @@ void fill(Document& document) {
   document.closeness = std::make_shared<const knit::Closeness>();
   document.closeness_run = 5;
   document.run_ms = 12.0;
+  document.pieces = {{{"A", "Tail"}}, {"B", "A"}};
 }
 
 void fill(View& view) {
   view.gaze.camera.yaw = 0.25;
   view.gaze.camera_kept = true;
   view.gaze.picking = Picking::end;
+  view.gaze.knit_along_deal = 1;
   view.gaze.hovered_stitch = StitchAt{2, 3};
   view.gaze.hovered_rounds = RoundSpan{2, 3};
   view.gaze.knit_along = 4;
@@ -208,6 +215,7 @@ void fill(View& view) {
   view.side = SidePanel::report;
   view.list = RunList::problems;
   view.centre = CentrePanel::chart;
+  view.positions = Positions::placed;
   view.pattern.title = "Ball";
   view.dialogs.help_open = true;
 }
@@ -228,6 +236,7 @@ Session full_session() {
   session.jobs->made_mesh = std::make_shared<const MadeMesh>();
   session.jobs->repair_offer = RepairOffer{{"", "a.obj", {}}, "It has a hole.", nullptr};
   session.jobs->run.long_step.emplace();
+  session.jobs->run.awaited.emplace();
   session.jobs->run.measuring.emplace();
   session.jobs->animation = std::make_shared<const AnimationRun>();
   session.program->rescued = Rescued{"a.json", "egg"};

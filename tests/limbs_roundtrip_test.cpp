@@ -1,15 +1,23 @@
 // From the run to words with limbs and back: what the reader knits is what the plan's hands knit, and that is the fabric.
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <random>
 
-#include "app/files/pattern_export.h"
+#include "app/files/pattern_json.h"
+#include "app/files/pattern_knitspeak.h"
+#include "app/files/pattern_page.h"
+#include "knit/limbs/limb_runs.h"
+#include "knit/limbs/limb_tubes.h"
 #include "knit/mesh/shapes.h"
 #include "knit/model/stitch_size.h"
+#include "knit/pattern/limb_needle.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/run/timeline.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/random_fabric.h"
+#include "tests/support/ringed_fabric.h"
 
 using namespace knit;
 
@@ -27,9 +35,54 @@ void check_reads_back(const std::string& text, const ReadLimbs& wanted) {
   CHECK(read.cast_on == wanted.cast_on);
 }
 
+// What lies on each needle, as the deals say, is what the hands have there.
+void check_needles(const LimbPlan& plan, const ReadLimbs& worked) {
+  const std::vector<PieceNeedle> needles = needles_of(plan);
+  for (std::size_t i = 0; i < needles.size(); ++i) {
+    if (plan.pieces[i].is_cast_on()) continue;
+    std::vector<std::int32_t> live;
+    for (const NeedleStitch& stitch : needles[i].begin) {
+      const auto at = static_cast<std::size_t>(stitch.stitch);
+      const bool loops = plan.pieces[i].deals.back().kind == LimbDealKind::loops;
+      if (stitch.gap > 0) {
+        live.push_back(worked.gaps.at(static_cast<std::size_t>(stitch.gap) - 1).at(at));
+      } else {
+        const ReadLimb& from = worked.limbs.at(static_cast<std::size_t>(stitch.piece));
+        live.push_back((loops ? from.rows.front() : from.rows.back()).at(at));
+      }
+    }
+    CHECK(live == worked.limbs[i].live);
+  }
+}
+
+// JSON says the plan: read back, it is the same but for what it leaves out.
+void check_json(const LimbPlan& plan) {
+  const auto json = nlohmann::json::parse(app::pattern_json(plan));
+  REQUIRE(json.at("pieces").size() == plan.pieces.size());
+  CHECK(json.at("gaps") == nlohmann::json(plan.gaps));
+  for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+    const auto& told = json.at("pieces")[i];
+    const LimbPiece& piece = plan.pieces[i];
+    CHECK(told.at("rows") == nlohmann::json(piece.rows));
+    CHECK(told.at("starts") == nlohmann::json(piece.starts));
+    REQUIRE(told.at("rounds").size() == piece.rounds.size());
+    for (std::size_t r = 0; r < piece.rounds.size(); ++r) {
+      std::int64_t made = 0;
+      for (const auto& run : told.at("rounds")[r].at("operations")) made += run.at("count").get<int>();
+      CHECK(made == piece.rounds[r].after);
+      CHECK(told.at("rounds")[r].value("slips_back", false) == piece.rounds[r].slips_back);
+    }
+    if (piece.is_cast_on()) continue;
+    std::int64_t live = 0;
+    for (const auto& run : told.at("live")) live += run.at(2).get<int>();
+    CHECK(live == piece.first_count());
+  }
+}
+
 ReadLimbs check_plan(const LimbPlan& plan, const State& state) {
   const ReadLimbs worked = test_support::PlanHands(plan).run();
   CHECK(test_support::AgainstFabric(plan, worked, state).differs() == "");
+  check_needles(plan, worked);
   return worked;
 }
 
@@ -41,6 +94,7 @@ void check_round_trip(const State& state, bool all_forms) {
     limbs.twins_alike = alike;
     const LimbPlan plan = plan_limbs(state, limbs);
     const ReadLimbs worked = check_plan(plan, state);
+    check_json(plan);
     for (const bool dressed : {false, true}) {
       if (dressed && !all_forms) continue;
       PatternOptions options;
@@ -50,7 +104,8 @@ void check_round_trip(const State& state, bool all_forms) {
       check_reads_back(pattern_as_text(pattern), worked);
       if (!all_forms) continue;
       check_reads_back(pattern_as_markdown(pattern), worked);
-      check_reads_back(app::pattern_html(pattern, {}), worked);
+      check_reads_back(app::pattern_html(pattern, app::PiecesArt{}), worked);
+      check_reads_back(app::pattern_knitspeak(plan, options), worked);
     }
   }
 }
@@ -128,6 +183,99 @@ TEST_CASE("limbs round trip: fabrics of no shape") {
     const State state = test_support::RandomFabric(seed).run(3 + static_cast<int>(seed % 9));
     if (has_limbs(state)) check_round_trip(state, false);
   }
+}
+
+namespace {
+
+struct RingsMet {
+  int cast_on = 0, grafted = 0;
+  int of_one_loop = 0;  // grafted: the two parts of a loop that was divided
+  int steep = 0;        // cast on: one has more than twice the other's stitches
+  void add(const State& state) {
+    const auto& deals = state.fabric.deals();
+    for (const auto& deal : deals) {
+      if (deal->kind == DealKind::ring_cast_on) {
+        const auto [less, more] = std::minmax(deal->taken[0].size(), deal->taken[1].size());
+        ++cast_on;
+        steep += more > 2 * less ? 1 : 0;
+      }
+      if (deal->kind != DealKind::ring_bind_off) continue;
+      ++grafted;
+      of_one_loop += std::any_of(deals.begin(), deals.end(), [&](const auto& split) {
+        return split->kind == DealKind::split &&
+               std::is_permutation(split->to.begin(), split->to.end(), deal->from.begin(), deal->from.end());
+      });
+    }
+  }
+};
+
+// Tubes with rows by chance, each after those that it stands on.
+std::vector<TubeId> standing_order(const State& state, unsigned seed) {
+  const LimbTubes tubes(state);
+  std::vector<std::int32_t> left, done;
+  for (std::int32_t tube = 0; tube < tubes.count(); ++tube) {
+    if (tubes.tube(tube).has_rows()) left.push_back(tube);
+  }
+  std::mt19937 random(seed);
+  std::vector<TubeId> order;
+  while (!left.empty()) {
+    std::vector<std::int32_t> can;
+    for (const std::int32_t tube : left) {
+      const std::vector<std::int32_t> below = tubes_below(tubes, tube);
+      const bool stands = std::all_of(below.begin(), below.end(), [&](std::int32_t other) {
+        return std::find(done.begin(), done.end(), other) != done.end();
+      });
+      if (stands) can.push_back(tube);
+    }
+    REQUIRE_FALSE(can.empty());
+    done.push_back(can[random() % can.size()]);
+    order.push_back(tubes.tube(done.back()).id);
+    left.erase(std::find(left.begin(), left.end(), done.back()));
+  }
+  return order;
+}
+
+}  // namespace
+
+TEST_CASE("limbs round trip: fabrics of no shape with rings") {
+  RingsMet rings;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    const State bare = test_support::RandomFabric(seed).run(1 + static_cast<int>(seed % 8));
+    State state = test_support::RingedFabric(seed).of(bare);
+    if (!has_limbs(state)) continue;
+    state.work = Finished{};
+    check_round_trip(state, false);
+    for (unsigned tries = 0; tries < 6; ++tries)
+      CHECK(cost_of_order(state, standing_order(state, seed + tries)).has_value());
+    rings.add(state);
+  }
+  CHECK(rings.cast_on > 50);
+  CHECK(rings.grafted > 50);
+  CHECK(rings.of_one_loop > 5);
+  CHECK(rings.steep > 5);
+}
+
+TEST_CASE("limbs round trip: two rounds, cast on together, bound off or grafted to each other") {
+  std::int32_t rings = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    State bare;
+    for (const TubeId tube : {0, 1}) {
+      Row row;
+      row.tube = tube;
+      row.id = bare.fabric.next_row();
+      row.stitches.resize(3 + (seed * (static_cast<unsigned>(tube) + 3)) % 8);
+      bare.fabric.add(std::move(row));
+    }
+    CHECK_FALSE(limbs_are_known(bare));
+    State state = test_support::RingedFabric(seed).of(bare);
+    if (state.fabric.deals().empty()) continue;
+    ++rings;
+    state.work = Finished{};
+    check_round_trip(state, true);
+  }
+  CHECK(rings > 10);
 }
 
 TEST_CASE("limbs round trip: any order that can be worked, and no other") {

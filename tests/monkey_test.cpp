@@ -6,6 +6,7 @@
 #include <random>
 #include <span>
 
+#include "app/actions/hosting.h"
 #include "app/describe/describe.h"
 #include "app/session/document.h"
 #include "app/session/outbox.h"
@@ -18,6 +19,8 @@
 using namespace app;
 
 namespace {
+
+constexpr int few_iterations = 2;  // of settling: what a thousand runs have time for
 
 class Monkey {
  public:
@@ -123,12 +126,13 @@ class Monkey {
         const double usual = number->get(defaults);
         number->set(parameters, below(12) == 0 ? number->low : usual * std::pow(2.0, uniform(-0.6, 2.0)));
       } else if (const auto* choice = std::get_if<knit::Choice>(&info.kind)) {
-        // The timings that are solved for cost most: once in a while; settling has tests of its own.
-        if (info.key == "settle") continue;
-        const bool dear = info.key == "timing" || info.key == "metric" || info.key == "rows";
+        // The timings that are solved for cost most: once in a while; and so does settling, which each change does anew.
+        const bool dear =
+            info.key == "timing" || info.key == "metric" || info.key == "rows" || info.key == "settle";
         choice->set(parameters, dear && below(30) > 0 ? 0 : static_cast<int>(below(choice->names.size())));
       } else if (const auto* count = std::get_if<knit::Count>(&info.kind)) {
-        count->set(parameters, static_cast<int>(below(20)));
+        const bool iterations = info.key == "settle-iterations";
+        count->set(parameters, iterations ? few_iterations : static_cast<int>(below(20)));
       } else if (const auto* picked = std::get_if<knit::PickedVertex>(&info.kind)) {
         picked->set(parameters, below(3) > 0 ? knit::no_vertex : static_cast<knit::VertexId>(below(3000)));
       } else {
@@ -212,7 +216,7 @@ class Monkey {
   }
 
   Action looked(const Session& session) {
-    switch (below(6)) {
+    switch (below(7)) {
       case 0:
         return SetLayer{static_cast<Layer>(below(layer_count)), below(2) == 0};
       case 1:
@@ -223,6 +227,8 @@ class Monkey {
         return HoverStitch{StitchAt{small(80), small(80)}};
       case 4:
         return SetPicking{static_cast<Picking>(below(3))};
+      case 5:
+        return SetPositions{static_cast<Positions>(below(2))};
       default:
         return PickVertex{
             static_cast<knit::VertexId>(below(session.document->timeline.input().mesh.positions.size() + 2))};
@@ -297,6 +303,12 @@ void play_with(const std::string& example, unsigned seed) {
   const test_support::Folder folder;
   Session session = test_support::example_session(example);
   Session replayed = test_support::example_session(example);
+  knit::Parameters quick = session.document->timeline.parameters();
+  quick.settle.most_iterations = few_iterations;
+  for (Session* each : {&session, &replayed}) {
+    apply(*each, Tune{quick});
+    forget_changes(*each);  // no undoing leads behind it
+  }
   Monkey monkey(seed, folder.path());
   Describer describer;
   const int count = actions_in_all();

@@ -136,7 +136,7 @@ TEST_CASE("pieces: a person's names stand before the letters") {
 
 TEST_CASE("pieces: notes and materials tell holders, markers and gaps") {
   const WrittenPattern pattern = words_for(run_of(standing_torus(), 0.05));
-  CHECK(has_words(all_of(pattern.materials), "Stitch holders: 1;"));
+  CHECK(has_words(all_of(pattern.materials), "Stitch holders: 2;"));
   CHECK(has_words(all_of(pattern.materials), "Removable markers"));
   CHECK(has_words(all_of(pattern.notes), "Each gap is cast on once and picked up once"));
   CHECK_FALSE(has_words(all_of(pattern.notes), "provisional"));
@@ -177,34 +177,38 @@ app::Session torus_session() {
 
 }  // namespace
 
-TEST_CASE("pieces: text, Markdown and page have headings and no chart") {
+TEST_CASE("pieces: text, Markdown and page have headings and a chart for each piece") {
   const app::Session session = torus_session();
   CHECK_FALSE(app::pattern_missing(session));
   const std::string text = pattern_file_text(session, app::PatternFormat::text);
   CHECK(has_words(text, "\n\nBranch C: "));
-  CHECK_FALSE(has_words(text, "CHART"));
+  CHECK(has_words(text, "\nCHARTS\n"));
+  CHECK(has_words(text, "\nBranch C\n"));
   CHECK(has_words(pattern_file_text(session, app::PatternFormat::markdown), "\n### Branch C: "));
   const std::string page = pattern_file_text(session, app::PatternFormat::html);
   CHECK(has_words(page, "<li class=\"piece\">Branch C: "));
   CHECK(has_words(page, "<li class=\"round step\">Join with Branch "));
-  CHECK_FALSE(has_words(page, "<svg"));
+  CHECK(has_words(page, "<rect class=\"piece\""));
+  CHECK(has_words(page, "<td>Branch C</td>"));
+  CHECK_FALSE(has_words(page, "(Order of work; "));
   const std::vector<std::string> lines = pattern_instructions(session);
   CHECK(lines.front() == "(Worked in 4 pieces, one after the other, from A to D.)");
   CHECK(has_words(lines.at(1), "(Order of work; "));
 }
 
-TEST_CASE("pieces: chart and knitspeak are refused in one sentence") {
+TEST_CASE("pieces: no format is refused, and a ball has no picture of pieces") {
   const app::Session session = torus_session();
-  for (const auto& refused :
-       {app::chart_missing(session), app::format_missing(session, app::PatternFormat::knitspeak)}) {
-    REQUIRE(refused);
-    CHECK(test_support::is_one_sentence(*refused));
-    CHECK(has_words(*refused, "in pieces"));
-  }
-  CHECK_FALSE(app::format_missing(session, app::PatternFormat::json));
+  CHECK_FALSE(app::chart_missing(session));
+  CHECK_FALSE(app::pieces_missing(session));
+  CHECK_FALSE(app::format_missing(session, app::PatternFormat::knitspeak));
+  const std::string speak = pattern_file_text(session, app::PatternFormat::knitspeak);
+  CHECK(has_words(speak, "other tools may not read them"));
+  CHECK(has_words(speak, "\nRound 2: "));
+  CHECK(read_pattern(speak).mistakes.empty());
   const app::Session ball = test_support::finished_small_session();
   CHECK_FALSE(app::chart_missing(ball));
-  CHECK_FALSE(app::format_missing(ball, app::PatternFormat::knitspeak));
+  REQUIRE(app::pieces_missing(ball));
+  CHECK(test_support::is_one_sentence(*app::pieces_missing(ball)));
 }
 
 TEST_CASE("pieces: JSON has a line for each, with what it is laid on") {
@@ -239,7 +243,7 @@ TEST_CASE("pieces: the tab has headings, and its lines say rows of the fabric") 
   CHECK(told == std::vector<std::int32_t>(told.size(), 1));
 }
 
-TEST_CASE("pieces: no chart and no knitting along, but a sentence") {
+TEST_CASE("pieces: the chart of a piece is chosen by its letter") {
   desk::Desk desk;
   desk.session.document = torus_document();
   desk.act({app::ToLast{}, app::ShowSide{app::SidePanel::pattern}});
@@ -248,9 +252,10 @@ TEST_CASE("pieces: no chart and no knitting along, but a sentence") {
   const app::ChartCache& cache = desk.ui.own<app::ChartCache>();
   CHECK(cache.in_pieces());
   CHECK(cache.has_pattern());
-  CHECK(cache.rounds() == 0);
-  desk.act({app::ShowCentre{app::CentrePanel::chart}, app::KnitAlong{7}});
+  CHECK(cache.piece_charts().size() == 4);
+  desk.act({app::ShowCentre{app::CentrePanel::chart}});
   desk.settle();
-  CHECK(desk.ui.controls.count("chart") == 0);
-  CHECK(desk.ui.controls.count("knit-along/line") == 0);
+  CHECK(desk.ui.controls.count("chart") == 1);
+  for (const char* letter : {"A", "B", "C", "D"})
+    CHECK(desk.ui.controls.count("chart/piece/" + std::string(letter)) == 1);
 }

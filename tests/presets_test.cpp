@@ -59,6 +59,7 @@ TEST_CASE("every setting of a preset is taken by the table, and is in force afte
   odd.stitches.placement = knit::PlacementPolicy::even;
   odd.stitches.stacking_penalty = 3.0;
   odd.stitches.follow_mains = knit::FollowMains::on;
+  odd.settle.settling = knit::Settling::on;
   for (const Preset& p : presets()) {
     std::set<std::string_view> keys;
     for (const PresetSetting& setting : p.settings) {

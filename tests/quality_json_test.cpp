@@ -35,9 +35,10 @@ TEST_CASE("quality json: all fields of a finished run are there, in order", "[qu
   const knit::Closeness closeness = some_closeness();
   const Json json = app::quality_json(small_quality(100), &closeness);
   CHECK(keys_of(json) == std::vector<std::string>{"stitch_width", "stitch_height", "course", "long_course",
-                                                  "worst_course_cv_in_row", "wale", "corner", "rows", "tubes",
-                                                  "quad_share", "regular_share", "shaping", "offset",
-                                                  "long_offset", "mirror", "distance", "area_ratio"});
+                                                  "worst_course_cv_in_row", "wale", "corner", "corner_off",
+                                                  "rows", "tubes", "quad_share", "regular_share", "shaping",
+                                                  "offset", "long_offset", "mirror", "distance",
+                                                  "area_ratio"});
   CHECK(keys_of(json["course"]) == std::vector<std::string>{"mean", "cv", "min", "max", "p95", "histogram"});
   CHECK(keys_of(json["corner"]["histogram"]) == std::vector<std::string>{"low", "high", "bins"});
   CHECK(keys_of(json["shaping"]) ==

@@ -274,6 +274,20 @@ TEST_CASE("repairs have a card with what is wrong and what each would do") {
   CHECK(desk.ui.controls.count("repair/undo") == 0);
 }
 
+TEST_CASE("of several pieces any one may be opened, as by --piece") {
+  const Folder folder;
+  Desk desk;
+  desk.open();
+  apply(desk.session, OpenFile{bad_file(folder, "two-pieces.obj")});
+  desk.settle();
+  CHECK(desk.ui.controls.count("repair/piece-1") == 1);
+  CHECK(desk.ui.controls.count("repair/piece-3") == 0);
+  desk.act(desk.click("repair/piece-2"));
+  REQUIRE(desk.session.document);
+  CHECK(desk.session.document->source.repairs.front() == knit::keeping_piece(2));
+  CHECK(desk.session.document->timeline.input().mesh.triangles.size() == 4);
+}
+
 TEST_CASE("repairs are offered in the list for what is only warned of too") {
   const Folder folder;
   for (const auto& [name, control, kind] :

@@ -33,7 +33,7 @@ constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesi
 constexpr std::array cases{Case{"bunny", linear, 4, 0.084, 1.6, 1, 3.8},
                            Case{"bunny", geodesic, 4, 0.081, 1.8, 1, 3.8},
                            Case{"spot", linear, 4, 0.115, 2.0, 0, 4.3},
-                           Case{"spot", geodesic, 4, 0.090, 1.8, 0, 5.3},
+                           Case{"spot", geodesic, 4, 0.090, 1.8, 1, 5.3},
                            Case{"teddy", linear, 4, 0.069, 1.4, 0, 2.4},
                            Case{"teddy", geodesic, 4, 0.047, 1.3, 0, 2.8},
                            Case{"starfish", linear, 4, 0.100, 1.6, 0, 2.0},

@@ -397,6 +397,68 @@ TEST_CASE("settle: each iteration lowers the sum, moves nobody far, and is the s
   CHECK(content_hash_of(states.front()) != content_hash_of(states.back()));
 }
 
+TEST_CASE("settle: an iteration is the same with memory that is kept, shared, or new") {
+  const Knitted made = knitted(test_support::arch(), 0.05);
+  const SettleSettings settings;
+  SettleWork stepped = begun(made);
+  while (!stepped.done) {
+    SettleWork shares = stepped, new_one = stepped;
+    new_one.memory = {};
+    advance_settling(*made.input, settings, shares);
+    advance_settling(*made.input, settings, stepped);
+    advance_settling(*made.input, settings, new_one);
+    CHECK(shares == stepped);
+    CHECK(new_one == stepped);
+    CHECK(content_hash_of(new_one) == content_hash_of(stepped));
+  }
+}
+
+TEST_CASE("settle: an iteration says how far it has come, and is broken off without a trace") {
+  struct BrokenOff {};
+  const Knitted made = knitted(test_support::arch(), 0.03);
+  const SettleSettings settings;
+  std::vector<double> heard;
+  SettleWork work;
+  begin_settling(*made.input, made.state.fabric, made.stitch, settings, work,
+                 [&](double share) { heard.push_back(share); });
+  CHECK(heard.size() >= 5);
+  CHECK(work == begun(made));
+
+  heard.clear();
+  SettleWork whole = work;
+  whole.memory = {};
+  advance_settling(*made.input, settings, whole, [&](double share) { heard.push_back(share); });
+  CHECK(std::is_sorted(heard.begin(), heard.end()));
+  CHECK(heard.front() >= 0.0);
+  CHECK(heard.back() <= 1.0);
+  CHECK(heard.size() + 1 >= work.plan->pattern.panel.size());  // at each panel of the factorisation
+  for (std::size_t i = 1; i < heard.size(); ++i) CHECK(heard[i] - heard[i - 1] < 0.35);
+
+  for (const std::size_t stop_at : {std::size_t{1}, heard.size() / 2, heard.size()}) {
+    SettleWork broken = work;
+    broken.memory = {};  // as before: all of it is to be made
+    std::size_t calls = 0;
+    const Heard stopping = [&](double /*share*/) {
+      if (++calls == stop_at) throw BrokenOff{};
+    };
+    CHECK_THROWS_AS(advance_settling(*made.input, settings, broken, stopping), BrokenOff);
+    CHECK(broken == work);
+    advance_settling(*made.input, settings, broken);
+    CHECK(broken == whole);
+  }
+}
+
+TEST_CASE("settle: a few stitches at a sharp edge hold up nobody but those beside them") {
+  // Round its edge the surface is not what a stitch's plane promises: each step that goes there would fail as a whole.
+  const Knitted made = knitted(flattened(sphere(96, 65), 0.1), 0.03);
+  const SettleSettings settings;
+  SettleWork work = begun(made);
+  std::int32_t tries = 0;
+  while (!work.done) tries += advance_settling(*made.input, settings, work).tries;
+  CHECK(work.iteration >= 5);
+  CHECK(tries <= work.iteration + 3);
+}
+
 TEST_CASE("settle: it ends after as many iterations as are allowed") {
   const Knitted made = knitted(test_support::arch(), 0.05);
   SettleSettings settings;

@@ -1,6 +1,7 @@
 // The rewind contract for rows from contours and for times solved for on the surface.
 #include "knit/import/check.h"
 #include "knit/insight/narrate.h"
+#include "knit/mesh/branching_shapes.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "knit/timing/heights.h"
@@ -242,4 +243,36 @@ TEST_CASE("contours: a tube pressed flat is knitted there and back") {
     CAPTURE(height);
     CHECK(timeline.furthest().finished());
   }
+}
+
+TEST_CASE(
+    "another stitch size leaves the times' own graph and what smoothing needs as they are, to the same "
+    "bits") {
+  Parameters parameters = contours(TimingKind::linear);
+  give_width(parameters, 0.15);
+  const auto input = make_input(trousers(0.12));
+  Timeline timeline(input, parameters);
+  timeline.extend_to_end();
+  REQUIRE(timeline.furthest().finished());
+  REQUIRE(steps_of<FieldSmoothed>(timeline).size() == 1);
+  const std::size_t graph_found = position_after_step<GraphFound>(timeline, {});
+  const auto graph_at = [&](std::size_t position) {
+    timeline.seek(position);
+    return std::get<TubesWork>(timeline.state().work).graph.pointer();
+  };
+  const auto raw = graph_at(graph_found);
+  const auto smoothed = graph_at(graph_found + 1);
+  give_width(parameters, 0.18);
+  timeline.tune(parameters);
+  CHECK(timeline.known() == graph_found);
+  timeline.extend_to_end();
+  CHECK(graph_at(graph_found) == raw);
+  CHECK(graph_at(graph_found + 1) != smoothed);
+  Timeline fresh(input, parameters);
+  fresh.extend_to_end();
+  CHECK(timeline.steps() == fresh.steps());
+  CHECK(hash_of(timeline.furthest()) == hash_of(fresh.furthest()));
+  parameters.tubes.smoothing = Smoothing::off;  // which the first step reads
+  timeline.tune(parameters);
+  CHECK(timeline.known() == graph_found - 1);
 }

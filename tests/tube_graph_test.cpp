@@ -302,7 +302,8 @@ TEST_CASE("tubes: whatever the field, counts are those of the surface and each l
       unfolded += wild.surface.unfolded;
       check_graph(wild, genus);
       check_curves_and_profiles(wild, true);
-      const TubeGraph smooth = find_tubes(make_morse(*input, smooth_field(*input, net, noise, 0.2)));
+      const TubeGraph smooth =
+          find_tubes(make_morse(*input, FieldSmoother(*input, net).smooth(*input, noise, 0.2)));
       CHECK(smooth.nodes.size() < wild.nodes.size());
       check_graph(smooth, genus);
       check_curves_and_profiles(smooth, true);
@@ -396,6 +397,7 @@ TEST_CASE("smoothing: a field stays within its range, keeps its mean and loses i
   for (const auto& mesh : {icosphere(3), sphere(32, 24, true), torus(40, 20, 1.0, 0.4)}) {
     const auto input = make_input(mesh);
     const IntrinsicMesh net = make_intrinsic(*input);
+    const FieldSmoother smoother(*input, net);
     const auto mean = [&](const std::vector<double>& field) {
       double sum = 0.0, whole = 0.0;
       for (std::size_t t = 0; t < net.triangles.size(); ++t) {
@@ -411,7 +413,7 @@ TEST_CASE("smoothing: a field stays within its range, keeps its mean and loses i
     double range = *high - *low;
     // Where a stitch is 1e9 times as high as the mesh, rounding must not lose the masses beside the Laplacian.
     for (const double length : {0.0, 0.05, 0.2, 1.0, 100.0, 1e9, 1e150}) {
-      const std::vector<double> smooth = smooth_field(*input, net, field, length);
+      const std::vector<double> smooth = smoother.smooth(*input, field, length);
       const auto [least, greatest] = std::minmax_element(smooth.begin(), smooth.end());
       CHECK(*least >= *low);
       CHECK(*greatest <= *high);
@@ -425,7 +427,7 @@ TEST_CASE("smoothing: a field stays within its range, keeps its mean and loses i
       }
     }
     CHECK(range < 1e-3);
-    for (const double value : smooth_field(*input, net, std::vector(field.size(), 0.7), 0.3))
+    for (const double value : smoother.smooth(*input, std::vector(field.size(), 0.7), 0.3))
       CHECK(value == 0.7);
   }
 }

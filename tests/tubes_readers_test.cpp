@@ -282,7 +282,7 @@ TEST_CASE(
         app::Scene scene;
         scene.theme = &app::dark_theme;
         app::Coarse coarse;
-        coarse.describe(session, stride, false, scene);
+        coarse.describe(session, fabric, {stride}, false, scene);
         std::size_t faces = 0;
         double farthest = 0.0;
         for (const auto& shape : scene.faces) {
@@ -294,7 +294,7 @@ TEST_CASE(
         CHECK((faces > 0) == !fabric.strips().empty());
         // From one row to the next a face is as high as a row, even where a tube begins.
         if (stride == 1) CHECK(farthest < 4.0 * timeline.parameters().stitch.width);
-        coarse.describe(session, stride, false, scene);  // kept
+        coarse.describe(session, fabric, {stride}, false, scene);  // kept
       }
     }
   }

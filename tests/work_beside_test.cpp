@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "knit/mesh/branching_shapes.h"
 #include "tests/support/beside.h"
 
 using namespace app;
@@ -28,6 +29,36 @@ std::size_t count_long(const knit::Timeline& timeline, std::size_t from) {
 Session finished_beside(TimingKind timing = TimingKind::linear) {
   Session session = beside_session(large_parameters(timing));
   tick_until(session, run_is_complete);
+  return session;
+}
+
+// Of a shape that branches, with some thousand triangles: another stitch size takes a moment.
+knit::Parameters trousers_parameters(double width) {
+  knit::Parameters parameters;
+  parameters.timing.axis = {knit::AxisKind::y, {0.0, 1.0, 0.0}};
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
+  knit::give_width(parameters, width);
+  return parameters;
+}
+
+std::uint64_t trousers_hash(const knit::Parameters& parameters) {
+  knit::Timeline timeline(knit::make_input(knit::trousers(0.06)), parameters);
+  timeline.extend_to_end();
+  return knit::hash_of(timeline.furthest());
+}
+
+Session finished_trousers() {
+  Session session;
+  session.program->assets = KNIT_ASSETS_DIR;
+  session.jobs->beside = true;
+  const auto mesh = std::make_shared<const knit::Mesh>(knit::trousers(0.06));
+  session.document = Document(knit::Timeline(knit::make_input(*mesh), trousers_parameters(0.1)));
+  session.document->original = mesh;
+  session.document->defaults = trousers_parameters(0.1);
+  apply(session, ToLast{});
+  tick_until(session, run_is_complete);
+  REQUIRE(session.document->timeline.state().finished());
   return session;
 }
 
@@ -204,4 +235,93 @@ TEST_CASE("another mesh opened meanwhile is not touched by the work on the first
   CHECK(knit::hash_of(session.document->timeline.furthest()) ==
         knit::hash_of(plain.document->timeline.state()));
   CHECK(session.document->closeness->knit_area == closeness_now(*plain.document)->knit_area);
+}
+
+TEST_CASE("while another stitch size is worked out the picture of before stays, whole") {
+  Session session = finished_trousers();
+  const knit::Timeline& timeline = session.document->timeline;
+  const std::uint64_t before = knit::hash_of(timeline.state());
+  const std::uint64_t after = trousers_hash(trousers_parameters(0.12));
+  REQUIRE(before != after);
+  apply(session, Tune{trousers_parameters(0.12)});
+  CHECK(timeline.parameters().stitch.width == 0.12);  // as the knob says
+  CHECK(knobs_of(timeline).base.stitch.width == 0.12);
+  CHECK_FALSE(timeline.complete());
+  std::size_t neither = 0;
+  tick_until(session, [&](Session&) {
+    const std::uint64_t shown = knit::hash_of(timeline.state());
+    neither += shown != before && shown != after ? 1U : 0U;
+    return timeline.complete();
+  });
+  CHECK(neither == 0);
+  CHECK(knit::hash_of(timeline.furthest()) == after);
+  CHECK(timeline.base_parameters().stitch.width == 0.12);
+  CHECK_FALSE(session.jobs->run.awaited);
+  apply(session, Undo{});
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(timeline.furthest()) == before);
+}
+
+TEST_CASE("a knob that is dragged on is followed by the picture of a moment ago") {
+  Session session = finished_trousers();
+  const knit::Timeline& timeline = session.document->timeline;
+  apply(session, Tune{trousers_parameters(0.12), true});
+  apply(session, PassTime{0.01});
+  REQUIRE(session.jobs->run.awaited);
+  while (!session.jobs->run.awaited->work.ready()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  apply(session, Tune{trousers_parameters(0.13), true});
+  apply(session, PassTime{0.01});
+  CHECK(timeline.base_parameters().stitch.width == 0.12);
+  CHECK(knit::hash_of(timeline.furthest()) == trousers_hash(trousers_parameters(0.12)));
+  CHECK(timeline.parameters().stitch.width == 0.13);
+  CHECK_FALSE(timeline.complete());
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(timeline.furthest()) == trousers_hash(trousers_parameters(0.13)));
+  CHECK(session.document->changes.undo.size() == 1);  // one drag
+}
+
+TEST_CASE("a run that is waited for is given up with what asked for it") {
+  Session session = finished_trousers();
+  const std::uint64_t before = knit::hash_of(session.document->timeline.state());
+  apply(session, Tune{trousers_parameters(0.12)});
+  apply(session, PassTime{0.01});
+  REQUIRE(session.jobs->run.awaited);
+  apply(session, Undo{});
+  apply(session, PassTime{0.01});
+  CHECK(session.document->timeline.complete());
+  CHECK(knit::hash_of(session.document->timeline.state()) == before);
+  CHECK_FALSE(session.jobs->run.awaited);
+
+  apply(session, Tune{trousers_parameters(0.12)});
+  apply(session, PassTime{0.01});
+  knit::Parameters other = trousers_parameters(0.12);
+  other.timing.kind = TimingKind::arc_length;
+  apply(session, Tune{other});
+  CHECK_FALSE(session.document->timeline.is_waiting());
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == trousers_hash(other));
+
+  knit::give_width(other, 0.14);
+  apply(session, Tune{other});
+  apply(session, PassTime{0.01});
+  REQUIRE(session.jobs->run.awaited);
+  apply(session, OpenExample{"egg"});
+  CHECK_FALSE(session.jobs->run.awaited);
+}
+
+TEST_CASE("rows from rings, and small meshes, follow the knob at once") {
+  Session session = small_session();
+  session.jobs->beside = true;
+  tick_until(session, run_is_complete);
+  for (const knit::RowSource source : {knit::RowSource::rings, knit::RowSource::contours}) {
+    knit::Parameters parameters = session.document->timeline.parameters();
+    parameters.rows.source = source;
+    apply(session, Tune{parameters});
+    tick_until(session, run_is_complete);
+    knit::give_width(parameters, 1.1 * parameters.stitch.width);
+    apply(session, Tune{parameters});
+    CHECK_FALSE(session.document->timeline.is_waiting());
+    apply(session, PassTime{0.0});
+    CHECK(session.document->timeline.complete());
+  }
 }

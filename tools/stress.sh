@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Random runs over shapes that branch, under the sanitizers: tools/stress.sh [RUNS] [MESH.obj...]. docs/testing.md has more.
+# In two of three the stitches settle, and the same run without that is held against it.
 # Without meshes those of ../shared/meshes are taken, where they are there; bodies made in code come in any case.
 # A run that fails is printed with the options that repeat it; the exit code is 1 then.
 # KNIT_STRESS_SEED=N draws other runs than those of seed 1.

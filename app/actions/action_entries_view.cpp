@@ -11,6 +11,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
+#include "app/session/pattern_pieces.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
 
@@ -60,6 +61,12 @@ void add_shown(EntryList& list) {
     const auto shown = static_cast<RunList>(i);
     list.add({"Show the list: " + std::string(list_keys[i]), group::panels, "Below the step.",
               ShowList{shown}, session.view->list == shown ? "It is shown." : ""});
+  }
+  for (std::size_t i = 0; i < positions_keys.size(); ++i) {
+    const auto positions = static_cast<Positions>(i);
+    list.add({"Show stitches as they are " + std::string(positions_keys[i]), group::view,
+              "In the view, in figures and in what is saved.", SetPositions{positions},
+              session.view->positions == positions ? "They are shown so." : ""});
   }
   for (std::size_t i = 0; i < panel_keys.size(); ++i) {
     const auto panel = static_cast<Panel>(i);
@@ -211,6 +218,29 @@ void add_switch(EntryList& list, const char* words, bool knit::PatternOptions::*
   list.add({words, group::the_pattern, "", SetPatternOptions{std::move(options)}, "", "", true});
 }
 
+Read read_named_piece(const Session& /*session*/, const std::string& typed) {
+  auto named = read_piece_name(typed);
+  if (auto* fault = std::get_if<std::string>(&named)) return std::move(*fault);
+  const auto& [letters, word] = std::get<0>(named);
+  return SetPieceNames{{{letters, word}}};
+}
+
+Read read_ordered_pieces(const Session& /*session*/, const std::string& typed) {
+  auto order = read_piece_order(typed);
+  if (auto* fault = std::get_if<std::string>(&order)) return std::move(*fault);
+  return SetPieceOrder{std::get<0>(std::move(order))};
+}
+
+void add_pieces(EntryList& list) {
+  list.add({"Name a piece of the pattern...", group::the_pattern, "By its letter in the cheapest order.",
+            ActionPrompt{"Letter and name", "A=Tail", read_named_piece}, list.unless_open()});
+  list.add({"Work the pieces in the order...", group::the_pattern, "By their letters in the cheapest order.",
+            ActionPrompt{"Letters", "B,A,C", read_ordered_pieces}, list.unless_open()});
+  const bool chosen = list.session.document && !list.session.document->pieces.order.empty();
+  list.add({"Work the pieces in the cheapest order", group::the_pattern, "", SetPieceOrder{},
+            chosen ? "" : "No other order was chosen."});
+}
+
 void add_pattern(EntryList& list) {
   list.add({"Set the pattern's title to...", group::the_pattern, "",
             ask_words("Title", "A ball for Ada", &knit::PatternOptions::title), "", "", true});
@@ -238,6 +268,7 @@ void add_file_entries(EntryList& list, const ActionSources& sources) {
   add_opening(list, sources);
   add_figures(list);
   add_pattern(list);
+  add_pieces(list);
   const std::size_t notices = list.session.outbox->notices.size();
   list.add({"Dismiss the newest notice", group::program, "", DismissNotice{notices > 0 ? notices - 1 : 0},
             notices > 0 ? "" : "There is no notice."});

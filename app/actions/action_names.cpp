@@ -96,8 +96,19 @@ constexpr ActionName named(For<SetAspect>) {
 }
 constexpr ActionName named(For<ShowSide>) { return {"Show a side panel", control, "side/report"}; }
 constexpr ActionName named(For<ShowList>) { return {"Show a list", control, "list"}; }
+constexpr ActionName named(For<SetPositions>) {
+  return {"Show stitches settled or as placed", control, "menu/Stitches as placed"};
+}
 constexpr ActionName named(For<SetPatternOptions>) {
   return {"Set what stands over the pattern", control, "pattern/Title"};
+}
+constexpr ActionName named(For<SetPieceNames>) {
+  return {"Name pieces of the pattern", view,
+          "Their names in the list of pieces, at the head of the pattern."};
+}
+constexpr ActionName named(For<SetPieceOrder>) {
+  return {"Set the order of pieces", view,
+          "A drag of a line in the list of pieces, at the head of the pattern."};
 }
 constexpr ActionName named(For<ShowCentre>) {
   return {"Show the view or the chart", control, "menu/The view or the chart"};

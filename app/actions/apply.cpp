@@ -159,7 +159,7 @@ struct Apply {
     if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
       reload(a);
     } else {
-      timeline().tune(a.parameters);
+      tune_run(session, a.parameters);
     }
   }
   // Welding changes the mesh itself: the run begins anew on the other mesh, at the same place. Edits are
@@ -209,7 +209,7 @@ struct Apply {
     timeline().tune(back);
     // What is cancelled was never done.
     Changes& changes = session.document->changes;
-    if (!changes.undo.empty() && changes.undo.back() == knobs_of(timeline())) {
+    if (!changes.undo.empty() && changes.undo.back() == change_of(*session.document)) {
       changes.undo.pop_back();
       changes.before.reset();
     }
@@ -249,6 +249,7 @@ struct Apply {
 
   void operator()(const ShowSide& a) { session.view->side = a.side; }
   void operator()(const ShowList& a) { session.view->list = a.list; }
+  void operator()(const SetPositions& a) { session.view->positions = a.positions; }
 
   void operator()(const Export& a) {
     if (!open()) return;
@@ -279,6 +280,7 @@ struct Apply {
   void operator()(const HoverRounds& a) { session.view->gaze.hovered_rounds = a.rounds; }
   void operator()(const KnitAlong& a) {
     session.view->gaze.knit_along = a.round;
+    session.view->gaze.knit_along_deal = a.round ? a.deal : session.view->gaze.knit_along_deal;
     if (a.round) session.view->gaze.knit_along_round = *a.round;
   }
   void operator()(const PointAt& a) { session.learning->pointed_variable = a.variable; }
@@ -337,7 +339,7 @@ void apply(Session& session, const Action& action) {
     const auto* tune = action.get_if<Tune>();
     const auto* edit = action.get_if<EditFromHere>();
     const bool held = tune != nullptr ? tune->held : edit != nullptr && edit->held;
-    note_change(session.document->changes, knobs_of(session.document->timeline), held);
+    note_change(session.document->changes, change_of(*session.document), held);
   }
   after_action(session, before);
   tend_lesson(session, action);

@@ -32,12 +32,13 @@ bool restore(Session& session, const Action& action, const Knobs& knobs) {
 }
 
 // The nearest entry of `from` becomes what is in force; what was goes to `to`. `action`: which asks for it.
-void go(Session& session, const Action& action, std::vector<Knobs>& from, std::vector<Knobs>& to) {
+void go(Session& session, const Action& action, std::vector<Change>& from, std::vector<Change>& to) {
   session.document->changes.open = false;
   if (from.empty()) return;
   give_up_making(session);
-  Knobs now = knobs_of(session.document->timeline);
-  if (!restore(session, action, from.back())) return;
+  Change now = change_of(*session.document);
+  if (from.back().knobs != now.knobs && !restore(session, action, from.back().knobs)) return;
+  session.document->pieces = from.back().pieces;
   from.pop_back();
   to.push_back(std::move(now));
 }

@@ -60,6 +60,10 @@ Part<Document> show_instead(Session& session, Part<Document> document);
 // What was open, how one looked at it, what was said and offered then. The window's shape is as it is now.
 void go_back_to(Session& session, const Session& before);
 
+// apply_pieces.cpp
+void take(Session& session, const SetPieceNames& action);
+void take(Session& session, const SetPieceOrder& action);
+
 // apply_compare.cpp
 void take(Session& session, const PinRun& action);
 void take(Session& session, const SwapPinned& action);

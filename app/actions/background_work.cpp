@@ -3,6 +3,7 @@
 #include "app/actions/playing.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "knit/model/stitch_size.h"
 
 namespace app {
 
@@ -28,6 +29,26 @@ void tend_long_step(Session& session, double seconds) {
   LongStep step{timeline.next_job(), {}, 0.0};
   step.work = Work<knit::Timeline::Outcome>([job = step.job] { return knit::Timeline::work(job); });
   session.jobs->run.long_step.emplace(std::move(step));
+}
+
+// One at a time: what is wished while it is under way begins when it is there.
+void tend_awaited_run(Session& session, double seconds) {
+  knit::Timeline& timeline = session.document->timeline;
+  std::optional<AwaitedRun>& awaited = session.jobs->run.awaited;
+  if (!timeline.is_waiting()) awaited.reset();
+  if (awaited) {
+    awaited->seconds += seconds;
+    if (!awaited->work.ready()) return;
+    if (timeline.take_over(awaited->work.take())) session.document->run_ms += 1000.0 * awaited->seconds;
+    awaited.reset();
+  }
+  if (!timeline.is_waiting()) return;
+  awaited.emplace();
+  awaited->work = Work<knit::Timeline>([run = timeline.awaited_run()]() mutable {
+    run.extend_to_end();
+    run.seek(run.known());
+    return std::move(run);
+  });
 }
 
 void tend_measuring(Session& session) {
@@ -77,6 +98,16 @@ void tend_pin(Session& session) {
 
 }  // namespace
 
+void tune_run(Session& session, const knit::Parameters& parameters) {
+  knit::Timeline& timeline = session.document->timeline;
+  const bool whole = timeline.complete() || timeline.is_waiting();
+  if (session.jobs->beside && whole &&
+      knit::change_takes_a_moment(timeline.input(), timeline.base_parameters(),
+                                  knit::resolved(parameters, timeline.input()), timeline.furthest()))
+    return timeline.tune_beside(parameters);
+  timeline.tune(parameters);
+}
+
 void finish_pin(Session& session) {
   if (!pin_is_pending(session)) return;
   Pin& pin = *session.document->pinned;
@@ -86,6 +117,7 @@ void finish_pin(Session& session) {
 void work_beside(Session& session, double seconds) {
   if (!session.jobs->beside || !session.document) return;
   tend_long_step(session, seconds);
+  tend_awaited_run(session, seconds);
   tend_measuring(session);
   tend_pin(session);
 }

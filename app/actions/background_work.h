@@ -1,5 +1,5 @@
-// Long work done beside the window: steps that take long, and how close the finished piece is to the mesh,
-// the end of the pinned run.
+// Long work done beside the window: steps that take long, a run that is waited for, how close the finished piece is to the
+// mesh, the end of the pinned run.
 #pragma once
 
 #include "app/session/session.h"
@@ -9,6 +9,10 @@ namespace app {
 
 // Takes what is ready, starts what is due; `seconds` since the last call. Does nothing unless session.jobs->beside.
 void work_beside(Session& session, double seconds);
+
+// The run with other parameters. In a window, where that takes longer than a part of a frame, the picture of before stays
+// until a worker brings it; while a knob is dragged that is the run of a knob a frame ago.
+void tune_run(Session& session, const knit::Parameters& parameters);
 
 // Without a window: the end of the pinned run, at once.
 void finish_pin(Session& session);

@@ -19,16 +19,19 @@ void show_the_view(Session& session, const SavedSession& saved) {
   view.gaze.camera = saved.camera;
   view.gaze.camera_kept = true;
   view.gaze.knit_along_round = saved.round;
+  view.gaze.knit_along_deal = saved.deal;
   if (saved.knitting_along) view.gaze.knit_along = saved.round;
   view.layers = saved.layers;
   view.side = saved.side;
   view.list = saved.list;
   view.centre = saved.centre;
+  view.positions = saved.positions;
   view.playback = {false, 1, saved.steps_per_second, 0.0};
   view.slow_motion = saved.slow_motion;
   view.breaks = saved.breaks;
   view.pattern = saved.pattern;
   session.document->travel.loop = saved.loop;
+  session.document->pieces = saved.pieces;
 }
 
 void go_to_place(Session& session, const SavedSession& saved) {

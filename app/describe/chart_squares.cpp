@@ -1,5 +1,7 @@
 #include "app/describe/chart_squares.h"
 
+#include "knit/model/words.h"
+
 namespace app {
 
 namespace {
@@ -26,7 +28,7 @@ class Grid {
   [[nodiscard]] std::string drawn(bool tint_mains) const {
     std::string out = rectangle(" fill=\"#fff\"", 0, 0, columns_, rows_);
     if (tint_mains) out += tints();
-    return out + greys() + lines() + symbols();
+    return out + laid_rows() + greys() + lines() + symbols() + letters();
   }
 
  private:
@@ -44,6 +46,31 @@ class Grid {
       }
     }
     return out + "</g>\n";
+  }
+
+  // Rows that knit nothing.
+  [[nodiscard]] std::string laid_rows() const {
+    std::string out;
+    for (std::size_t y = 0; y < rows_; ++y) {
+      if (chart_.rows[rows_ - 1 - y].laid)
+        out += rectangle(" class=\"laid\" fill=\"" + std::string(chart_colour::laid_tint) + "\"", 0, y,
+                         columns_, 1);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string letters() const {
+    std::string out;
+    for (std::size_t y = rows_; y-- > 0;) {
+      for (std::size_t x = columns_; x-- > 0;) {
+        const ChartSquare& square = at(x, y);
+        if (square.symbol != ChartSymbol::held) continue;
+        out += "<text x=\"" + std::to_string(x) + ".5\" y=\"" + std::to_string(y) +
+               ".78\" font-size=\".74\" text-anchor=\"middle\">" + knit::tube_name(square.piece) +
+               "</text>\n";
+      }
+    }
+    return out;
   }
 
   [[nodiscard]] std::string greys() const {

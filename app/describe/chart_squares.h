@@ -12,6 +12,7 @@ namespace app {
 namespace chart_colour {
 inline constexpr std::string_view grey = "#dadada";
 inline constexpr std::string_view main_tint = "#f9e4f0";
+inline constexpr std::string_view laid_tint = "#eef3f8";  // rows that knit nothing
 }  // namespace chart_colour
 
 // The squares with what is in them, a square being 1 x 1 and the top left corner 0, 0.

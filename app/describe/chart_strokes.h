@@ -33,6 +33,13 @@ inline constexpr std::array<ChartStroke, 4> cast_on{{{{.26, .30}, {.26, .50}},
                                                      {{.50, .74}, {.74, .50}, ChartPoint{.74, .74}},
                                                      {{.74, .50}, {.74, .30}}}};
 inline constexpr std::array<ChartStroke, 1> bind_off{{{{.20, .64}, {.80, .64}, ChartPoint{.50, .16}}}};
+// Of pieces with limbs: a point; an arrow up; a bar; two waves.
+inline constexpr std::array<ChartStroke, 1> kept{{{{.44, .50}, {.56, .50}}}};
+inline constexpr std::array<ChartStroke, 3> picked_up{
+    {{{.50, .82}, {.50, .20}}, {{.28, .44}, {.50, .20}}, {{.50, .20}, {.72, .44}}}};
+inline constexpr std::array<ChartStroke, 1> on_holder{{{{.20, .50}, {.80, .50}}}};
+inline constexpr std::array<ChartStroke, 2> grafted{
+    {{{.18, .40}, {.82, .40}, ChartPoint{.50, .14}}, {{.18, .66}, {.82, .66}, ChartPoint{.50, .92}}}};
 }  // namespace chart_strokes
 
 struct ChartShape {
@@ -41,7 +48,7 @@ struct ChartShape {
   std::span<const ChartStroke> strokes;  // in drawing order
 };
 // In the key's order.
-inline constexpr std::array<ChartShape, 8> chart_shapes{{
+inline constexpr std::array<ChartShape, 13> chart_shapes{{
     {knit::ChartSymbol::knit, "", {}},
     {knit::ChartSymbol::m1r, "knit-m1r", chart_strokes::m1r},
     {knit::ChartSymbol::m1l, "knit-m1l", chart_strokes::m1l},
@@ -49,6 +56,11 @@ inline constexpr std::array<ChartShape, 8> chart_shapes{{
     {knit::ChartSymbol::ssk, "knit-ssk", chart_strokes::ssk},
     {knit::ChartSymbol::cast_on, "knit-cast-on", chart_strokes::cast_on},
     {knit::ChartSymbol::bind_off, "knit-bind-off", chart_strokes::bind_off},
+    {knit::ChartSymbol::kept, "knit-kept", chart_strokes::kept},
+    {knit::ChartSymbol::held, "", {}},  // a letter
+    {knit::ChartSymbol::picked_up, "knit-picked-up", chart_strokes::picked_up},
+    {knit::ChartSymbol::on_holder, "knit-on-holder", chart_strokes::on_holder},
+    {knit::ChartSymbol::grafted, "knit-grafted", chart_strokes::grafted},
     {knit::ChartSymbol::no_stitch, "", {}},
 }};
 const ChartShape& shape_of(knit::ChartSymbol symbol);

@@ -14,6 +14,7 @@
 #include "app/scene/palette.h"
 #include "app/session/document.h"
 #include "app/session/program.h"
+#include "app/session/shown.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -26,21 +27,22 @@ Colour stitch_colour(const Theme& theme, const knit::Fabric& fabric, const knit:
   return cast ? theme.of(knit::Label::cast) : theme.stitch;
 }
 
-std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, Colour colour) {
+std::vector<Line> edges_of(const knit::Row& row, Colour colour) {
   std::vector<Line> lines;
   lines.reserve(row.stitches.size());
   for (const auto& [from, to] : knit::edges_of(row)) {
     lines.push_back(
         {glm::vec3(row.stitches[from].position), glm::vec3(row.stitches[to].position), colour, 1.8F});
   }
-  return std::make_shared<const std::vector<Line>>(std::move(lines));
+  return lines;
 }
 
-std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colour colour) {
+std::shared_ptr<const std::vector<Point>> stitches_of(const knit::Row& row, Colour colour,
+                                                      float diameter_px) {
   std::vector<Point> points;
   points.reserve(row.stitches.size());
   for (const knit::Stitch& stitch : row.stitches)
-    points.push_back({glm::vec3(stitch.position), colour, 3.2F});
+    points.push_back({glm::vec3(stitch.position), colour, diameter_px});
   return std::make_shared<const std::vector<Point>>(std::move(points));
 }
 
@@ -54,26 +56,43 @@ bool in_the_making(const knit::State& state) {
 }  // namespace
 
 // Shapes have their colours in them.
-void Describer::take_theme(const Theme& theme) {
-  if (theme_ == &theme) return;
+void Describer::take_look(const Session& session, const Theme& theme) {
+  const auto stretch = session.document ? stretch_shown(session) : std::nullopt;
+  if (theme_ == &theme && stretch_ == stretch) return;
+  if (theme_ != &theme) ground_.forget_colours();
   theme_ = &theme;
-  ground_.forget_colours();
+  stretch_ = stretch;
   rows_.clear();
   strips_.clear();
 }
 
+// As it is shown. Where stitches were placed, each asking would make other rows, which a renderer has not yet.
+const knit::Fabric& Describer::fabric_of(const Session& session) {
+  const knit::State& state = session.document->timeline.state();
+  if (session.view->positions == Positions::settled || !state.placed) return state.fabric;
+  const auto placed = state.placed.pointer();
+  if (placed_as_ != placed) placed_ = shown_fabric(session);
+  placed_as_ = placed;
+  return placed_;
+}
+
 void Describer::add_rows(const Session& session, Scene& scene) {
   const knit::State& state = session.document->timeline.state();
-  const auto& rows = state.fabric.rows();
+  const knit::Fabric& fabric = fabric_of(session);
+  const auto& rows = fabric.rows();
   rows_.resize(std::max(rows_.size(), rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RowShapes& kept = rows_[i];
     const auto row = rows[i].pointer();
     const bool ends_here = state.stage() > knit::Stage::rows;
-    const Colour colour = stitch_colour(*scene.theme, state.fabric, *row, ends_here);
+    const Colour colour = stitch_colour(*scene.theme, fabric, *row, ends_here);
     if (kept.row != row || kept.colour != colour) {
       const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
-      kept = {row, colour, edges_of(*row, edge), stitches_of(*row, colour)};
+      std::vector<Line> edges = edges_of(*row, edge);
+      if (stretch_) colour_by_stretch(*scene.theme, stretch_->width, edges);
+      kept = {
+          row, colour, std::make_shared<const std::vector<Line>>(std::move(edges)),
+          stretch_ ? stitches_of(*row, scene.theme->stretch_even, 2.4F) : stitches_of(*row, colour, 3.2F)};
     }
     if (session.view->shows(Layer::row_edges)) scene.line_sets.push_back(kept.edges);
     if (session.view->shows(Layer::stitches)) scene.point_sets.push_back(kept.stitches);
@@ -81,7 +100,7 @@ void Describer::add_rows(const Session& session, Scene& scene) {
 }
 
 void Describer::add_strips(const Session& session, Scene& scene) {
-  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  const knit::Fabric& fabric = fabric_of(session);
   const knit::KnittingPath path(fabric);
   const auto& strips = fabric.strips();
   strips_.resize(std::max(strips_.size(), strips.size()));
@@ -90,10 +109,14 @@ void Describer::add_strips(const Session& session, Scene& scene) {
     const auto strip = strips[i].pointer();
     auto about = fabric.products_about(strip->to);
     if (kept.strip != strip || kept.about != about) {
-      kept = {strip, std::move(about),
-              std::make_shared<const FaceShape>(faces_of(*scene.theme, *strip, strip->faces.size(), path)),
-              std::make_shared<const std::vector<Line>>(
-                  columns_of(*scene.theme, *strip, strip->column_edges.size(), path))};
+      FaceShape faces = faces_of(*scene.theme, *strip, strip->faces.size(), path);
+      std::vector<Line> columns = columns_of(*scene.theme, *strip, strip->column_edges.size(), path);
+      if (stretch_) {
+        make_plain(*scene.theme, faces);
+        colour_by_stretch(*scene.theme, stretch_->height, columns);
+      }
+      kept = {strip, std::move(about), std::make_shared<const FaceShape>(std::move(faces)),
+              std::make_shared<const std::vector<Line>>(std::move(columns))};
     }
     if (session.view->shows(Layer::faces)) scene.faces.push_back(kept.faces);
     if (session.view->shows(Layer::column_edges)) scene.line_sets.push_back(kept.columns);
@@ -123,7 +146,7 @@ std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& sc
 Scene Describer::describe(const Session& session, const Showing& showing) {
   Scene scene;
   scene.theme = &theme_of(session.program->preferences.theme);
-  take_theme(*scene.theme);
+  take_look(session, *scene.theme);
   scene.background = scene.theme->background;
   scene.ground = scene.theme->ground;
   scene.time_low = scene.theme->time_low;
@@ -137,7 +160,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   scene.coarse = coarseness(session, showing.height_px);
   scene.calm = in_the_making(state);
   if (scene.coarse > 1) {
-    coarse_.describe(session, scene.coarse, showing.in_pieces, scene);
+    coarse_.describe(session, fabric_of(session), {scene.coarse, stretch_}, showing.in_pieces, scene);
   } else {
     add_rows(session, scene);
     add_strips(session, scene);
@@ -147,6 +170,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   ghost_.describe(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);
+  describe_moves(session, scene);
   symbols_.describe(session, showing.height_px, scene);
   describe_selected(session, scene);
   describe_variable(session, scene);

@@ -4,11 +4,13 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/describe/describe_coarse.h"
 #include "app/describe/describe_ghost.h"
 #include "app/describe/describe_ground.h"
+#include "app/describe/describe_stretch.h"
 #include "app/describe/describe_symbols.h"
 #include "app/scene/scene.h"
 #include "app/session/session.h"
@@ -42,11 +44,17 @@ class Describer {
     std::shared_ptr<const std::vector<Line>> columns;
   };
 
-  void take_theme(const Theme& theme);
+  void take_look(const Session& session, const Theme& theme);
+  const knit::Fabric& fabric_of(const Session& session);
   void add_rows(const Session& session, Scene& scene);
   void add_strips(const Session& session, Scene& scene);
 
-  const Theme* theme_ = nullptr;  // of the shapes kept
+  // Of the shapes kept.
+  const Theme* theme_ = nullptr;
+  std::optional<StretchScale> stretch_;
+  // The fabric as its stitches were placed, so that its rows stay the same ones; of what `placed_as_` holds.
+  knit::Fabric placed_;
+  std::shared_ptr<const std::vector<glm::dvec3>> placed_as_;
   Ground ground_;
   std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;

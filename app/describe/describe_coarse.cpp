@@ -25,11 +25,16 @@ glm::vec3 place_of(const std::vector<knit::Stitch>& stitches, std::size_t i, std
   return glm::vec3(stitches[i * stitches.size() / cells].position);
 }
 
-std::shared_ptr<const std::vector<Line>> edges_of(const knit::Row& row, int stride, Colour colour) {
+std::shared_ptr<const std::vector<Line>> edges_of(const Theme& theme, const knit::Row& row,
+                                                  const CoarseLook& look) {
   std::vector<Line> lines;
-  const std::size_t cells = cells_of(row.stitches.size(), stride);
-  for (const auto& [from, to] : knit::Edges(cells, row.closed))
-    lines.push_back({place_of(row.stitches, from, cells), place_of(row.stitches, to, cells), colour, 1.0F});
+  const std::size_t cells = cells_of(row.stitches.size(), look.stride);
+  for (const auto& [from, to] : knit::Edges(cells, row.closed)) {
+    lines.push_back(
+        {place_of(row.stitches, from, cells), place_of(row.stitches, to, cells), theme.row_edge, 1.0F});
+  }
+  const double merged = static_cast<double>(row.stitches.size()) / static_cast<double>(cells);
+  if (look.stretch) colour_by_stretch(theme, merged * look.stretch->width, lines);
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 
@@ -45,8 +50,8 @@ std::vector<knit::Label> labels_of(const knit::Strip& strip, std::size_t cells) 
   return labels;
 }
 
-std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const std::vector<knit::Stitch>& below,
-                                          const knit::Row& above, const knit::Strip& strip, int stride) {
+FaceShape faces_of(const Theme& theme, const std::vector<knit::Stitch>& below, const knit::Row& above,
+                   const knit::Strip& strip, int stride) {
   FaceShape shape;
   const std::size_t cells = cells_of(std::max(below.size(), above.stitches.size()), stride);
   const std::vector<knit::Label> labels = labels_of(strip, cells);
@@ -61,7 +66,15 @@ std::shared_ptr<const FaceShape> faces_of(const Theme& theme, const std::vector<
     const glm::vec3 normal = length > 0.0F ? across / length : glm::vec3(0, 1, 0);
     shape.faces.push_back({{a, b, c, d}, normal, theme.of(labels[i])});
   }
-  return std::make_shared<const FaceShape>(std::move(shape));
+  return shape;
+}
+
+// By how high they are, `height` being at ease; corners 1 and 2 stand over each other.
+void colour_by_height(const Theme& theme, double height, FaceShape& shape) {
+  for (FaceShape::Face& face : shape.faces) {
+    const double high = static_cast<double>(glm::distance(face.corners[1], face.corners[2]));
+    face.colour = stretch_colour(theme, high / height);
+  }
 }
 
 std::vector<std::shared_ptr<const void>> about(const knit::Fabric& fabric, knit::RowId low,
@@ -92,12 +105,15 @@ std::vector<Coarse::Band> Coarse::bands_of(const knit::Fabric& fabric, int strid
 }
 
 void Coarse::make(const knit::Fabric& fabric, const Band& band, Kept& kept) const {
-  if (band.low > 0 && kept.edges == nullptr) kept.edges = edges_of(*kept.below, stride_, theme_->row_edge);
+  if (band.low > 0 && kept.edges == nullptr) kept.edges = edges_of(*theme_, *kept.below, look_);
   if (kept.above == nullptr) return;
   const knit::Strip& strip = *fabric.strip_into(band.low > 0 ? band.low + 1 : band.high);
   const std::vector<knit::Stitch> below =
       kept.below != nullptr ? kept.below->stitches : fabric.stitches_of(kept.above->on);
-  kept.faces = faces_of(*theme_, below, *kept.above, strip, stride_);
+  FaceShape faces = faces_of(*theme_, below, *kept.above, strip, look_.stride);
+  const double rows = band.low > 0 ? band.high - band.low : 1;
+  if (look_.stretch) colour_by_height(*theme_, rows * look_.stretch->height, faces);
+  kept.faces = std::make_shared<const FaceShape>(std::move(faces));
 }
 
 int coarseness(const Session& session, double height_px) {
@@ -114,12 +130,12 @@ int coarseness(const Session& session, double height_px) {
   return wide_enough != strides.end() ? *wide_enough : strides.back();
 }
 
-void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene& scene) {
-  if (theme_ != scene.theme || stride_ != stride) kept_.clear();
+void Coarse::describe(const Session& session, const knit::Fabric& fabric, const CoarseLook& look,
+                      bool in_pieces, Scene& scene) {
+  if (theme_ != scene.theme || look_ != look) kept_.clear();
   theme_ = scene.theme;
-  stride_ = stride;
-  const knit::Fabric& fabric = session.document->timeline.state().fabric;
-  const std::vector<Band> bands = bands_of(fabric, stride);
+  look_ = look;
+  const std::vector<Band> bands = bands_of(fabric, look.stride);
   std::size_t made = 0;  // cells
   for (std::size_t i = 0; i < bands.size(); ++i) {
     if (i == kept_.size()) kept_.emplace_back();
@@ -132,7 +148,7 @@ void Coarse::describe(const Session& session, int stride, bool in_pieces, Scene&
         scene.unfinished = true;
         return;
       }
-      made += 2 * cells_of((below ? below : above)->stitches.size(), stride);
+      made += 2 * cells_of((below ? below : above)->stitches.size(), look.stride);
       kept = {below, above, std::move(parts), below == kept.below ? kept.edges : nullptr, nullptr};
       make(fabric, bands[i], kept);
     }

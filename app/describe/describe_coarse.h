@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/describe/describe_stretch.h"
 #include "app/scene/scene.h"
 #include "app/session/session.h"
 #include "knit/fabric/fabric.h"
@@ -19,12 +20,20 @@ inline constexpr double coarse_stitch_px = 12.0;
 // pixels wide, in a view `height_px` high. 1: every stitch is drawn.
 int coarseness(const Session& session, double height_px);
 
+// So many rows and stitches stand for one; with `stretch` edges and faces tell how far rows and wales are stretched.
+struct CoarseLook {
+  int stride = 1;
+  std::optional<StretchScale> stretch;
+  friend bool operator==(const CoarseLook&, const CoarseLook&) = default;
+};
+
 // Keeps the shapes between two rows drawn as long as these are the same.
 class Coarse {
  public:
   // Row edges and faces, as the layers say; stitches and column edges are left out. `in_pieces`: only so many shapes
   // are made at once, from below; the rest follows with the next frames (Scene::unfinished).
-  void describe(const Session& session, int stride, bool in_pieces, Scene& scene);
+  void describe(const Session& session, const knit::Fabric& fabric, const CoarseLook& look, bool in_pieces,
+                Scene& scene);
 
  private:
   // From a row to one that stands on it, or, where `below` is null, from what a tube begins on to its first row.
@@ -41,7 +50,7 @@ class Coarse {
   void make(const knit::Fabric& fabric, const Band& band, Kept& kept) const;
 
   const Theme* theme_ = nullptr;
-  int stride_ = 0;
+  CoarseLook look_;
   std::vector<Kept> kept_;
 };
 

@@ -115,6 +115,8 @@ void describe_criticals(const Session& session, Scene& scene) {
   if (criticals == nullptr || !session.view->shows(Layer::criticals)) return;
   const knit::Step* step = step_shown(session);
   const auto* stopped = step != nullptr ? knit::get_if<knit::Stopped>(*step) : nullptr;
+  // On the finished piece they would only be specks.
+  if (state.stage() > knit::Stage::faces && stopped == nullptr) return;
   const bool news = step != nullptr && knit::is<knit::CriticalsFound>(*step);
   std::size_t names = 0;
   for (const knit::CriticalPoint& point : criticals->points) {

@@ -88,23 +88,26 @@ void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) 
   const auto here = session.document->timeline.input_pointer();
   if (here != here_ || pin.input != input_) same_mesh_ = is_of_this_mesh(session, pin);
   const std::uint64_t end = knit::hash_of(pin.end);
-  const bool same_run = end == end_ && pin.input == input_ && theme_ == &theme;
+  const Positions positions = session.view->positions;
+  const bool same_run = end == end_ && pin.input == input_ && theme_ == &theme && positions == positions_;
+  positions_ = positions;
   theme_ = &theme;
   here_ = here;
   input_ = pin.input;
   end_ = end;
   if (same_run) return;
   rows_.clear();
-  const knit::KnittingPath path(pin.end.fabric);
-  for (const auto& row : pin.end.fabric.rows()) {
-    const knit::Strip* strip = pin.end.fabric.strip_into(row->id);
+  const knit::Fabric fabric = positions == Positions::placed ? knit::placed_fabric(pin.end) : pin.end.fabric;
+  const knit::KnittingPath path(fabric);
+  for (const auto& row : fabric.rows()) {
+    const knit::Strip* strip = fabric.strip_into(row->id);
     rows_.push_back({row->id, row_lines(theme, *row), strip ? column_lines(theme, *strip, path) : nullptr});
   }
-  const auto& deals = pin.end.fabric.deals();
+  const auto& deals = fabric.deals();
   for (std::size_t i = 0; i < deals.size(); ++i) {
     const auto id = knit::bridge_row(static_cast<std::int32_t>(i) + 1);
-    const bool ring = !deals[i]->column_edges.empty() && is_sewn(pin.end.fabric, *deals[i]);
-    rows_.push_back({id, deal_lines(theme, pin.end.fabric, *deals[i]),
+    const bool ring = !deals[i]->column_edges.empty() && is_sewn(fabric, *deals[i]);
+    rows_.push_back({id, deal_lines(theme, fabric, *deals[i]),
                      ring ? column_lines(theme, strip_of(*deals[i]), path) : nullptr});
   }
 }

@@ -7,6 +7,7 @@
 #include "app/scene/scene.h"
 #include "app/session/pins.h"
 #include "app/session/session.h"
+#include "app/session/view.h"
 #include "knit/fabric/stitch.h"
 
 namespace app {
@@ -24,6 +25,7 @@ class Ghost {
   std::shared_ptr<const knit::Input> input_, here_;  // of the pinned run and the current one
   std::uint64_t end_ = 0;                            // hash of the state that the lines are of
   const Theme* theme_ = nullptr;                     // of the lines
+  Positions positions_ = Positions::settled;         // likewise
   bool same_mesh_ = false;
   struct RowLines {
     knit::RowId id;        // below 0: of a deal

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/describe/describe_step.h"
+#include "app/describe/state_shown.h"
 #include "app/describe/thing_places.h"
 #include "app/explain/why_words.h"
 #include "app/lessons/lesson.h"
@@ -67,7 +68,7 @@ void describe_selected(const Session& session, Scene& scene) {
   const knit::Timeline& timeline = session.document->timeline;
   const auto* vertex = std::get_if<knit::VertexElement>(&*selected);
   if (vertex != nullptr && vertex->vertex >= timeline.input().mesh.positions.size()) return;
-  std::vector<glm::dvec3> outline = outline_of(timeline.input(), timeline.state(), *selected);
+  std::vector<glm::dvec3> outline = outline_of(timeline.input(), *StateShown(session), *selected);
   const bool there = !outline.empty();
   if (!there) outline = outline_of(timeline.input(), timeline.furthest(), *selected);
   if (outline.empty()) return;
@@ -95,7 +96,7 @@ void describe_vertex(const Session& session, const AskedVertex& asked, Scene& sc
 
 // A row that is not made yet at this place of the run stands where it is going to be.
 void describe_lit_row(const Session& session, std::int32_t row, Scene& scene) {
-  auto places = stitch_places(session.document->timeline.state(), row);
+  auto places = stitch_places(*StateShown(session), row);
   if (places.size() < 3) places = stitch_places(session.document->timeline.furthest(), row);
   for (const auto& [from, to] : knit::Edges(places.size(), true))
     scene.lines.push_back({glm::vec3(places[from]), glm::vec3(places[to]), scene.theme->selected, 3.5F});
@@ -119,9 +120,9 @@ struct RoundLook {
   float width_px;
 };
 
-const knit::Row* row_at(const Session& session, std::int32_t number) {
-  for (const knit::State* state :
-       {&session.document->timeline.state(), &session.document->timeline.furthest()}) {
+// `shown`: of the session.
+const knit::Row* row_at(const Session& session, const knit::State& shown, std::int32_t number) {
+  for (const knit::State* state : {&shown, &session.document->timeline.furthest()}) {
     if (const knit::Row* row = state->fabric.find_row(number)) return row;
   }
   return nullptr;
@@ -144,17 +145,18 @@ void describe_stitch(const knit::Row& row, std::size_t stitch, Scene& scene) {
 }  // namespace
 
 void describe_meant(const Session& session, Scene& scene) {
+  const StateShown shown(session);
   if (const knit::Row* row =
-          session.view->gaze.knit_along ? row_at(session, *session.view->gaze.knit_along) : nullptr)
+          session.view->gaze.knit_along ? row_at(session, *shown, *session.view->gaze.knit_along) : nullptr)
     describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
   if (const auto& rounds = session.view->gaze.hovered_rounds) {
-    const knit::RowId rows = std::max(session.document->timeline.state().fabric.row_count(),
-                                      session.document->timeline.furthest().fabric.row_count());
+    const knit::RowId rows =
+        std::max(shown->fabric.row_count(), session.document->timeline.furthest().fabric.row_count());
     for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
-      describe_round(*row_at(session, number), {scene.theme->accepted, 3.5F}, scene);
+      describe_round(*row_at(session, *shown, number), {scene.theme->accepted, 3.5F}, scene);
   }
   const auto& at = session.view->gaze.hovered_stitch;
-  const knit::Row* row = at ? row_at(session, at->row) : nullptr;
+  const knit::Row* row = at ? row_at(session, *shown, at->row) : nullptr;
   if (row == nullptr || at->stitch < 0) return;
   const auto stitch = static_cast<std::size_t>(at->stitch);
   if (stitch < row->stitches.size()) describe_stitch(*row, stitch, scene);

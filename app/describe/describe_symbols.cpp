@@ -6,6 +6,8 @@
 
 #include "app/describe/chart_strokes.h"
 #include "app/describe/describe_step.h"
+#include "app/describe/describe_stretch.h"
+#include "app/describe/state_shown.h"
 #include "app/describe/thing_places.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -100,16 +102,16 @@ double stitch_px(const Session& session, double height_px) {
 }  // namespace
 
 void Symbols::describe(const Session& session, double height_px, Scene& scene) {
-  if (!session.view->shows(Layer::faces) || scene.coarse > 1) return;
+  if (!session.view->shows(Layer::faces) || scene.coarse > 1 || stretch_shown(session)) return;
   const double size_px = stitch_px(session, height_px);
   const double share = (size_px - symbol_first_px) / (symbol_full_px - symbol_first_px);
   if (share <= 0.0) return;
   const Colour ink =
       with_alpha(scene.theme->symbol, static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0))));
-  const knit::State& state = session.document->timeline.state();
+  const StateShown state(session);
   std::vector<Line> lines;
-  const knit::KnittingPath path(state.fabric);
-  for (const MadeStrip& strip : made_strips(state)) {
+  const knit::KnittingPath path(state->fabric);
+  for (const MadeStrip& strip : made_strips(*state)) {
     for (const knit::Face& face : strip.faces) {
       const auto symbol = symbol_of(face.label);
       const auto square = symbol ? square_of(face, strip.row, path) : std::nullopt;

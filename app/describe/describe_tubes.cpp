@@ -6,6 +6,8 @@
 
 #include "app/describe/describe_contours.h"
 #include "app/describe/describe_step.h"
+#include "app/describe/describe_stretch.h"
+#include "app/describe/state_shown.h"
 #include "app/describe/thing_places.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
@@ -98,13 +100,13 @@ void add_thread(const std::vector<glm::vec3>& places, Colour colour, Scene& scen
 void add_path(const std::vector<glm::vec3>& places, Colour colour, Scene& scene) {
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     scene.lines.push_back({places[i], places[i + 1], colour, 4.0F});
-  for (const glm::vec3& place : places) scene.points.push_back({place, colour, 6.0F});
+  for (const glm::vec3& place : places) scene.points.push_back({place, colour, 8.0F});
 }
 
 // The two sides in two colours, the saddle, and the bridge as far as it is cast on.
 void add_deal(const knit::Fabric& fabric, const knit::Deal& deal, std::int32_t bridged, Scene& scene) {
   const Theme& theme = *scene.theme;
-  const std::array<Colour, 2> colours{theme.of(knit::Label::m1r), theme.of(knit::Label::k2tog)};
+  const std::array<Colour, 2> colours{theme.one_side, theme.other_side};
   if (deal.kind == knit::DealKind::split) {
     const knit::LiveStitches& loop = deal.taken.front();
     // What a child gets of the loop: its stitches but for the bridge's.
@@ -127,33 +129,50 @@ void add_deal(const knit::Fabric& fabric, const knit::Deal& deal, std::int32_t b
   }
   if (deal.kind == knit::DealKind::ring_cast_on || deal.kind == knit::DealKind::ring_bind_off) return;
   const glm::vec3 saddle(deal.saddle);
-  scene.points.push_back({saddle, theme.problem, 12.0F});
-  scene.captions.push_back({saddle, deal.kind == knit::DealKind::split ? "split" : "join", theme.problem});
+  // No larger than a stitch of the bridge, which runs over it.
+  scene.points.push_back({saddle, theme.problem, 8.0F});
+  std::string words = deal.kind == knit::DealKind::split ? "split" : "join";
+  if (bridged > 0) words += ", bridge of " + std::to_string(bridged);
+  scene.captions.push_back({saddle, words, theme.problem});
   add_path(places_of(std::span(deal.bridge).first(static_cast<std::size_t>(bridged))), theme.anchor, scene);
+}
+
+void add_bridge(const Session& session, const knit::Fabric& fabric, const knit::Deal& deal, Scene& scene) {
+  const auto stretch = stretch_shown(session);
+  if (session.view->shows(Layer::row_edges)) {
+    std::vector<Line> edges;
+    for (const auto& [from, to] : edges_added(deal))
+      edges.push_back(
+          {glm::vec3(fabric.position(from)), glm::vec3(fabric.position(to)), scene.theme->row_edge, 1.8F});
+    if (stretch) colour_by_stretch(*scene.theme, stretch->width, edges);
+    scene.lines.insert(scene.lines.end(), edges.begin(), edges.end());
+  }
+  if (!session.view->shows(Layer::stitches)) return;
+  for (const knit::Stitch& stitch : deal.bridge)
+    scene.points.push_back({glm::vec3(stitch.position), scene.theme->of(knit::Label::cast), 3.2F});
+}
+
+void add_seam(const Session& session, const knit::Deal& deal, const knit::KnittingPath& path, Scene& scene) {
+  const auto stretch = stretch_shown(session);
+  const knit::Strip strip = strip_of(deal);
+  if (session.view->shows(Layer::faces)) {
+    FaceShape faces = faces_of(*scene.theme, strip, strip.faces.size(), path);
+    if (stretch) make_plain(*scene.theme, faces);
+    scene.faces.push_back(std::make_shared<const FaceShape>(std::move(faces)));
+  }
+  if (!session.view->shows(Layer::column_edges)) return;
+  std::vector<Line> columns = columns_of(*scene.theme, strip, strip.column_edges.size(), path);
+  if (stretch) colour_by_stretch(*scene.theme, stretch->height, columns);
+  scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
 }
 
 // Bridges that are there with the edges over them, and what a deal sews together once strips come to it.
 void add_finished_deals(const Session& session, Scene& scene) {
-  const knit::Fabric& fabric = session.document->timeline.state().fabric;
-  const knit::KnittingPath path(fabric);
-  for (const auto& deal : fabric.deals()) {
-    if (session.view->shows(Layer::row_edges)) {
-      for (const auto& [from, to] : edges_added(*deal))
-        scene.lines.push_back(
-            {glm::vec3(fabric.position(from)), glm::vec3(fabric.position(to)), scene.theme->row_edge, 1.8F});
-    }
-    if (session.view->shows(Layer::stitches)) {
-      for (const knit::Stitch& stitch : deal->bridge)
-        scene.points.push_back({glm::vec3(stitch.position), scene.theme->of(knit::Label::cast), 3.2F});
-    }
-    if (!is_sewn(fabric, *deal)) continue;
-    const knit::Strip strip = strip_of(*deal);
-    if (session.view->shows(Layer::faces))
-      scene.faces.push_back(
-          std::make_shared<const FaceShape>(faces_of(*scene.theme, strip, strip.faces.size(), path)));
-    if (!session.view->shows(Layer::column_edges)) continue;
-    const std::vector<Line> columns = columns_of(*scene.theme, strip, strip.column_edges.size(), path);
-    scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
+  const StateShown state(session);
+  const knit::KnittingPath path(state->fabric);
+  for (const auto& deal : state->fabric.deals()) {
+    add_bridge(session, state->fabric, *deal, scene);
+    if (is_sewn(state->fabric, *deal)) add_seam(session, *deal, path, scene);
   }
 }
 
@@ -168,10 +187,10 @@ void describe_tubes(const Session& session, Scene& scene) {
   if (step != nullptr && knit::is<knit::TubesPlanned>(*step) && session.view->shows(Layer::cycle))
     add_curves(*state.tubes, scene);
   add_finished_deals(session, scene);
+  for (const knit::LiveLoop& loop : knit::waiting_loops(state))
+    add_thread(places_of(state.fabric, loop.stitches), scene.theme->warning, scene);
   const auto* work = std::get_if<knit::ContourWork>(&state.work);
   if (work == nullptr) return;
-  for (const knit::TubeId tube : knit::waiting_tubes(state))
-    add_thread(places_of(state.fabric, state.fabric.live(tube)), scene.theme->warning, scene);
   if (work->deal) add_deal(state.fabric, *work->deal, work->bridged, scene);
 }
 

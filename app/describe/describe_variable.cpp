@@ -6,6 +6,7 @@
 #include "app/describe/describe_contours.h"
 #include "app/describe/describe_quantity.h"
 #include "app/describe/describe_step.h"
+#include "app/describe/state_shown.h"
 #include "app/explain/code_variables.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
@@ -36,7 +37,8 @@ class VariableLight {
   VariableLight(const Session& session, const knit::CodeVariable& variable, const Explained& at, Scene& scene)
       : session_(session),
         variable_(variable),
-        state_(session.document->timeline.state()),
+        shown_(session),
+        state_(*shown_),
         at_(at),
         scene_(scene),
         colour_(scene.theme->selected),
@@ -113,6 +115,7 @@ class VariableLight {
 
   const Session& session_;
   const knit::CodeVariable& variable_;
+  StateShown shown_;
   const knit::State& state_;
   const Explained& at_;
   Scene& scene_;

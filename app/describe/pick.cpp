@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "app/describe/describe_step.h"
+#include "app/describe/state_shown.h"
 #include "app/describe/thing_places.h"
 #include "app/session/document.h"
 #include "app/session/session.h"
@@ -121,7 +122,8 @@ std::optional<StitchAt> pick_stitch(const Session& session, const glm::dvec2& pl
   const glm::dmat4 onto = glm::dmat4(view.projection) * glm::dmat4(view.view);
   std::optional<StitchAt> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& row : session.document->timeline.state().fabric.rows()) {
+  const StateShown state(session);
+  for (const auto& row : state->fabric.rows()) {
     for (std::size_t i = 0; i < row->stitches.size(); ++i) {
       const glm::dvec4 at = onto * glm::dvec4(row->stitches[i].position, 1.0);
       if (at.w <= 0.0 || at.w >= nearest) continue;
@@ -205,8 +207,7 @@ std::vector<std::int32_t> rows_and_bridges(const knit::State& state) {
   return rows;
 }
 
-Found nearest_point(const Session& session, const Aim& aim, double reach) {
-  const knit::State& state = session.document->timeline.state();
+Found nearest_point(const Session& session, const knit::State& state, const Aim& aim, double reach) {
   Found found;
   for (const std::int32_t row : rows_and_bridges(state)) {
     if (!session.view->shows(Layer::stitches)) break;
@@ -223,8 +224,7 @@ Found nearest_point(const Session& session, const Aim& aim, double reach) {
   return found;
 }
 
-Found nearest_edge(const Session& session, const Aim& aim, double reach) {
-  const knit::State& state = session.document->timeline.state();
+Found nearest_edge(const Session& session, const knit::State& state, const Aim& aim, double reach) {
   Found found;
   for (const std::int32_t row : rows_and_bridges(state)) {
     if (!session.view->shows(Layer::row_edges)) break;
@@ -252,8 +252,7 @@ struct FaceHit {
   double depth = nothing;
 };
 
-FaceHit first_face(const Session& session, const Ray& ray) {
-  const knit::State& state = session.document->timeline.state();
+FaceHit first_face(const Session& session, const knit::State& state, const Ray& ray) {
   FaceHit hit;
   if (!session.view->shows(Layer::faces)) return hit;
   const knit::KnittingPath path(state.fabric);
@@ -280,20 +279,21 @@ bool shows_mesh(const Session& session) {
 std::optional<knit::Element> pick_thing(const Session& session, const glm::dvec2& place,
                                         const PickReach& reach) {
   if (!session.document) return std::nullopt;
+  const StateShown state(session);
   Aim aim(session, place);
   const auto surface = hit_surface(session, aim.ray());
-  const FaceHit face = first_face(session, aim.ray());
+  const FaceHit face = first_face(session, *state, aim.ray());
   // Edges cut a little below the surface, and faces stand off it.
   const double room = 0.75 * session.document->timeline.parameters().stitch.width;
   if (surface && session.view->shows(Layer::surface)) aim.hide_behind(surface->depth + room);
   if (face.thing) aim.hide_behind(face.depth + room);
 
-  if (const Found point = nearest_point(session, aim, reach.point); point.thing) return point.thing;
+  if (const Found point = nearest_point(session, *state, aim, reach.point); point.thing) return point.thing;
   const auto& positions = session.document->timeline.input().mesh.positions;
   if (surface && session.view->shows(Layer::wire) &&
       aim.to_point(positions[surface->vertex]) < 0.5 * reach.point)
     return knit::VertexElement{surface->vertex};
-  if (const Found edge = nearest_edge(session, aim, reach.edge); edge.thing) return edge.thing;
+  if (const Found edge = nearest_edge(session, *state, aim, reach.edge); edge.thing) return edge.thing;
   if (face.thing && face.depth <= aim.depth()) return face.thing;
   if (surface && shows_mesh(session)) return knit::VertexElement{surface->vertex};
   return std::nullopt;

@@ -247,7 +247,8 @@ constexpr std::array terms{
     Term{"settle", "settling, at ease",
          "To move the stitches on the surface, once they are placed and linked, until wales are as high and "
          "courses as wide "
-         "as stitches are, as well as can be. The pattern stays as it is.",
+         "as stitches are, as well as can be. The pattern stays as it is, and where stitches were placed is "
+         "kept.",
          "wale, course, stitch", "docs/algorithm.md, Settling"},
     Term{"shaping", "", "Increases and decreases: what makes the fabric wider and narrower.",
          "increase, decrease, main stitch", "docs/algorithm.md, Stitch index; the thesis, 2.1.3 and 2.1.4"},

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 
 #include "app/base/text.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/words.h"
+#include "knit/quality/ease.h"
 #include "knit/rows/rows.h"
 
 namespace app {
@@ -179,19 +181,36 @@ std::string deal_words(const knit::Timeline& timeline, std::int32_t row) {
   return event_words(timeline.furthest().tubes->event(deal->event));
 }
 
+std::string point_text(const glm::dvec3& p) {
+  return "(" + knit::short_number(p.x) + ", " + knit::short_number(p.y) + ", " + knit::short_number(p.z) +
+         ")";
+}
+
+// " Placed at (0.1, 0.2, 0.3); moved 0.6 w while settling, to (0.1, 0.2, 0.4)." Empty where nothing has settled.
+std::string move_words(const knit::Timeline& timeline, const knit::StitchElement& stitch) {
+  const auto move = knit::move_of(timeline.furthest(), {stitch.row, stitch.stitch});
+  if (!move) return "";
+  const double width = timeline.parameters_of_stop().stitch.width;
+  const double length = glm::distance(move->from, move->to) / width;
+  return " Placed at " + point_text(move->from) + "; moved " + fixed_text(length, 2) +
+         " w while settling, to " + point_text(move->to) + ".";
+}
+
 std::string stitch_words(const knit::Timeline& timeline, const knit::StitchElement& stitch) {
   const auto made = knit::made_by(timeline, stitch);
   if (!made) return "There is no such stitch so far.";
-  if (stitch.row < 0) return said_by(timeline, *made) + " " + deal_words(timeline, stitch.row);
+  const std::string went = move_words(timeline, stitch);
+  if (stitch.row < 0) return said_by(timeline, *made) + " " + deal_words(timeline, stitch.row) + went;
   const auto chosen = knit::chosen_by(timeline, stitch);
   // What chose its vertex tells more than what kept it.
   std::string words = said_by(timeline, chosen.value_or(*made));
   if (chosen) words += " Kept at step " + str(static_cast<std::int64_t>(*made) + 1) + ".";
   words += tube_words(timeline, stitch.row);
   const auto moved = knit::moved_by(timeline, stitch);
-  if (!moved) return words;
+  if (!moved) return words + went;
   const bool spread = knit::is<knit::RowResampled>(timeline.step(*moved));
-  return words + (spread ? " The row was spread evenly afterwards." : " Moved when the gap was shared out.");
+  words += spread ? " The row was spread evenly afterwards." : " Moved when the gap was shared out.";
+  return words + went;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/session/document.h"
+#include "app/session/shown.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
@@ -61,9 +62,9 @@ CardLine spread_line(const EdgeWords& words, const knit::Spread& spread, Judged 
   return line;
 }
 
-CardLine course_line(const knit::Quality& quality) {
+CardLine course_line(const knit::Quality& quality, Judged judge) {
   const EdgeWords words{"course", "Course", "all course edges (along the rows)", "w", "stitch widths w"};
-  CardLine line = spread_line(words, quality.course, Judged::course_cv);
+  CardLine line = spread_line(words, quality.course, judge);
   if (quality.long_course.count > 0) {
     line.figures[at(CardColumn::cv)]->help +=
         " In rows of 12 stitches or more: " + fixed_text(quality.long_course.cv, 3) +
@@ -219,6 +220,87 @@ CardLine area_line(const knit::Closeness& closeness) {
   return line;
 }
 
+// --- placed and settled -----------------------------------------------------------------------------------------
+
+// How far stitches went.
+CardLine moved_line(const SettledFigures& both) {
+  const double width = both.settled.stitch_width;
+  const std::string after = " from where they were placed to where they are at ease, after " +
+                            knit::plural(both.iterations, "iteration", "iterations") + ".";
+  CardLine line{"moved", "Moved", "/ w", "How far stitches went while settling, in stitch widths w.", {}, ""};
+  line.figures[at(CardColumn::mean)] = figure_of("moved/mean", fixed_text(both.moves.mean / width, 2),
+                                                 "How far stitches went in the mean" + after);
+  line.figures[at(CardColumn::max)] = figure_of("moved/max", fixed_text(both.moves.most / width, 2),
+                                                "How far the stitch that went farthest went" + after);
+  return line;
+}
+
+// One figure of both: how it was where stitches were placed, and how it is.
+struct BothWords {
+  std::string name, title, unit, help;
+};
+CardLine both_line(const BothWords& words, std::array<double, 2> values, int decimals,
+                   std::optional<Judged> judge = std::nullopt) {
+  CardFigure placed = figure_of("placed/" + words.name, fixed_text(values[0], decimals),
+                                "As stitches were placed: " + words.help);
+  CardFigure settled = figure_of("settled/" + words.name, fixed_text(values[1], decimals),
+                                 "Where they settled: " + words.help);
+  if (judge) settled = judged(std::move(settled), *judge, values[1]);
+  CardLine line{"both/" + words.name,
+                words.title,
+                words.unit,
+                "As stitches were placed, and where they settled: " + words.help,
+                {},
+                ""};
+  line.figures[at(CardColumn::p95)] = std::move(placed);
+  line.figures[at(CardColumn::max)] = std::move(settled);
+  return line;
+}
+
+// Of both closenesses, in per cent of the diagonal.
+CardLine both_distances(const BothWords& words, const knit::Closeness& settled,
+                        knit::Distances knit::Closeness::*which) {
+  const auto percent = [&](const knit::Closeness& closeness) {
+    return closeness.diagonal > 0.0 ? 100.0 * (closeness.*which).max / closeness.diagonal : 0.0;
+  };
+  return both_line(words, {percent(*settled.placed), percent(settled)}, 2);
+}
+
+void add_measured(const knit::Closeness& settled, std::vector<CardLine>& lines) {
+  const knit::Closeness& placed = *settled.placed;
+  if (settled.coverage && placed.coverage) {
+    const auto turned = [](const knit::Closeness& c) {
+      return static_cast<double>(c.coverage->turned.faces);
+    };
+    lines.push_back(both_line({"turned", "Faces turned over", "", "faces that lie with their inside out."},
+                              {turned(placed), turned(settled)}, 0, Judged::turned));
+  }
+  const std::string share = ", as % of the diagonal.";
+  lines.push_back(both_distances(
+      {"knit-to-mesh", "Knit to mesh", "%", "the greatest distance from the knit mesh to the mesh" + share},
+      settled, &knit::Closeness::knit_to_mesh));
+  lines.push_back(both_distances(
+      {"mesh-to-knit", "Mesh to knit", "%", "the greatest distance from the mesh to the knit mesh" + share},
+      settled, &knit::Closeness::mesh_to_knit));
+}
+
+CardGroup settled_group(const SettledFigures& both, const knit::Closeness* closeness) {
+  const knit::Quality &p = both.placed, &s = both.settled;
+  CardGroup group{true, {}, settled_heads};
+  group.lines = {
+      both_line({"wale-cv", "Wale CV", "", "how uneven wale edges are, standard deviation over mean."},
+                {p.wale.cv, s.wale.cv}, 3, Judged::wale_cv),
+      both_line({"wale-max", "Longest wale", "/ h", "the longest wale edge, in stitch heights h."},
+                {p.wale.high, s.wale.high}, 2),
+      both_line({"course-cv", "Course CV", "", "how uneven course edges are, standard deviation over mean."},
+                {p.course.cv, s.course.cv}, 3, Judged::settled_course_cv),
+      both_line({"corner", "Corners off square", "\xC2\xB0",
+                 "how far quads' corners are from 90 degrees, in the mean."},
+                {p.corner_off.mean, s.corner_off.mean}, 1)};
+  if (closeness != nullptr && closeness->placed) add_measured(*closeness, group.lines);
+  return group;
+}
+
 CardLine missing_line(CardLine line, std::string why) {
   for (auto& figure : line.figures) figure.reset();
   line.unit = line.name == "most" ? "" : line.unit;
@@ -233,10 +315,29 @@ bool is_outside(Judged figure, double value) {
                      [&](const Bound& bound) { return bound.figure == figure && value > bound.most; });
 }
 
-std::vector<CardGroup> card_groups(const knit::Quality* quality, const knit::Closeness* closeness,
-                                   bool measuring) {
+std::optional<SettledFigures> settled_figures(const knit::Timeline& timeline) {
+  const auto moves = knit::measure_moves(timeline.state());
+  if (!moves) return std::nullopt;
+  const knit::StitchSize& stitch = timeline.parameters().stitch;
+  const auto quality_of = [&](const knit::State& state) {
+    return knit::measure_quality(timeline.input(), state, stitch.width, stitch.height);
+  };
+  SettledFigures both{quality_of(knit::placed_state(timeline.state())), quality_of(timeline.state()), *moves};
+  for (std::size_t i = timeline.position_of({knit::Stage::settle, 0, -1}); i < timeline.position(); ++i) {
+    if (timeline.step(i).place.stage != knit::Stage::settle) break;
+    const auto* settled = knit::get_if<knit::StitchesSettled>(timeline.step(i));
+    if (settled != nullptr && settled->taken) ++both.iterations;
+  }
+  return both;
+}
+
+std::vector<CardGroup> card_groups(const CardFigures& known) {
   const knit::Quality none;
-  const knit::Quality& q = quality != nullptr ? *quality : none;
+  const knit::Quality& q = known.quality != nullptr ? *known.quality : none;
+  const bool as_placed =
+      known.shown == Positions::placed && known.closeness != nullptr && known.closeness->placed;
+  const knit::Closeness* closeness = as_placed ? known.closeness->placed.get() : known.closeness;
+  const bool settled = known.both != nullptr && known.shown == Positions::settled;
   const knit::Closeness unmeasured;
   const knit::Closeness& c = closeness != nullptr ? *closeness : unmeasured;
   const bool rows = q.course.count > 0;
@@ -245,20 +346,31 @@ std::vector<CardGroup> card_groups(const knit::Quality* quality, const knit::Clo
   const auto when = [](bool there, CardLine line, const char* why) {
     return there ? std::move(line) : missing_line(std::move(line), why);
   };
-  const char* const no_closeness = measuring ? "measuring..." : "after the run";
+  const char* const no_closeness = known.measuring ? "measuring..." : "after the run";
   const auto measured = [&](CardLine line) {
     return closeness != nullptr ? std::move(line) : missing_line(std::move(line), no_closeness);
   };
-  return {{true,
-           {when(rows, course_line(q), after_cast_on), when(strips, wale_line(q), after_faces),
-            when(strips, sideways_line(q), after_faces), when(strips, mirror_line(q), after_faces)}},
-          {false,
-           {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c)),
-            closeness == nullptr || c.coverage ? measured(uncovered_line(c))
-                                               : missing_line(uncovered_line(c), after_faces)}},
-          {false,
-           {measured(area_line(c)), when(strips, quads_line(q), after_faces),
-            when(stitches, shaping_line(q), after_stitches), when(stitches, most_line(q), after_stitches)}}};
+  const Judged course = settled ? Judged::settled_course_cv : Judged::course_cv;
+  std::vector<CardGroup> groups{
+      {true,
+       {when(rows, course_line(q, course), after_cast_on), when(strips, wale_line(q), after_faces),
+        when(strips, sideways_line(q), after_faces), when(strips, mirror_line(q), after_faces)}},
+      {false,
+       {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c)),
+        closeness == nullptr || c.coverage ? measured(uncovered_line(c))
+                                           : missing_line(uncovered_line(c), after_faces)}},
+      {false,
+       {measured(area_line(c)), when(strips, quads_line(q), after_faces),
+        when(stitches, shaping_line(q), after_stitches), when(stitches, most_line(q), after_stitches)}}};
+  if (known.both == nullptr) return groups;
+  // Both distances stand side by side then.
+  if (known.closeness != nullptr && known.closeness->placed)
+    std::erase_if(groups[1].lines, [](const CardLine& line) {
+      return line.name.ends_with("-to-knit") || line.name.ends_with("-to-mesh");
+    });
+  groups.front().lines.push_back(moved_line(*known.both));
+  groups.insert(groups.begin() + 1, settled_group(*known.both, known.closeness));
+  return groups;
 }
 
 namespace {
@@ -282,6 +394,13 @@ std::string line_text(const CardLine& line) {
     text += right(number, number_width);
   }
   while (text.back() == ' ') text.pop_back();
+  return text + "\n";
+}
+
+std::string heads_text(const CardHeads& heads) {
+  std::string text = left("", words_width);
+  for (const std::string_view head : heads) text += right(std::string(head) + " ", number_width);
+  text.pop_back();
   return text + "\n";
 }
 
@@ -318,16 +437,15 @@ std::string card_text(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& p = timeline.parameters();
   const knit::Quality quality =
-      knit::measure_quality(timeline.input(), timeline.state(), p.stitch.width, p.stitch.height);
+      knit::measure_quality(timeline.input(), shown_state(session), p.stitch.width, p.stitch.height);
+  const auto both = settled_figures(timeline);
   const auto closeness = closeness_now(*session.document);
-  std::string text = "Report card of " + timeline.input().mesh.name +
+  std::string text = "Report card of " + timeline.input().mesh.name + std::string(shown_words(session)) +
                      ": stitch width w = " + knit::number_text(quality.stitch_width) +
                      ", stitch height h = " + knit::number_text(quality.stitch_height) + " mesh units\n\n";
-  text += left("", words_width);
-  for (const char* column : {"mean ", "CV ", "95 % ", "max "}) text += right(column, number_width);
-  text.pop_back();
-  text += "\n";
-  for (const CardGroup& group : card_groups(&quality, closeness.get(), false)) {
+  const CardFigures known{&quality, closeness.get(), both ? &*both : nullptr, session.view->positions};
+  for (const CardGroup& group : card_groups(known)) {
+    if (group.headed) text += heads_text(group.heads);
     for (const CardLine& line : group.lines) text += line_text(line);
   }
   return text + "* more than a knitter would want\n" + tubes_text(quality) + rows_text(quality);

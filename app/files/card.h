@@ -7,13 +7,25 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "app/session/view.h"
 #include "knit/quality/closeness.h"
+#include "knit/quality/ease.h"
 #include "knit/quality/quality.h"
+#include "knit/run/timeline.h"
 
 namespace app {
 
 // What a knitter would want a figure not to exceed.
-enum class Judged : std::uint8_t { course_cv, wale_cv, sideways, most_in_a_row, knit_to_mesh };
+// Rows are cut so that courses are even; where stitches settle, courses give way to wales.
+enum class Judged : std::uint8_t {
+  course_cv,
+  settled_course_cv,
+  wale_cv,
+  sideways,
+  most_in_a_row,
+  knit_to_mesh,
+  turned
+};
 struct Bound {
   Judged figure;
   double most;
@@ -21,10 +33,12 @@ struct Bound {
 };
 inline constexpr std::array bounds{
     Bound{Judged::course_cv, 0.05, "0.05"},
+    Bound{Judged::settled_course_cv, 0.16, "0.16"},
     Bound{Judged::wale_cv, 0.15, "0.15"},
     Bound{Judged::sideways, 0.8, "0.8 w"},
     Bound{Judged::most_in_a_row, 1.0, "what a flat disc takes"},  // times the steady bound
     Bound{Judged::knit_to_mesh, 0.01, "1 % of the diagonal"},     // of the diagonal
+    Bound{Judged::turned, 0.0, "0"},
 };
 bool is_outside(Judged figure, double value);
 
@@ -46,14 +60,39 @@ struct CardLine {
   std::string missing;  // instead of the figures: "after the faces"
 };
 
+using CardHeads = std::array<std::string_view, card_columns>;
+inline constexpr CardHeads card_heads{"mean", "CV", "95 %", "max"};
+inline constexpr CardHeads settled_heads{"", "", "placed", "settled"};
+
 struct CardGroup {
   bool headed = false;  // the columns' names stand above
   std::vector<CardLine> lines;
+  CardHeads heads = card_heads;
 };
 
-// `quality` and `closeness` may be null: not there yet. `measuring`: closeness is on its way.
-std::vector<CardGroup> card_groups(const knit::Quality* quality, const knit::Closeness* closeness,
-                                   bool measuring);
+// Both figures of stitches that have settled (knit/settle): where they were placed, and where they are.
+struct SettledFigures {
+  knit::Quality placed, settled;
+  knit::EaseMoves moves;
+  std::int32_t iterations = 0;
+};
+// Of the state shown; none where nothing has settled.
+std::optional<SettledFigures> settled_figures(const knit::Timeline& timeline);
+
+// What is known of a run's figures. Null: not there yet.
+struct CardFigures {
+  const knit::Quality* quality = nullptr;  // of the positions that are shown
+  const knit::Closeness* closeness =
+      nullptr;                           // of where stitches settled; it has that of where they were placed
+  const SettledFigures* both = nullptr;  // null too where nothing has settled
+  Positions shown = Positions::settled;
+  bool measuring = false;  // closeness is on its way
+};
+std::vector<CardGroup> card_groups(const CardFigures& known);
+inline std::vector<CardGroup> card_groups(const knit::Quality* quality, const knit::Closeness* closeness,
+                                          bool measuring) {
+  return card_groups(CardFigures{quality, closeness, nullptr, Positions::settled, measuring});
+}
 
 // The report card as plain text: the same figures as in the panel, and each row beside the stitches that its
 // length holds.

@@ -33,28 +33,49 @@ bool any_main(const Chart& chart) {
   });
 }
 
-bool has(const Chart& chart, ChartSymbol symbol) {
-  return std::any_of(chart.rows.begin(), chart.rows.end(), [&](const knit::ChartRow& row) {
-    return std::any_of(row.squares.begin(), row.squares.end(),
-                       [&](const ChartSquare& s) { return s.symbol == symbol; });
-  });
+template <class Holds>
+bool any_row(const Chart& chart, const Holds& holds) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(), holds);
+}
+bool any_laid(const Chart& chart) {
+  return any_row(chart, [](const knit::ChartRow& row) { return row.laid; });
+}
+bool any_slips(const Chart& chart) {
+  return any_row(chart, [](const knit::ChartRow& row) { return row.slips_back; });
 }
 
+constexpr std::string_view slip_sign = "<";  // beside a round's number
+
 struct KeyEntry {
-  const ChartShape* shape = nullptr;  // null: a tinted square
+  const ChartShape* shape = nullptr;  // null: a tinted square, or a sign
   std::string_view meaning;
+  std::string_view fill = chart_colour::main_tint;
+  std::string_view sign = {};
 };
+
+std::string svg_opening(double width, double height) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + hundredths(width) + "mm\" height=\"" +
+         hundredths(height) + "mm\" viewBox=\"0 0 " + hundredths(width) + " " + hundredths(height) +
+         "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#222\">\n";
+}
 
 class Drawing {
  public:
   Drawing(const Chart& chart, const ChartLook& look)
-      : chart_(chart), look_(look), entries_(look.key ? used() : std::vector<KeyEntry>()) {
+      : chart_(chart),
+        look_(look),
+        all_(look.all.empty() ? std::vector<const Chart*>{&chart} : look.all),
+        entries_(look.key ? used() : std::vector<KeyEntry>()) {
     const auto columns = static_cast<double>(chart.columns), rows = static_cast<double>(chart.rows.size());
     const double room_below = look.fit_height_mm - above_grid() - key_height_for(look.fit_width_mm) - 3.0;
     const double fitting = std::min((look.fit_width_mm - 2.0 * edge_) / columns, room_below / rows);
     square_ = std::min(look.largest_square_mm, std::max(look.smallest_square_mm, fitting));
     label_ = std::clamp(0.6 * square_, 1.8, 2.8);
     width_ = std::max(columns * square_ + 2.0 * edge_, look.key ? 2.0 * entry_width() : 0.0);
+    if (look.small_title)
+      width_ =
+          std::max(width_, character * 1.15 * small_title_ * static_cast<double>(look.title.size()) + 2.0);
+    if (chart.rows.empty()) width_ = look.fit_width_mm;
     left_ = (width_ - columns * square_) / 2.0;
     top_ = above_grid();
     grid_width_ = columns * square_;
@@ -62,29 +83,63 @@ class Drawing {
     height_ = top_ + grid_height_ + 3.0 + key_height_for(width_);
   }
 
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+
   [[nodiscard]] std::string document() const {
-    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + hundredths(width_) +
-                      "mm\" height=\"" + hundredths(height_) + "mm\" viewBox=\"0 0 " + hundredths(width_) +
-                      " " + hundredths(height_) +
-                      "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#222\">\n";
-    out += "<title>" + xml_text(look_.title.empty() ? "Chart" : look_.title) + "</title>\n" + definitions();
-    out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    return svg_opening(width_, height_) + "<title>" + xml_text(look_.title.empty() ? "Chart" : look_.title) +
+           "</title>\n" + (look_.borrows ? "" : definitions()) +
+           "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + body() + "</svg>\n";
+  }
+
+  // Without what it defines.
+  [[nodiscard]] std::string body() const {
+    std::string out;
     if (!look_.title.empty())
-      out += text_at(width_ / 2.0, 5.0, " font-size=\"4.4\" font-weight=\"600\" text-anchor=\"middle\"",
+      out += text_at(width_ / 2.0, look_.small_title ? 3.6 : 5.0,
+                     " font-size=\"" + std::string(look_.small_title ? "3.2" : "4.4") +
+                         "\" font-weight=\"600\" text-anchor=\"middle\"",
                      look_.title);
-    out += scaled(left_, top_, square_, chart_squares(chart_, look_.tint_mains));
-    return out + labels() + key() + "</svg>\n";
+    if (!chart_.rows.empty())
+      out += scaled(left_, top_, square_, chart_squares(chart_, look_.tint_mains)) + labels();
+    return out + key();
+  }
+
+  [[nodiscard]] std::string definitions() const {
+    std::string out = "<defs fill=\"none\">\n";
+    for (const ChartShape& shape : chart_shapes) {
+      if (shape.id.empty() || !has(shape.symbol)) continue;
+      out += "<path id=\"" + std::string(shape.id) + "\" d=\"" + svg_path(shape.strokes) +
+             "\" fill=\"none\" stroke=\"#111\" stroke-width=\".115\" stroke-linecap=\"round\" "
+             "stroke-linejoin=\"round\"/>\n";
+    }
+    return out + "</defs>\n";
   }
 
  private:
-  [[nodiscard]] double above_grid() const { return look_.title.empty() ? 5.0 : 12.0; }
+  [[nodiscard]] double above_grid() const {
+    if (chart_.rows.empty()) return 0.0;
+    if (look_.small_title) return 8.4;
+    return look_.title.empty() ? 5.0 : 12.0;
+  }
+
+  template <class Holds>
+  [[nodiscard]] bool any_chart(const Holds& holds) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Chart* chart) { return holds(*chart); });
+  }
+  [[nodiscard]] bool has(ChartSymbol symbol) const {
+    return any_chart([&](const Chart& chart) { return knit::has_symbol(chart, symbol); });
+  }
 
   [[nodiscard]] std::vector<KeyEntry> used() const {
     std::vector<KeyEntry> entries;
     for (const ChartShape& shape : chart_shapes) {
-      if (has(chart_, shape.symbol)) entries.push_back({&shape, knit::sign_of(shape.symbol).meaning});
+      if (has(shape.symbol)) entries.push_back({&shape, knit::sign_of(shape.symbol).meaning});
     }
-    if (look_.tint_mains && any_main(chart_)) entries.push_back({nullptr, "main line"});
+    if (look_.tint_mains && any_chart(any_main)) entries.push_back({nullptr, "main line"});
+    if (any_chart(any_laid))
+      entries.push_back({nullptr, "a row that knits nothing", chart_colour::laid_tint});
+    if (any_chart(any_slips)) entries.push_back({nullptr, "slip the last st back first", "none", slip_sign});
     return entries;
   }
 
@@ -111,17 +166,6 @@ class Drawing {
            fixed_text(by, 4) + ")\">\n" + inside + "</g>\n";
   }
 
-  [[nodiscard]] std::string definitions() const {
-    std::string out = "<defs fill=\"none\">\n";
-    for (const ChartShape& shape : chart_shapes) {
-      if (shape.id.empty() || !has(chart_, shape.symbol)) continue;
-      out += "<path id=\"" + std::string(shape.id) + "\" d=\"" + svg_path(shape.strokes) +
-             "\" fill=\"none\" stroke=\"#111\" stroke-width=\".115\" stroke-linecap=\"round\" "
-             "stroke-linejoin=\"round\"/>\n";
-    }
-    return out + "</defs>\n";
-  }
-
   // Every row where there is room, else every second, fifth or tenth; cast on and bind off always.
   [[nodiscard]] std::int32_t label_step() const {
     for (const std::int32_t step : {1, 2, 5, 10}) {
@@ -146,8 +190,8 @@ class Drawing {
                                         row + static_cast<std::size_t>(step) >= chart_.rows.size());
       if (!first && !last && (r.number % step != 0 || crowded)) continue;
       const double y = top_ + grid_height_ - (static_cast<double>(row) + 0.5) * square_ + 0.36 * label_;
-      out += text_at(right, y, size, word_of(r));
-      if (is_worked(r) || first)
+      if (!r.laid) out += text_at(right, y, size, word_of(r));
+      if (r.laid ? first : is_worked(r) || first)
         out += text_at(left, y, at_left + (r.stitches == count ? " fill=\"#999\"" : ""),
                        std::to_string(r.stitches));
       count = r.stitches;
@@ -164,7 +208,7 @@ class Drawing {
     return symbol != ChartSymbol::cast_on && symbol != ChartSymbol::bind_off;
   }
   static std::string word_of(const knit::ChartRow& row) {
-    if (is_worked(row)) return std::to_string(row.number);
+    if (is_worked(row)) return std::to_string(row.number) + (row.slips_back ? " <" : "");
     return first_symbol(row) == ChartSymbol::cast_on ? "CO" : "BO";
   }
 
@@ -188,21 +232,25 @@ class Drawing {
   }
   static std::string swatch(const KeyEntry& entry) {
     const bool none = entry.shape != nullptr && entry.shape->symbol == ChartSymbol::no_stitch;
-    const std::string_view fill = entry.shape == nullptr ? chart_colour::main_tint
-                                  : none                 ? chart_colour::grey
-                                                         : "#fff";
+    const std::string_view fill = entry.shape == nullptr ? entry.fill : none ? chart_colour::grey : "#fff";
     std::string out = "<rect class=\"key\" width=\"1\" height=\"1\" fill=\"" + std::string(fill) +
                       "\" stroke=\"#555\" stroke-width=\".05\"/>\n";
     if (entry.shape != nullptr && !entry.shape->id.empty())
       out += "<use href=\"#" + std::string(entry.shape->id) + "\"/>\n";
+    const bool held = entry.shape != nullptr && entry.shape->symbol == ChartSymbol::held;
+    if (held || !entry.sign.empty())
+      out += "<text x=\".5\" y=\".78\" font-size=\".74\" text-anchor=\"middle\">" +
+             xml_text(held ? std::string_view("A") : entry.sign) + "</text>\n";
     return out;
   }
 
   static constexpr double edge_ = 9.0;    // left and right of the grid, for numbers
   static constexpr double swatch_ = 4.0;  // a square of the key
   static constexpr double line_ = 6.0;    // of the key
+  static constexpr double small_title_ = 3.2;
   const Chart& chart_;
   const ChartLook& look_;
+  std::vector<const Chart*> all_;
   std::vector<KeyEntry> entries_;
   double square_ = 5.0, label_ = 2.5, width_ = 0.0, height_ = 0.0;
   double left_ = 0.0, top_ = 0.0, grid_width_ = 0.0, grid_height_ = 0.0;  // of the grid
@@ -211,6 +259,115 @@ class Drawing {
 }  // namespace
 
 std::string chart_svg(const Chart& chart, const ChartLook& look) { return Drawing(chart, look).document(); }
+
+namespace {
+
+// Charts from left to right, and line by line.
+class Sheet {
+ public:
+  Sheet(const std::vector<NamedChart>& charts, const SheetLook& look) : look_(look) {
+    for (const NamedChart& named : charts) all_.push_back(named.chart);
+    for (const double square :
+         {look.largest_square_mm, 3.5, 3.0, 2.7, 2.4, 2.2, 2.0, 1.8, 1.65, look.smallest_square_mm}) {
+      if (square > look.largest_square_mm || square < look.smallest_square_mm) continue;
+      lay(charts, square);
+      if (width_ <= look.width_mm && height_ <= look.height_mm) break;
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> documents() const {
+    std::vector<std::string> all;
+    for (const Placed& placed : placed_) all.push_back(Drawing(*placed.chart, placed.look).document());
+    all.push_back(Drawing(Chart{}, key()).document());
+    return all;
+  }
+
+  [[nodiscard]] std::string document() const {
+    const double above = look_.title.empty() ? 2.0 : 11.0, width = std::max(width_, look_.width_mm);
+    const ChartLook key_look = key();
+    const Chart none;
+    const Drawing key_drawing(none, key_look);
+    const double height = above + height_;
+    std::string out = svg_opening(width, height) + "<title>" +
+                      xml_text(look_.title.empty() ? "Charts" : look_.title) + "</title>\n" +
+                      key_drawing.definitions() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    if (!look_.title.empty())
+      out += text_at(width / 2.0, 6.0, " font-size=\"4.8\" font-weight=\"600\" text-anchor=\"middle\"",
+                     look_.title);
+    for (const Placed& placed : placed_)
+      out += moved(placed.x, above + placed.y, Drawing(*placed.chart, placed.look).body());
+    out += moved((width - look_.width_mm) / 2.0, height - key_drawing.height(), key_drawing.body());
+    return out + "</svg>\n";
+  }
+
+ private:
+  struct Placed {
+    const Chart* chart = nullptr;
+    ChartLook look;
+    double x = 0.0, y = 0.0;
+  };
+
+  static std::string moved(double x, double y, const std::string& inside) {
+    return "<g transform=\"translate(" + hundredths(x) + " " + hundredths(y) + ")\">\n" + inside + "</g>\n";
+  }
+
+  [[nodiscard]] ChartLook key() const {
+    ChartLook look;
+    look.all = all_;
+    look.fit_width_mm = look_.width_mm;
+    return look;
+  }
+
+  void lay(const std::vector<NamedChart>& charts, double square) {
+    placed_.clear();
+    double x = 0.0, y = 0.0, line = 0.0;
+    width_ = 0.0;
+    for (const NamedChart& named : charts) {
+      Placed placed{named.chart, {}, 0.0, 0.0};
+      placed.look.title = named.name;
+      placed.look.small_title = placed.look.borrows = true;
+      placed.look.key = false;
+      placed.look.largest_square_mm = placed.look.smallest_square_mm = square;
+      const Drawing drawing(*named.chart, placed.look);
+      if (x > 0.0 && x + drawing.width() > look_.width_mm) x = 0.0, y += line, line = 0.0;
+      placed.x = x;
+      placed.y = y;
+      x += drawing.width();
+      width_ = std::max(width_, x);
+      line = std::max(line, drawing.height());
+      placed_.push_back(std::move(placed));
+    }
+    const ChartLook key_look = key();
+    height_ = y + line + Drawing(Chart{}, key_look).height();
+  }
+
+  const SheetLook& look_;
+  std::vector<const Chart*> all_;
+  std::vector<Placed> placed_;
+  double width_ = 0.0, height_ = 0.0;
+};
+
+}  // namespace
+
+bool is_wide(const std::vector<NamedChart>& charts) {
+  constexpr std::int32_t most_upright = 90;  // squares
+  return std::any_of(charts.begin(), charts.end(),
+                     [](const NamedChart& named) { return named.chart->columns > most_upright; });
+}
+
+SheetLook sheet_for(const std::vector<NamedChart>& charts) {
+  SheetLook look;
+  if (is_wide(charts)) look.width_mm = 266.0, look.height_mm = 168.0;
+  return look;
+}
+
+std::string charts_svg(const std::vector<NamedChart>& charts, const SheetLook& look) {
+  return Sheet(charts, look).document();
+}
+
+std::vector<std::string> charts_svgs(const std::vector<NamedChart>& charts, const SheetLook& look) {
+  return Sheet(charts, look).documents();
+}
 
 bool is_wide(const Chart& chart) {
   // Where a sheet put sideways gives larger squares, margins, numbers and key taken off.

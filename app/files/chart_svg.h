@@ -8,6 +8,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "knit/pattern/chart.h"
 
@@ -22,10 +23,33 @@ struct ChartLook {
   double fit_width_mm = 180.0;
   double fit_height_mm = 255.0;
   double smallest_square_mm = 1.5;
+  // Of several drawings on one page.
+  std::vector<const knit::Chart*> all;  // whose symbols this one defines, and its key tells; empty: its own
+  bool borrows = false;                 // another drawing of the page defines them
+  bool small_title = false;
 };
 
 // A document of its own, which HTML can also hold as it is. Without an XML declaration; text is UTF-8.
 std::string chart_svg(const knit::Chart& chart, const ChartLook& look);
+
+// Charts of pieces, each under its name, packed on a sheet of that width with one key; squares are equally large on all, and as
+// large as the sheet's height lets them be.
+struct NamedChart {
+  std::string name;
+  const knit::Chart* chart = nullptr;
+};
+struct SheetLook {
+  std::string title;  // empty: none
+  double width_mm = 180.0, height_mm = 246.0;
+  double largest_square_mm = 4.0, smallest_square_mm = 1.5;
+};
+// For a page; where a chart is wide, for one put sideways.
+bool is_wide(const std::vector<NamedChart>& charts);
+SheetLook sheet_for(const std::vector<NamedChart>& charts);
+// One drawing.
+std::string charts_svg(const std::vector<NamedChart>& charts, const SheetLook& look);
+// For a page: a drawing for each chart, that lines may be broken between, and the key as the last.
+std::vector<std::string> charts_svgs(const std::vector<NamedChart>& charts, const SheetLook& look);
 
 // Whether the chart is easier to read on a sheet put sideways.
 bool is_wide(const knit::Chart& chart);

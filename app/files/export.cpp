@@ -13,6 +13,8 @@
 #include "app/files/report.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"
+#include "app/session/shown.h"
+#include "app/session/view.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/stitches/appendix.h"
@@ -60,13 +62,16 @@ std::string deal_group(const knit::Fabric& fabric, const knit::Deal& deal, std::
 }  // namespace
 
 std::string mesh_text(const Session& session) {
-  const knit::State& state = session.document->timeline.state();
+  const knit::State state = shown_state(session);
   std::string text =
       "# knit-mesh: stitches row by row in knitting order, a group for each row with the faces below it.\n";
   text += "# A stack of closed rounds, not a helix: each round begins beside the end of the one before.\n";
   if (!state.fabric.deals().empty())
     text +=
         "# Where loops part or meet: the bridge's stitches after the row before, a group for each deal.\n";
+  if (has_settled(session))
+    text += session.view->positions == Positions::placed ? "# Stitches as they were placed.\n"
+                                                         : "# Stitches where they settled.\n";
   for (const glm::dvec3& place : knit::knitting_path(state.fabric)) append_vertex(text, place);
   for (const auto& row : state.fabric.rows()) {
     if (const knit::Strip* strip = state.fabric.strip_into(row->id)) {
@@ -195,6 +200,8 @@ const std::array export_table{
                ExportEndings{"a pattern", pattern_endings, has_format<pattern_format_of>}},
     ExportInfo{"chart", "chart", "-chart.svg", About::pattern, "write the chart as SVG",
                as_text<chart_file_text>, chart_missing},
+    ExportInfo{"pieces", "picture of the pieces", "-pieces.svg", About::pattern,
+               "write a picture of the pieces as SVG", as_text<pieces_file_text>, pieces_missing},
     ExportInfo{"steps", "log of steps", "-steps.jsonl", About::run, "write every step as JSON, one a line",
                as_text<steps_text>},
     ExportInfo{"gltf", "knit mesh as glTF", "-knit.glb", About::piece, "write the knit mesh as glTF",

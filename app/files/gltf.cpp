@@ -13,6 +13,7 @@
 #include "app/describe/describe_step.h"
 #include "app/describe/thing_places.h"
 #include "app/session/document.h"
+#include "app/session/shown.h"
 
 namespace app {
 
@@ -50,7 +51,7 @@ std::uint16_t linear_u16(std::uint8_t channel) {
 class GltfDocument {
  public:
   explicit GltfDocument(const Session& session)
-      : state_(session.document->timeline.state()),
+      : state_(shown_state(session)),
         metres_(session.document->timeline.parameters().stitch.centimetres_per_unit / 100.0) {
     add_faces();
     add_lines();
@@ -212,7 +213,7 @@ class GltfDocument {
     return file;
   }
 
-  const knit::State& state_;
+  const knit::State state_;
   double metres_;  // a mesh unit
   std::string buffer_;
   Json views_ = Json::array(), accessors_ = Json::array(), materials_ = Json::array(),

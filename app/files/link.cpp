@@ -54,18 +54,19 @@ void add_place(Link& link, const knit::Timeline& timeline) {
                        std::to_string(at.item));
 }
 
-void add_pattern(Link& link, const knit::PatternOptions& pattern) {
+void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternPieces& pieces) {
   if (!pattern.title.empty()) link.add("--title", pattern.title);
   if (!pattern.yarn.empty()) link.add("--yarn", pattern.yarn);
   if (!pattern.colour.empty()) link.add("--colour", pattern.colour);
   if (pattern.needle_mm) link.add("--needle-mm", knit::number_text(*pattern.needle_mm));
   if (pattern.markers) link.add("--markers");
   if (pattern.stars) link.add("--stars");
-  for (const auto& [letters, word] : pattern.piece_names) {
+  for (const auto& [letters, word] : pieces.names) {
     std::string named = letters;
     named.append("=").append(word);
     link.add("--piece-name", named);
   }
+  if (!pieces.order.empty()) link.add("--piece-order", piece_order_text(pieces.order));
 }
 
 }  // namespace
@@ -104,8 +105,9 @@ std::optional<std::string> link_by_options(const Session& session) {
   if (session.view->side != SidePanel::step)
     link.add("--side", std::string(side_keys.at(static_cast<std::size_t>(session.view->side))));
   if (session.view->centre != CentrePanel::view) link.add("--centre", "chart");
+  if (session.view->positions == Positions::placed) link.add("--positions", "placed");
   if (session.view->gaze.knit_along) link.add("--knit-along", std::to_string(*session.view->gaze.knit_along));
-  add_pattern(link, session.view->pattern);
+  add_pattern(link, session.view->pattern, session.document->pieces);
   return link.text();
 }
 

@@ -1,4 +1,4 @@
-// The pattern for other programs: knitspeak, and JSON with the graph of stitches; see docs/pattern.md.
+// The pattern, its chart and its picture of pieces as files; see docs/pattern.md.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/pattern_json.h"
+#include "app/files/pattern_knitspeak.h"
+#include "app/files/pattern_page.h"
 #include "app/session/session.h"
-#include "knit/limbs/limb_plan.h"
-#include "knit/pattern/chart.h"
-#include "knit/pattern/rounds.h"
-#include "knit/pattern/written_pattern.h"
 
 namespace app {
-
-// "CO 6 sts (Rnd 1)." and then "Round 2: *k1, M1L, repeat from *. (12 sts)", "Rounds 3-5: knit. (12 sts)".
-std::string pattern_knitspeak(const knit::Rounds& rounds);
-
-// Operations run-length encoded, a round a line; the graph a row a line.
-std::string pattern_json(const knit::Rounds& rounds);
-// Version 2: a piece a line, with what it begins on, its rounds and its end.
-std::string pattern_json(const knit::LimbPlan& plan, const knit::PatternOptions& options = {});
-
-// The written pattern as one page to print: no other file is needed.
-
-// The parts in the order of the written pattern, then the chart, if it has rows. Each round line is one <li class="round">,
-// its text exactly RoundLine::text(). `picture_png`: of the finished object; may be empty.
-std::string pattern_html(const knit::WrittenPattern& pattern, const knit::Chart& chart,
-                         std::span<const std::uint8_t> picture_png = {});
 
 // The pattern in the format that a file's name asks for, and the chart as a drawing.
 
@@ -47,16 +31,19 @@ inline constexpr const char* needle_range = "a number from 0.5 to 50";
 // Why there is no pattern yet; nothing when it can be written.
 std::optional<std::string> pattern_missing(const Session& session);
 
-// Why there is no chart, or no pattern in this format: also because it is in pieces.
+// Why there is no chart, no picture of the pieces, or no pattern in this format.
 std::optional<std::string> chart_missing(const Session& session);
+std::optional<std::string> pieces_missing(const Session& session);
 std::optional<std::string> format_missing(const Session& session, PatternFormat format);
 
 // How to begin, the rounds and the remarks between them, as on the written page; empty while there is no pattern.
 std::vector<std::string> pattern_instructions(const Session& session);
 
-// Both require that nothing is missing. `picture_png`: of the finished object, for HTML; may be empty.
+// All require that nothing is missing. `picture_png`: of the finished object, for HTML; may be empty.
 std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png = {});
+// Of pieces one drawing with a chart for each.
 std::string chart_file_text(const Session& session);
+std::string pieces_file_text(const Session& session);
 
 }  // namespace app

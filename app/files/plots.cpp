@@ -13,6 +13,7 @@
 #include "app/base/text.h"
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
+#include "app/session/shown.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/quality/quality.h"
@@ -301,9 +302,10 @@ std::vector<TubeStart> tube_starts(const knit::Fabric& fabric) {
 PlotFigures figures_of(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
-  const knit::Quality quality = knit::measure_quality(timeline.input(), timeline.state(),
-                                                      parameters.stitch.width, parameters.stitch.height);
-  const RowFigures rows = row_figures_of(timeline.state(), parameters.stitch.width);
+  const knit::State state = shown_state(session);
+  const knit::Quality quality =
+      knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height);
+  const RowFigures rows = row_figures_of(state, parameters.stitch.width);
   PlotFigures figures;
   figures.title = timeline.input().mesh.name;
   RowsFigure stitches{"stitches", "Stitches a row", "stitches", {}, {}, {}};

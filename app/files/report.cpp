@@ -2,8 +2,11 @@
 
 #include <array>
 
+#include "app/files/card.h"
 #include "app/files/pattern_export.h"
 #include "app/session/document.h"
+#include "app/session/shown.h"
+#include "app/session/view.h"
 
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
@@ -129,6 +132,7 @@ Json to_json(const knit::Quality& quality) {
   json["worst_course_cv_in_row"] = value_if(quality.course.count > 0, quality.worst_course_cv_in_row);
   json["wale"] = spread_json(quality.wale);
   json["corner"] = spread_json(quality.corner);
+  json["corner_off"] = spread_json(quality.corner_off);
   json["rows"] = rows_json(quality.rows);
   json["tubes"] = tube_fits_json(quality.tubes);
   json["quad_share"] = value_if(any_face, quality.quad_share);
@@ -354,6 +358,38 @@ void add_tubes(const knit::State& state, Json& report) {
   report["left_out"] = left_out_json(plan);
 }
 
+// Both figures of stitches that have settled, small enough to be read side by side.
+Json positions_json(const knit::Quality& quality, const knit::Closeness* closeness) {
+  const knit::Coverage* coverage =
+      closeness != nullptr && closeness->coverage ? &*closeness->coverage : nullptr;
+  const auto distance = [&](knit::Distances knit::Closeness::*which) {
+    return closeness != nullptr ? ratio((closeness->*which).max, closeness->diagonal) : Json(nullptr);
+  };
+  return {{"wale_cv", quality.wale.cv},
+          {"wale_max", quality.wale.high},
+          {"course_cv", quality.course.cv},
+          {"corner_off", quality.corner_off.mean},
+          {"corner_off_p95", quality.corner_off.p95},
+          {"turned", coverage != nullptr ? Json(coverage->turned.faces) : Json(nullptr)},
+          {"uncovered", coverage != nullptr ? Json(coverage->uncovered.share) : Json(nullptr)},
+          {"knit_to_mesh", distance(&knit::Closeness::knit_to_mesh)},
+          {"mesh_to_knit", distance(&knit::Closeness::mesh_to_knit)}};
+}
+
+Json settled_json(const knit::Timeline& timeline, const knit::Closeness* closeness) {
+  const auto both = settled_figures(timeline);
+  if (!both) return nullptr;
+  const double width = both->settled.stitch_width;
+  return {{"iterations", both->iterations},
+          {"moved",
+           {{"mean", both->moves.mean / width},
+            {"max", both->moves.most / width},
+            {"row", both->moves.of.row},
+            {"stitch", both->moves.of.stitch}}},
+          {"placed", positions_json(both->placed, closeness != nullptr ? closeness->placed.get() : nullptr)},
+          {"settled", positions_json(both->settled, closeness)}};
+}
+
 Json edits_json(const knit::Timeline& timeline) {
   Json all = Json::array();
   for (const knit::Edit& edit : timeline.edits()) {
@@ -388,7 +424,7 @@ std::vector<TubeLabels> label_rows(const knit::State& state) {
 
 Json report_json(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
-  const knit::State& state = timeline.state();
+  const knit::State state = shown_state(session);
   const knit::Mesh& mesh = timeline.input().mesh;
   const knit::FaceCounts faces = knit::count_faces(state);
   const knit::ShapingFigures shaping = knit::shaping_figures(state);
@@ -416,10 +452,14 @@ Json report_json(const Session& session) {
                        {"max_in_a_row", shaping.max_in_a_row}};
   const knit::Parameters& parameters = timeline.parameters();
   const auto closeness = closeness_now(*session.document);
+  const bool as_placed = session.view->positions == Positions::placed && closeness && closeness->placed;
+  const knit::Closeness* shown = as_placed ? closeness->placed.get() : closeness.get();
+  report["positions"] = positions_keys.at(static_cast<std::size_t>(session.view->positions));
   report["quality"] = quality_json(
       knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height),
-      closeness.get());
-  report["uncovered"] = uncovered_json(timeline, closeness.get());
+      shown);
+  report["settled"] = settled_json(timeline, closeness.get());
+  report["uncovered"] = uncovered_json(timeline, shown);
   report["stretched"] = to_json(knit::stretched_rows(state, parameters.stitch.height));
   report["problems"] = problems_json(session);
   report["pattern"] = pattern_instructions(session);

@@ -48,14 +48,15 @@ Json camera_json(const Camera& camera) {
           {"field-of-view", camera.field_of_view}};
 }
 
-Json pattern_json(const knit::PatternOptions& pattern) {
+Json pattern_json(const knit::PatternOptions& pattern, const PatternPieces& pieces) {
   Json json = {{"title", pattern.title},
                {"yarn", pattern.yarn},
                {"colour", pattern.colour},
                {"markers", pattern.markers},
                {"stars", pattern.stars}};
   if (pattern.needle_mm) json["needle-mm"] = *pattern.needle_mm;
-  if (!pattern.piece_names.empty()) json["piece-names"] = pattern.piece_names;
+  if (!pieces.names.empty()) json["piece-names"] = pieces.names;
+  if (!pieces.order.empty()) json["piece-order"] = pieces.order;
   return json;
 }
 
@@ -86,6 +87,7 @@ SavedSession saved_of(const Session& session) {
   saved.side = session.view->side;
   saved.list = session.view->list;
   saved.centre = session.view->centre;
+  saved.positions = session.view->positions;
   saved.steps_per_second = session.view->playback.steps_per_second;
   saved.slow_motion = session.view->slow_motion;
   saved.loop = session.document->travel.loop;
@@ -96,7 +98,9 @@ SavedSession saved_of(const Session& session) {
   if (same_mesh) saved.pinned = session.document->pinned->knobs;
   saved.knitting_along = session.view->gaze.knit_along.has_value();
   saved.round = session.view->gaze.knit_along.value_or(session.view->gaze.knit_along_round);
+  saved.deal = session.view->gaze.knit_along_deal;
   saved.pattern = session.view->pattern;
+  saved.pieces = session.document->pieces;
   return saved;
 }
 
@@ -113,6 +117,7 @@ Json to_json(const SavedSession& saved) {
   json["side"] = side_keys[static_cast<std::size_t>(saved.side)];
   json["list"] = list_keys[static_cast<std::size_t>(saved.list)];
   json["centre"] = centre_keys[static_cast<std::size_t>(saved.centre)];
+  json["positions"] = positions_keys.at(static_cast<std::size_t>(saved.positions));
   json["playback"] = {{"steps-per-second", saved.steps_per_second}, {"slow-motion", saved.slow_motion}};
   if (saved.loop) json["playback"]["loop"] = {{"begin", saved.loop->begin}, {"end", saved.loop->end}};
   json["breaks"] = Json::array();
@@ -123,7 +128,8 @@ Json to_json(const SavedSession& saved) {
     add_knobs(json["pinned"], *saved.pinned);
   }
   json["knit-along"] = {{"on", saved.knitting_along}, {"round", saved.round}};
-  json["pattern"] = pattern_json(saved.pattern);
+  if (saved.deal > 0) json["knit-along"]["deal"] = saved.deal;
+  json["pattern"] = pattern_json(saved.pattern, saved.pieces);
   return json;
 }
 
@@ -247,15 +253,30 @@ void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
   pattern.markers = fields.flag("markers");
   pattern.stars = fields.flag("stars");
   if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
-  if (!fields.has("piece-names")) return;
-  JsonFields names = fields.object("piece-names");
+}
+
+void read_piece_names(JsonFields& pattern, PatternPieces& pieces) {
+  if (!pattern.has("piece-names")) return;
+  JsonFields names = pattern.object("piece-names");
   for (const auto& [letters, word] : names.json().items()) {
     std::string text = names.text(letters);
     if (knit::is_piece_word(text))
-      pattern.piece_names[letters] = std::move(text);
+      pieces.names[letters] = std::move(text);
     else
       names.set_fault(letters, "must be one capitalised word.");
   }
+}
+
+void read_pieces(JsonFields pattern, PatternPieces& pieces) {
+  read_piece_names(pattern, pieces);
+  if (!pattern.has("piece-order")) return;
+  for (const nlohmann::json& letters : pattern.array("piece-order")) {
+    if (!letters.is_string())
+      return pattern.set_fault("piece-order", "must be pieces' letters, each in quotes.");
+    pieces.order.push_back(letters.get<std::string>());
+  }
+  if (fault_of_order(pieces.order))
+    pattern.set_fault("piece-order", "must be pieces' letters, each once: [\"B\", \"A\"].");
 }
 
 void read_breaks(JsonFields& fields, SavedSession& saved) {
@@ -284,6 +305,8 @@ void read_view(JsonFields& fields, SavedSession& saved) {
   saved.side = static_cast<SidePanel>(fields.choice("side", side_keys));
   saved.list = static_cast<RunList>(fields.choice("list", list_keys));
   saved.centre = static_cast<CentrePanel>(fields.choice("centre", centre_keys));
+  if (fields.has("positions"))
+    saved.positions = static_cast<Positions>(fields.choice("positions", positions_keys));
 }
 
 std::string fault_of_version(const nlohmann::json& json) {
@@ -317,7 +340,10 @@ std::variant<SavedSession, std::string> read_saved(const std::string& text) {
   JsonFields along = fields.object("knit-along");
   saved.knitting_along = along.flag("on");
   saved.round = static_cast<std::int32_t>(along.whole("round", 1, most_rows));
+  constexpr std::int64_t most_deals = 1000;
+  if (along.has("deal")) saved.deal = static_cast<std::int16_t>(along.whole("deal", 0, most_deals));
   read_pattern(fields.object("pattern"), saved.pattern);
+  read_pieces(fields.object("pattern"), saved.pieces);
   if (!fields.fault().empty()) return fields.fault();
   return saved;
 }

@@ -32,6 +32,7 @@ struct SavedSession {
   SidePanel side = SidePanel::step;
   RunList list = RunList::rows;
   CentrePanel centre = CentrePanel::view;
+  Positions positions = Positions::settled;
   double steps_per_second = 300.0;
   bool slow_motion = false;
   std::optional<Stretch> loop;
@@ -39,7 +40,9 @@ struct SavedSession {
   std::optional<Knobs> pinned;
   bool knitting_along = false;
   std::int32_t round = 1;
+  std::int16_t deal = 0;
   knit::PatternOptions pattern;
+  PatternPieces pieces;
 };
 
 // Of the mesh as read: what a changed file is noticed by.

@@ -6,8 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "app/base/json_fields.h"
+#include "app/base/text.h"
 #include "app/explain/why_words.h"
 #include "app/lessons/lesson.h"
 #include "app/lessons/lesson_judge.h"
@@ -430,13 +432,21 @@ std::string fault_of_version(const Json& json) {
          std::to_string(lesson_version) + "; change \"" + mark + "\" or take a newer knit-mesh.";
 }
 
+// "10-..." comes after "9-...".
+std::size_t number_before(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return whole_number<std::size_t>(name.substr(0, name.find('-'))).value_or(0);
+}
+
 std::vector<fs::path> lesson_files(const fs::path& assets) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(assets / "lessons", error)) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::pair(number_before(a), a) < std::pair(number_before(b), b);
+  });
   return files;
 }
 

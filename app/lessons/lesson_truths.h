@@ -71,6 +71,8 @@ Truth worked_on(const Session& session, const JudgeCall& call);
 Truth waiting_tube(const Session& session, const JudgeCall& call);
 Truth yarn_broken(const Session& session, const JudgeCall& call);
 Truth join_vertex(const Session& session, const JudgeCall& call);
+Truth stretched_row(const Session& session, const JudgeCall& call);
+Truth longest_wale(const Session& session, const JudgeCall& call);
 Truth what_if(const Session& session, const JudgeCall& call);
 Truth what_if_stops(const Session& session, const JudgeCall& call);
 // Why an answer is not; empty: there is nothing to say.
@@ -78,6 +80,7 @@ std::string why_not_next(const Session& session, const JudgeCall& call, const st
 std::string why_not_label(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_odd(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_broken(const Session& session, const JudgeCall& call, const std::string& answer);
+std::string why_not_stretched(const Session& session, const JudgeCall& call, const std::string& answer);
 std::string why_not_end(const Session& session, const JudgeCall& call, const std::string& answer);
 
 }  // namespace app::truths

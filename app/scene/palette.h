@@ -38,6 +38,12 @@ struct Theme {
   Colour ghost{150, 176, 214, 150};  // the pinned run behind the current one
   Colour problem{240, 104, 84};
   Colour break_hit{186, 156, 255};
+  Colour one_side{255, 148, 56};  // of a split or a join, and the other
+  Colour other_side{72, 184, 255};
+  // Edges while stitches settle: too short, at ease, too long. Blue and orange are told apart by all.
+  Colour stretch_short{72, 184, 255};
+  Colour stretch_even{158, 162, 170};
+  Colour stretch_long{255, 148, 56};
 
   // The panels.
   Colour text{226, 228, 232};
@@ -104,6 +110,11 @@ constexpr Theme make_light_theme() {
   theme.ghost = {62, 92, 140, 150};
   theme.problem = {190, 44, 28};
   theme.break_hit = {110, 70, 190};
+  theme.one_side = {184, 62, 0};
+  theme.other_side = {0, 84, 176};
+  theme.stretch_short = {0, 84, 176};
+  theme.stretch_even = {132, 138, 148};
+  theme.stretch_long = {184, 62, 0};
   theme.text = {28, 31, 36};
   theme.faint_text = {98, 104, 114};
   theme.panel = {252, 251, 249};

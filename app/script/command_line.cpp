@@ -14,6 +14,7 @@
 #include "app/script/pieces.h"
 #include "app/script/queries.h"
 #include "app/script/subcommands.h"
+#include "app/session/pattern_pieces.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
 #include "knit/model/stage.h"
@@ -26,7 +27,7 @@ namespace {
 struct Words {
   std::string session, diff, why, point;
   std::vector<std::string> breaks, sweep;
-  std::string mesh, example, preset, at, side, list, centre, knit_along;
+  std::string mesh, example, preset, at, side, list, centre, positions, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::vector<std::string> saves;     // beside the table of exports; empty: not given
   std::string size;
@@ -36,6 +37,7 @@ struct Words {
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   std::vector<std::string> piece_names;
+  std::string piece_order;
   bool markers = false, stars = false;
   bool explain = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
@@ -109,6 +111,9 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
   app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
   app.add_option("--centre", words.centre, "what the centre shows: view or chart");
+  app.add_option(
+      "--positions", words.positions,
+      "where stitches that have settled are shown, measured and written: " + one_of(positions_keys));
   app.add_option("--theme", words.theme, "dark or light");
   app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
   app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
@@ -134,6 +139,9 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--piece-name", words.piece_names, "what a piece of the pattern is called: A=Tail")
       ->group("Pattern")
       ->allow_extra_args(false);
+  app.add_option("--piece-order", words.piece_order,
+                 "the order in which pieces are worked, by their letters in the cheapest one: B,A,C")
+      ->group("Pattern");
   declare_figures(app, words.figures);
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
@@ -239,6 +247,14 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
 }
 
+std::optional<std::string> read_positions(const Words& words, CommandLine& line) {
+  if (words.positions.empty()) return std::nullopt;
+  std::size_t index = 0;
+  if (auto trouble = choose("--positions", words.positions, positions_keys, index)) return trouble;
+  line.positions = static_cast<Positions>(index);
+  return std::nullopt;
+}
+
 std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
   if (!words.centre.empty() && words.centre != "view" && words.centre != "chart")
     return "--centre cannot be \"" + words.centre + "\"; give view or chart.";
@@ -280,10 +296,21 @@ std::optional<std::string> read_piece_names(const Words& words, CommandLine& lin
   return std::nullopt;
 }
 
+// "B,A,C"
+std::optional<std::string> read_order_words(const Words& words, CommandLine& line) {
+  if (words.piece_order.empty()) return std::nullopt;
+  auto order = read_piece_order(words.piece_order);
+  if (auto* fault = std::get_if<std::string>(&order))
+    return "--piece-order cannot be \"" + words.piece_order + "\": " + *fault;
+  line.piece_order = std::get<0>(std::move(order));
+  return std::nullopt;
+}
+
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
   line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, {}};
   if (auto fault = read_piece_names(words, line)) return fault;
+  if (auto fault = read_order_words(words, line)) return fault;
   if (words.needle.empty()) return std::nullopt;
   line.pattern.needle_mm = needle_mm_of(words.needle);
   if (!line.pattern.needle_mm)
@@ -375,6 +402,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_piece(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_positions(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");

@@ -28,8 +28,10 @@ struct CommandLine {
   SidePanel side = SidePanel::step;        // what the right column shows
   std::optional<RunList> list;             // below the step
   CentrePanel centre = CentrePanel::view;  // what the centre shows
-  std::optional<ThemeKind> theme;          // none: as the preferences have it
-  std::optional<double> scale;             // likewise
+  std::optional<Positions> positions;  // of stitches that have settled; none: settled, or as a session has it
+  std::optional<ThemeKind> theme;      // none: as the preferences have it
+  std::optional<double> scale;         // likewise
+  std::vector<std::string> piece_order;    // letters, as they are worked; empty: the cheapest
   std::optional<std::int32_t> knit_along;  // the round to begin with
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h

@@ -30,7 +30,6 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
   if (given.needle_mm) pattern.needle_mm = given.needle_mm;
   pattern.markers = pattern.markers || given.markers;
   pattern.stars = pattern.stars || given.stars;
-  for (const auto& [letters, word] : given.piece_names) pattern.piece_names[letters] = word;
   return pattern;
 }
 
@@ -46,6 +45,17 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
     return session.outbox->notices.back().text;
   }
   return std::nullopt;
+}
+
+// Without a window the run is worked out first, so that an order that cannot be worked is refused at once; with one the
+// list of pieces says so.
+std::optional<std::string> order_pieces(Session& session, const CommandLine& line) {
+  if (line.piece_order.empty()) return std::nullopt;
+  if (line.headless) work_out(session);
+  const std::size_t notices = session.outbox->notices.size();
+  apply(session, SetPieceOrder{line.piece_order});
+  if (session.outbox->notices.size() == notices) return std::nullopt;
+  return "--piece-order: " + session.outbox->notices.back().text;
 }
 
 // Leaving it goes back to what else was asked for.
@@ -104,6 +114,8 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (line.list) apply(session, ShowList{*line.list});
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
   apply(session, SetPatternOptions{with_options(session.view->pattern, line.pattern)});
+  if (!line.pattern.piece_names.empty()) apply(session, SetPieceNames{line.pattern.piece_names});
+  if (line.positions) apply(session, SetPositions{*line.positions});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
 }
@@ -132,6 +144,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
+  if (!error) error = order_pieces(session, line);
   if (!error) warn_of_handles(session);
   forget_changes(session);  // what was asked for at the start is where undoing ends
   return error ? error : begin_lesson(session, line);

@@ -230,6 +230,7 @@ std::string stitch_text(const knit::Timeline& timeline, const knit::StitchElemen
   if (const auto chosen = knit::chosen_by(timeline, stitch)) text += step_text(timeline, "chosen", *chosen);
   text += step_text(timeline, "made", made);
   if (const auto moved = knit::moved_by(timeline, stitch)) text += step_text(timeline, "moved", *moved);
+  if (const auto settled = knit::settled_by(timeline)) text += step_text(timeline, "settled", *settled);
   return text;
 }
 

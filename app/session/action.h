@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -165,6 +166,9 @@ struct ShowSide {
 struct ShowList {
   RunList list = RunList::rows;
 };
+struct SetPositions {
+  Positions positions = Positions::settled;
+};
 
 // Files. A failure is a notice in the session.
 struct Export {
@@ -246,6 +250,13 @@ struct ShowHelp {
 struct SetPatternOptions {
   knit::PatternOptions options;
 };
+// Pieces of the pattern: pattern_pieces.h. Refused with a sentence where it cannot be.
+struct SetPieceNames {
+  std::map<std::string, std::string> names;  // of these pieces; an empty word: the program's own
+};
+struct SetPieceOrder {
+  std::vector<std::string> order;  // empty: the cheapest
+};
 struct ShowCentre {
   CentrePanel centre = CentrePanel::view;
 };
@@ -257,6 +268,7 @@ struct HoverRounds {
 };
 struct KnitAlong {
   std::optional<std::int32_t> round;  // none: put it away
+  std::int16_t deal = 0;              // of those before a piece's first round, from 1; 0: the round itself
 };
 struct ShowOpenDialog {
   bool open = true;
@@ -277,7 +289,8 @@ using ActionKinds =
              HoverRounds, KnitAlong, Export, SetTheme, SetScale, SetMotion, ShowPanel, SetSplit, ResetLayout,
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
-             ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair>;
+             ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
+             SetPositions, SetPieceNames, SetPieceOrder>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

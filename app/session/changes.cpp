@@ -30,9 +30,15 @@ bool is_the_same_hand(const ParameterKeys& a, const ParameterKeys& b) {
          std::includes(b.begin(), b.end(), a.begin(), a.end());
 }
 
+void forget_oldest(Changes& changes) {
+  if (changes.undo.size() > Changes::most) changes.undo.erase(changes.undo.begin());
+}
+
 }  // namespace
 
-Knobs knobs_of(const knit::Timeline& timeline) { return {timeline.base_parameters(), timeline.edits()}; }
+Knobs knobs_of(const knit::Timeline& timeline) {
+  return {timeline.wished_parameters(), timeline.wished_edits()};
+}
 
 Knobs resolved(const Knobs& knobs, const knit::Input& input) {
   Knobs result{knit::resolved(knobs.base, input), knobs.edits};
@@ -57,22 +63,29 @@ ParameterKeys changed_keys(const Knobs& a, const Knobs& b) {
   return keys;
 }
 
-void note_change(Changes& changes, const Knobs& now, bool held) {
+void note_change(Changes& changes, const Change& now, bool held) {
   const auto before = std::exchange(changes.before, std::nullopt);
-  if (!before || *before == now) return;
+  if (!before || *before == now.knobs) return;
   changes.redo.clear();
-  ParameterKeys keys = changed_keys(*before, now);
+  ParameterKeys keys = changed_keys(*before, now.knobs);
   const bool joins =
       held && changes.open && !changes.undo.empty() && is_the_same_hand(keys, changes.open_keys);
   if (!joins) {
-    changes.undo.push_back(*before);
+    changes.undo.push_back({*before, now.pieces});
     changes.open_keys = std::move(keys);
   } else if (changes.undo.back() == now) {
     changes.undo.pop_back();  // dragged back to where it was: nothing has changed
     held = false;
   }
   changes.open = held;
-  if (changes.undo.size() > Changes::most) changes.undo.erase(changes.undo.begin());
+  forget_oldest(changes);
+}
+
+void note_other_pieces(Changes& changes, Change now) {
+  changes.redo.clear();
+  changes.undo.push_back(std::move(now));
+  changes.open = false;
+  forget_oldest(changes);
 }
 
 }  // namespace app

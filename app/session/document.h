@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/session/changes.h"
+#include "app/session/pattern_pieces.h"
 #include "app/session/pins.h"
 #include "app/session/sweep.h"
 #include "app/session/travel.h"
@@ -58,7 +59,11 @@ struct Document {
   std::uint64_t closeness_run = 0;                   // closeness_key of what `closeness` belongs to
   double load_ms = 0.0;                              // of opening it
   double run_ms = 0.0;                               // spent on working the run out, so far
+  PatternPieces pieces;                              // their names and order, where the pattern has some
 };
+
+// To undo to.
+Change change_of(const Document& document);
 
 // What `closeness_run` is compared with: the state, and the stitch that coverage is judged by.
 std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters);

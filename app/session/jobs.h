@@ -20,6 +20,11 @@ struct LongStep {
   Work<knit::Timeline::Outcome> work;
   double seconds = 0.0;  // since it began
 };
+// The run that is waited for: what the timeline wished when it began (BasicTimeline::tune_beside).
+struct AwaitedRun {
+  Work<knit::Timeline> work;
+  double seconds = 0.0;  // since it began
+};
 struct Measuring {
   std::uint64_t run = 0;  // hash of the state measured
   Work<std::optional<knit::Closeness>> work;
@@ -27,6 +32,7 @@ struct Measuring {
 // For the open run: given up with it.
 struct RunWork {
   std::optional<LongStep> long_step;
+  std::optional<AwaitedRun> awaited;
   std::optional<Measuring> measuring;
 };
 

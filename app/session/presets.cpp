@@ -19,13 +19,14 @@ constexpr std::array best_settings{
     PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
     PresetSetting{"cast-on", "auto"},       PresetSetting{"placement", "nearest"},
     PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
+    PresetSetting{"settle", "auto"},
 };
 constexpr std::array gauge_settings{
     PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
     PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
     PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
     PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},
+    PresetSetting{"follow-mains", "off"},  PresetSetting{"settle", "auto"},
 };
 
 constexpr std::array table{
@@ -33,9 +34,11 @@ constexpr std::array table{
         "thesis", "As in the thesis",
         "Rows from the mesh's rings by straight distances, the closing gap shifted, shaping by rules R0-R4.",
         thesis_settings},
-    Preset{"best-rows", "Best rows",
-           "Contours equally high on the surface, stitches at equal arcs, each hung on the nearest below.",
-           best_settings},
+    Preset{
+        "best-rows", "Best rows",
+        "Contours equally high on the surface, stitches at equal arcs, each hung on the nearest below; then "
+        "all settle until they are at ease.",
+        best_settings},
     Preset{"knitters-gauge", "Knitter's gauge",
            "As best rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a height of 12 cm.",
            gauge_settings},

@@ -50,6 +50,8 @@ std::string sentence(const Session& session) {
   return knit::narrate(*step, parameters_of_last_step(session));
 }
 
+Change change_of(const Document& document) { return {knobs_of(document.timeline), document.pieces}; }
+
 std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters) {
   knit::Hasher hasher;
   hasher.add(knit::hash_of(state));

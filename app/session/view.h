@@ -27,7 +27,9 @@ enum class Layer : std::uint8_t {
   stitches,
   row_edges,
   column_edges,
-  faces,  // by label
+  faces,    // by label
+  stretch,  // of edges, while stitches settle
+  moves,    // of stitches, likewise
   count_
 };
 inline constexpr std::size_t layer_count = static_cast<std::size_t>(Layer::count_);
@@ -60,6 +62,12 @@ struct RoundSpan {
   friend bool operator==(const RoundSpan&, const RoundSpan&) = default;
 };
 
+// Of stitches that have settled (knit/settle): where they are now, or where they were placed.
+enum class Positions : std::uint8_t { settled, placed };
+
+// By index: what scripts and session files call them.
+inline constexpr std::array<std::string_view, 2> positions_keys{"settled", "placed"};
+
 // Which list stands below the step.
 enum class RunList : std::uint8_t { rows, candidates, problems, breaks };
 
@@ -73,6 +81,8 @@ struct Gaze {
   Camera camera;
   bool camera_kept = false;  // it came with a session: not framed anew once the view's shape is known
   Picking picking = Picking::nothing;
+  // Knitting along, before a piece's first round: which of its deals, from 1; 0: none, the round itself.
+  std::int16_t knit_along_deal = 0;
   std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
   // By their line in the text or their place on the timeline: likewise, and in both of these.
   std::optional<RoundSpan> hovered_rounds;
@@ -94,14 +104,16 @@ struct Dialogs {
 struct View {
   Gaze gaze;
   double aspect = 1.6;  // of the view
-  std::array<bool, layer_count> layers{true, true, true, true, false, true, true, true, true, true, true};
+  std::array<bool, layer_count> layers{true, true, true, true, false, true, true,
+                                       true, true, true, true, true,  true};
   Playback playback;
   bool slow_motion = false;
   std::vector<knit::BreakCondition> breaks;  // playing stops there, in whatever run
   SidePanel side = SidePanel::step;
   RunList list = RunList::rows;
   CentrePanel centre = CentrePanel::view;
-  knit::PatternOptions pattern;  // title, yarn, needle of the written pattern
+  Positions positions = Positions::settled;  // in the view, in figures and in what is saved
+  knit::PatternOptions pattern;              // title, yarn, needle of the written pattern
   Dialogs dialogs;
   friend bool operator==(const View&, const View&) = default;
 

@@ -157,7 +157,7 @@ Widths widths_of(const Row& row, double stitch_width) {
 
 // What a condition may ask of a step beside the step itself.
 struct Sight {
-  bool begins_stage = false, begins_row = false, casts_on = false;
+  bool begins_stage = false, begins_row = false, casts_on = false, begins_to_wait = false;
   std::int32_t growth = 0;  // of the row that the step finishes
   Widths widths;            // its own; as here where no condition asks for them
 };
@@ -165,7 +165,6 @@ struct Sight {
 bool holds(const BreakCondition& condition, const Step& step, const Sight& sight) {
   const auto* closed = get_if<RowClosed>(step);
   const auto* gaps = get_if<GapsFound>(step);
-  const auto* dealt = get_if<LoopsDealt>(step);
   switch (condition.kind) {
     case BreakKind::stage:
       return sight.begins_stage && step.place.stage == condition.stage;
@@ -192,7 +191,7 @@ bool holds(const BreakCondition& condition, const Step& step, const Sight& sight
     case BreakKind::join:
       return gaps != nullptr && gaps->deal == DealKind::join;
     case BreakKind::hold:
-      return dealt != nullptr && dealt->held > 0;
+      return sight.begins_to_wait;
   }
   return false;
 }
@@ -235,7 +234,7 @@ std::string text_of(const BreakCondition& condition) {
 std::string words_of(const BreakCondition& condition) {
   const std::string count = std::to_string(condition.count);
   const std::string by = " by more than " + count + (condition.count == 1 ? " stitch" : " stitches");
-  const std::string widths = number_text(condition.bound) + " widths";
+  const std::string widths = number_text(condition.bound) + (condition.bound == 1.0 ? " width" : " widths");
   switch (condition.kind) {
     case BreakKind::stage:
       return "the stage " + std::string(name_of(condition.stage)) + " begins";
@@ -262,7 +261,7 @@ std::string words_of(const BreakCondition& condition) {
     case BreakKind::join:
       return "two loops become one";
     case BreakKind::hold:
-      return "stitches wait on a holder";
+      return "a loop begins to wait on a holder";
   }
   return {};
 }
@@ -288,6 +287,17 @@ void BreakScanner::hit(std::size_t condition) {
   ++counts_[condition];
 }
 
+bool BreakScanner::begins_to_wait(const Step& step) {
+  const auto* taken = get_if<TubeTaken>(step);
+  const auto* dealt = get_if<LoopsDealt>(step);
+  if (taken == nullptr && dealt == nullptr) return false;
+  const std::int32_t held = taken != nullptr ? taken->held : dealt->held;
+  const bool more = held > held_;
+  held_ = held;
+  // Where one begins and another is taken up again there are as many as before.
+  return more || (taken != nullptr && taken->aside >= 0);
+}
+
 void BreakScanner::take(const Step& step, const Parameters& parameters, const Fabric& fabric) {
   Sight sight;
   sight.begins_stage = !last_ || last_->stage != step.place.stage;
@@ -295,6 +305,7 @@ void BreakScanner::take(const Step& step, const Parameters& parameters, const Fa
   last_ = step.place;
   if (const auto* taken = get_if<TubeTaken>(step)) casts_on_ = taken->live == 0;
   sight.casts_on = casts_on_;
+  sight.begins_to_wait = begins_to_wait(step);
   if (is<StitchPlaced>(step) && finished_row_size(step)) casts_on_ = false;
   if (sight.begins_row || !is_common(step)) {
     const auto size = finished_row_size(step);

@@ -31,7 +31,7 @@ enum class BreakKind : std::uint8_t {
   narrower,     // narrower
   split,        // a loop is cut in two
   join,         // two loops become one
-  hold,         // loops wait on holders after a deal
+  hold,         // a loop begins to wait on a holder: after a deal, or because the yarn goes on elsewhere
 };
 
 struct BreakCondition {
@@ -77,10 +77,13 @@ class BreakScanner {
 
  private:
   void hit(std::size_t condition);
+  // Whether a loop begins to wait; takes down how many do.
+  bool begins_to_wait(const Step& step);
 
   std::vector<BreakCondition> conditions_;
   bool measures_ = false;  // a condition asks for widths
   bool casts_on_ = false;  // the tube taken up has no row yet and is worked on none
+  std::int32_t held_ = 0;  // loops on holders
   std::vector<BreakHit> hits_;
   std::vector<std::size_t> counts_;
   std::size_t taken_ = 0;

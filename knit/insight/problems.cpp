@@ -58,6 +58,7 @@ std::string height_text(double heights) { return short_number(std::round(heights
 std::string part_words(const UncoveredPlace& place) {
   const std::string at = vertex_text(place.vertex);
   if (place.kind == UncoveredKind::flat) return "the flat part at " + at;
+  if (place.kind == UncoveredKind::slid) return "the part at " + at + ", which the stitches slid off";
   return place.kind == UncoveredKind::limb ? "the limb at " + at + ", which is left out"
                                            : "the part at " + at;
 }
@@ -66,6 +67,7 @@ std::string part_words(const UncoveredPlace& place) {
 // it is smaller than a row.
 std::string way_on(const UncoveredPlace& place, const Parameters& parameters) {
   const bool geodesic = parameters.timing.kind == TimingKind::geodesic;
+  if (place.kind == UncoveredKind::slid) return " A greater weight of cover holds them there.";
   if (place.kind == UncoveredKind::limb) {
     return place.width_that_keeps > 0.0
                ? " Stitches narrower than about " + short_number(place.width_that_keeps) + " knit it."
@@ -86,6 +88,7 @@ std::string way_on(const Parameters& parameters) {
   if (placement == PlacementPolicy::thesis || placement == PlacementPolicy::even)
     return " Placement nearest hangs each stitch on the nearest ones below.";
   if (rings) return " Rows from contours lie one stitch height apart.";
+  if (parameters.settle.settling != Settling::on) return " Settling evens them out.";
   return " Another timing or larger stitches may help.";
 }
 
@@ -107,6 +110,24 @@ std::vector<Stretched> remarkable_rows(const Coverage& coverage) {
 
 }  // namespace
 
+namespace {
+
+// "3 faces lie turned over, the first at row 12."
+std::string turned_words(const TurnedFaces& turned) {
+  std::string words = turned.faces == 1 ? "A face lies" : std::to_string(turned.faces) + " faces lie";
+  words += turned.faces == 1 ? " turned over" : " turned over, the first";
+  const std::int32_t row = turned.at.row;
+  return words + (row > 0 ? " at row " + std::to_string(row) : " at deal " + std::to_string(-row)) + ".";
+}
+
+// Where stitches are not moved, they are best let settle.
+std::string turned_way_on(const Parameters& parameters) {
+  return parameters.settle.settling == Settling::on ? " A greater weight of folds turns them back."
+                                                    : " Settling may turn them back.";
+}
+
+}  // namespace
+
 std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& parameters) {
   std::vector<Remark> remarks;
   for (const UncoveredPlace& place : coverage.uncovered.places) {
@@ -114,6 +135,8 @@ std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& param
                            part_words(place) + "." + way_on(place, parameters),
                        std::nullopt, place.vertex});
   }
+  if (coverage.turned.faces > 0)
+    remarks.push_back({turned_words(coverage.turned) + turned_way_on(parameters), coverage.turned.at});
   const std::vector<Stretched> rows = remarkable_rows(coverage);
   for (std::size_t i = 0; i < std::min(rows.size(), most_stretched); ++i) {
     remarks.push_back({rows_words(rows[i], coverage.tubes, true) + ": wales up to " +

@@ -48,10 +48,10 @@ class ProblemRanking {
   bool sorted_ = true;
 };
 
-// What rows leave uncovered, and those whose wales are stretched. One of the two places is set.
+// What rows leave uncovered, faces that are turned over, rows whose wales are stretched. One of the two places is set.
 struct Remark {
   std::string words;            // what, where, and a way on
-  std::optional<StitchRef> at;  // a stitch at the end of the longest wale
+  std::optional<StitchRef> at;  // a stitch at the end of the longest wale, or of a turned face
   VertexId vertex = no_vertex;  // of the mesh, in an uncovered part
   [[nodiscard]] bool uncovered() const { return vertex != no_vertex; }
 };
@@ -60,7 +60,8 @@ struct Remark {
 inline bool is_remarkable(const Stretched& rows) { return rows.longest > 2.0 || rows.share > 0.25; }
 inline constexpr std::size_t most_stretched = 6;  // stretches that are told one by one
 
-// Uncovered parts first, the largest first; then the stretched rows that are remarkable, the longest wale first.
+// Uncovered parts first, the largest first; then turned faces, all in one; then the stretched rows that are remarkable,
+// the longest wale first.
 // `parameters`: as the run has chosen them, none on auto; the ways on hang on them.
 std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& parameters);
 // The same in one sentence; empty where there is nothing to remark.

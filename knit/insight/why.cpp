@@ -250,6 +250,15 @@ std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchElemen
   return moved;
 }
 
+std::optional<std::size_t> settled_by(const Timeline& timeline) {
+  const StepRange steps = steps_of_row(timeline, Stage::settle, 0);
+  for (std::size_t i = steps.end; i-- > steps.begin;) {
+    const auto* settled = get_if<StitchesSettled>(timeline.step(i));
+    if (settled != nullptr && settled->taken) return i;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::size_t> count_decided_by(const Timeline& timeline, std::int32_t row) {
   const StepRange steps = steps_of_row(timeline, stage_of_row(row), row);
   std::optional<std::size_t> decided;

@@ -63,6 +63,8 @@ std::optional<std::size_t> made_by(const Timeline& timeline, const Element& thin
 std::optional<std::size_t> chosen_by(const Timeline& timeline, const StitchElement& stitch);
 // The last step that moved a stitch after it was made: by resampling the row, or by sharing its gap.
 std::optional<std::size_t> moved_by(const Timeline& timeline, const StitchElement& stitch);
+// The last step that moved stitches, all at once, to where they are at ease. None: they stay where they were placed.
+std::optional<std::size_t> settled_by(const Timeline& timeline);
 // The step that gave a row its number of stitches.
 std::optional<std::size_t> count_decided_by(const Timeline& timeline, std::int32_t row);
 

@@ -87,6 +87,8 @@ struct Touches {
 
   bool operator()(const StitchElement& s) const {
     const Place& at = step().place;
+    // Of all that settling did with it, the end is enough.
+    if (at.stage == Stage::settle) return settled_by(timeline) == index;
     if (s.row < 0 && in_deal(s.row)) return makes_bridge_stitch(step().what, s.stitch);
     if (at.stage == stage_of_row(s.row) && at.row == s.row) return makes_stitch(step().what, s.stitch);
     return any_end([&](const Join& t, const CellEnds& ends) {
@@ -177,7 +179,11 @@ struct Stretches {
         ranges.push_back(steps_of_deal(timeline, static_cast<std::int32_t>(i) + 1));
     }
   }
-  Ranges operator()(const StitchElement& s) const { return of_row(s.row); }
+  Ranges operator()(const StitchElement& s) const {
+    Ranges ranges = of_row(s.row);
+    ranges.push_back(at(Stage::settle, 0));
+    return ranges;
+  }
   Ranges operator()(const RowEdgeElement& e) const { return of_row(e.row); }
   Ranges operator()(const ColumnEdgeElement& e) const { return of_strip(e.row); }
   Ranges operator()(const FaceElement& f) const { return of_strip(f.row); }

@@ -98,7 +98,9 @@ bool limbs_are_known(const State& state) {
   const auto& rows = state.fabric.rows();
   const auto worked =
       std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row->on.empty(); });
-  return worked > 0 && static_cast<std::size_t>(worked) == state.fabric.joins().size();
+  // Of two rounds that are cast on together none is worked on another.
+  const bool begun = worked > 0 || (state.finished() && !state.fabric.deals().empty());
+  return begun && static_cast<std::size_t>(worked) == state.fabric.joins().size();
 }
 
 LimbPlan plan_limbs(const State& state, const LimbOptions& options) {

@@ -32,7 +32,8 @@ class Needle {
  private:
   void end(std::int32_t tube) {
     const std::int32_t top = tubes_.tube(tube).top;
-    const bool graft = tubes_.grafts(top) && held_.erase(tubes_.other_of_ring(top, tube)) > 0;
+    const bool graft = tubes_.grafts(top) && is_ready(tubes_.other_of_ring(top, tube)) &&
+                       held_.erase(tubes_.other_of_ring(top, tube)) > 0;
     runs_.grafted.push_back(graft ? 1 : 0);
     if (top < 0 || graft) on_ = -1;
   }
@@ -56,6 +57,10 @@ class Needle {
     if (!steps_.empty()) add(LimbStepKind::set_aside, on_);
     held_.insert(on_);
     on_ = -1;
+  }
+  // Of a split the loop that is held waits to be worked, if its tube has rows: nothing else can be made of it before.
+  [[nodiscard]] bool is_ready(std::int32_t tube) const {
+    return held_.count(tube) > 0 && (!tubes_.tube(tube).has_rows() || done_.count(tube) > 0);
   }
   void take_up(std::int32_t tube) {
     if (held_.erase(tube) == 0) {
@@ -95,7 +100,7 @@ class Needle {
     if (dealt_.count(bottom) > 0) return take_up(tube);
     const std::int32_t parent = parent_of(tube);
     if (on_ != parent) {
-      if (held_.count(parent) > 0)
+      if (is_ready(parent))
         take_up(parent);
       else if (!tubes_.tube(parent).has_rows())
         bring(parent);
@@ -117,7 +122,7 @@ class Needle {
     for (const std::int32_t below : tubes_.fork(bottom).from) add_feet(below, feet);
   }
 
-  [[nodiscard]] bool is_at_hand(std::int32_t tube) const { return on_ == tube || held_.count(tube) > 0; }
+  [[nodiscard]] bool is_at_hand(std::int32_t tube) const { return on_ == tube || is_ready(tube); }
 
   void bring_joined(std::int32_t tube) {
     std::vector<std::int32_t> feet;
@@ -130,7 +135,7 @@ class Needle {
     if (!possible_) return;
     if (std::find(feet.begin(), feet.end(), on_) == feet.end()) {
       const auto held =
-          std::find_if(feet.begin(), feet.end(), [&](std::int32_t foot) { return held_.count(foot) > 0; });
+          std::find_if(feet.begin(), feet.end(), [&](std::int32_t foot) { return is_ready(foot); });
       take_up(*held);
     }
     add(LimbStepKind::join, tube, on_);
@@ -146,9 +151,19 @@ class Needle {
   bool possible_ = true;
 };
 
+// Whether it may be made first, so that the other is worked on its loops.
+bool can_cast_on_ring(const LimbTubes& tubes, std::int32_t tube) {
+  const std::int32_t bottom = tubes.tube(tube).bottom;
+  return tubes.fork(bottom).on_loops[1 - tubes.side(bottom, tube)].possible;
+}
+
 void add_below(const LimbTubes& tubes, std::int32_t tube, std::set<std::int32_t>& found) {
   const std::int32_t bottom = tubes.tube(tube).bottom;
-  if (bottom < 0 || tubes.casts_on_ring(bottom)) return;
+  if (bottom < 0) return;
+  if (tubes.casts_on_ring(bottom)) {
+    if (!can_cast_on_ring(tubes, tube)) found.insert(tubes.other_of_ring(bottom, tube));
+    return;
+  }
   for (const std::int32_t below : tubes.fork(bottom).from) {
     if (tubes.tube(below).has_rows())
       found.insert(below);

@@ -35,7 +35,8 @@ struct LimbRuns {
 // Nothing where a tube comes before one that it stands on.
 std::optional<LimbRuns> runs_of(const LimbTubes& tubes, const std::vector<std::int32_t>& order);
 
-// The tubes with rows that must be there before this one.
+// The tubes with rows that must be there before this one. Of a ring cast on either may be first, unless its loops are more than
+// twice as many as the other begins with: no more than two are taken together.
 std::vector<std::int32_t> tubes_below(const LimbTubes& tubes, std::int32_t tube);
 
 }  // namespace knit

@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "knit/mesh/flat_flips.h"
+
 namespace knit {
 
 namespace {
@@ -118,6 +120,7 @@ void triangulate(std::span<const VertexId> corners, const std::vector<glm::dvec3
     rest.cut(at);
     at = rest.next[after];  // one corner further, so that a convex polygon does not become a fan of slivers
   }
+  flip_flat_edges(std::span(triangles).last(corners.size() - 2), positions);
 }
 
 }  // namespace knit

@@ -67,7 +67,7 @@ class Search {
   bool parts_ways(Index vertex);
   void tighten_limits();
   void make_for(std::size_t target);
-  void handle(const Event& event);
+  void handle(const WindowEvent& event);
   double total(const Window& window);
   double total(Index vertex);
   void shorten(Index vertex, double length);
@@ -183,7 +183,7 @@ void Search::open_windows() {
     ++round_;
     if (i == 0) start_from(0);
     if (one_by_one_) {
-      queue_.reorder([&](const Event& event) {
+      queue_.reorder([&](const WindowEvent& event) {
         return event.vertex == SurfacePatch::none ? total(queue_.window(event)) : total(event.vertex);
       });
     }
@@ -194,7 +194,7 @@ void Search::open_windows() {
   }
 }
 
-void Search::handle(const Event& event) {
+void Search::handle(const WindowEvent& event) {
   if (event.vertex == SurfacePatch::none) {
     cross(queue_.take_window(event));
   } else if (event.length <= total(event.vertex)) {  // else it was reached by a shorter way since

@@ -10,7 +10,7 @@ namespace knit {
 
 namespace {
 
-bool later(const Event& a, const Event& b) {
+bool later(const WindowEvent& a, const WindowEvent& b) {
   return a.length != b.length ? a.length > b.length : a.number > b.number;
 }
 
@@ -79,21 +79,21 @@ void EventQueue::push_vertex(double length, SurfacePatch::Index vertex) {
   push({length, SurfacePatch::none, vertex, 0});
 }
 
-void EventQueue::push(Event event) {
+void EventQueue::push(WindowEvent event) {
   event.number = pushed_++;
   events_.push_back(event);
   std::push_heap(events_.begin(), events_.end(), later);
 }
 
-std::optional<Event> EventQueue::pop(double limit) {
+std::optional<WindowEvent> EventQueue::pop(double limit) {
   if (events_.empty() || !(events_.front().length < limit)) return {};
   std::pop_heap(events_.begin(), events_.end(), later);
-  const Event event = events_.back();
+  const WindowEvent event = events_.back();
   events_.pop_back();
   return event;
 }
 
-Window EventQueue::take_window(const Event& event) {
+Window EventQueue::take_window(const WindowEvent& event) {
   free_.push_back(event.window);
   return windows_[event.window];
 }

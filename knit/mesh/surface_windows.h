@@ -37,7 +37,7 @@ double crossing_towards(const Window& window, const glm::dvec2& apex);
 // that side, as of the face that is left.
 Window passed_on(const Window& window, const glm::dvec2& apex, double next_length, double apex_crossing);
 
-struct Event {
+struct WindowEvent {
   double length = 0.0;  // nothing that comes of it is shorter
   SurfacePatch::Index window = SurfacePatch::none;
   SurfacePatch::Index vertex = SurfacePatch::none;  // instead of a window
@@ -50,21 +50,21 @@ class EventQueue {
   void push_window(double length, const Window& window);
   void push_vertex(double length, SurfacePatch::Index vertex);
   // The shortest event, if it is shorter than `limit`.
-  std::optional<Event> pop(double limit);
-  [[nodiscard]] const Window& window(const Event& event) const { return windows_[event.window]; }
-  Window take_window(const Event& event);
+  std::optional<WindowEvent> pop(double limit);
+  [[nodiscard]] const Window& window(const WindowEvent& event) const { return windows_[event.window]; }
+  Window take_window(const WindowEvent& event);
   // Measures every event anew.
   template <class Length>
   void reorder(Length length_of) {
-    for (Event& event : events_) event.length = length_of(event);
+    for (WindowEvent& event : events_) event.length = length_of(event);
     make_heap();
   }
   void clear() { *this = {}; }
 
  private:
-  void push(Event event);
+  void push(WindowEvent event);
   void make_heap();
-  std::vector<Event> events_;
+  std::vector<WindowEvent> events_;
   std::size_t pushed_ = 0;
   std::vector<Window> windows_;
   std::vector<SurfacePatch::Index> free_;  // of windows_

@@ -211,12 +211,13 @@ constexpr std::array table{
                   "nearest: on places all shaping beside main stitches, so that it runs in lines.",
                   "Stitches", Stage::stitches,
                   choice<&Settings::stitches, &StitchSettings::follow_mains>(off_on_names), is_of_nearest},
-    ParameterInfo{"settle", "Settle", "",
-                  "Whether the stitches are moved on the surface, once all faces are made, until wales are h "
-                  "and courses w "
-                  "long as well as can be. No word of the pattern changes. auto: with contours.",
-                  "Settling", Stage::settle,
-                  choice<&Settings::settle, &SettleSettings::settling>(settling_names)},
+    ParameterInfo{
+        "settle", "Settle", "",
+        "Whether the stitches are moved on the surface, once all faces are made, until wales are h "
+        "and courses w "
+        "long as well as can be. No word of the pattern changes. auto: where rows come from contours; the "
+        "mesh's own rings stay, as in the thesis.",
+        "Settling", Stage::settle, choice<&Settings::settle, &SettleSettings::settling>(settling_names)},
     ParameterInfo{"settle-wale", "Wales", "weight", "How much it counts that wales are h long.", "Settling",
                   Stage::settle, settle_weight<&SettleSettings::wale>(), is_settled},
     ParameterInfo{"settle-course", "Courses", "weight", "How much it counts that stitches are w wide.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "knit/model/words.h"
 #include "knit/pattern/wales.h"
 
 namespace knit {
@@ -26,8 +27,8 @@ ChartSymbol symbol_of(Hand hand) {
 
 class ChartMaker {
  public:
-  explicit ChartMaker(const Rounds& rounds)
-      : rounds_(rounds), wales_(wales_of(rounds)), columns_(columns_of(wales_)) {
+  ChartMaker(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back)
+      : rounds_(rounds), wales_(wales_of(rounds, slips_back)), columns_(columns_of(wales_)) {
     for (const Round& round : rounds.rounds) made_by_.push_back(&round);
   }
 
@@ -47,7 +48,7 @@ class ChartMaker {
     std::int32_t stitch = 0;
     for (const Wale wale : wales_.rows[row]) {
       const auto w = static_cast<std::size_t>(wale);
-      made.squares[static_cast<std::size_t>(columns_.of[w])] = {symbol, main[w] != 0, stitch++};
+      made.squares[static_cast<std::size_t>(columns_.of[w])] = {symbol, main[w] != 0, stitch++, -1};
     }
     return made;
   }
@@ -91,31 +92,17 @@ class ChartMaker {
 
 }  // namespace
 
-Chart chart_of(const Rounds& rounds) { return ChartMaker(rounds).make(); }
+Chart chart_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back) {
+  Chart chart = ChartMaker(rounds, slips_back).make();
+  for (std::size_t i = 0; i < slips_back.size(); ++i) chart.rows[i + 1].slips_back = slips_back[i] != 0;
+  return chart;
+}
 
 namespace {
 
 constexpr const char* how_to_read =
     "Read from the bottom up, every round from right to left. At the right stands the round's\n"
     "number, at the left how many stitches there are after it.\n";
-
-bool has(const Chart& chart, ChartSymbol symbol) {
-  return std::any_of(chart.rows.begin(), chart.rows.end(), [&](const ChartRow& row) {
-    return std::any_of(row.squares.begin(), row.squares.end(),
-                       [&](const ChartSquare& square) { return square.symbol == symbol; });
-  });
-}
-
-// Each on a line too short to be joined with the next by whoever reads the file by machine.
-std::string key_of(const Chart& chart) {
-  std::string text;
-  for (const ChartSign& sign : chart_signs) {
-    if (!has(chart, sign.symbol)) continue;
-    text += sign.sign == ' ' ? "  (blank)  " : std::string("     ") + sign.sign + "     ";
-    text.append(sign.meaning).append("\n");
-  }
-  return text;
-}
 
 std::string right_aligned(const std::string& words, std::size_t width) {
   return std::string(width - std::min(width, words.size()), ' ') + words;
@@ -124,8 +111,10 @@ std::string right_aligned(const std::string& words, std::size_t width) {
 // The squares of a row as they lie on paper: the first worked at the right.
 std::string squares_of(const ChartRow& row) {
   std::string text;
-  for (std::size_t column = row.squares.size(); column-- > 0;)
-    text += sign_of(row.squares[column].symbol).sign;
+  for (std::size_t column = row.squares.size(); column-- > 0;) {
+    const ChartSquare& square = row.squares[column];
+    text += square.symbol == ChartSymbol::held ? tube_name(square.piece).back() : sign_of(square.symbol).sign;
+  }
   return text;
 }
 
@@ -141,20 +130,6 @@ std::string ruler_of(const Chart& chart) {
   return line;
 }
 
-std::string grid_of(const Chart& chart) {
-  std::size_t counts = 0;
-  for (const ChartRow& row : chart.rows) counts = std::max(counts, std::to_string(row.stitches).size());
-  std::string text;
-  for (std::size_t i = chart.rows.size(); i-- > 0;) {
-    const ChartRow& row = chart.rows[i];
-    const bool ends = row.stitches == 0;  // the bind off: no round, and nothing is left
-    text += right_aligned(ends ? "" : std::to_string(row.stitches), counts) + " |" + squares_of(row) + "|" +
-            (ends ? "" : " " + std::to_string(row.number)) + "\n";
-  }
-  const std::string ruler = ruler_of(chart);
-  return ruler.empty() ? text : text + std::string(counts + 2, ' ') + ruler + "\n";
-}
-
 std::string too_wide(const Chart& chart) {
   return "The chart is " + std::to_string(chart.columns) +
          " squares wide, too wide for text. Save it as a drawing: in the menu\n"
@@ -168,17 +143,51 @@ const ChartSign& sign_of(ChartSymbol symbol) {
                        [&](const ChartSign& sign) { return sign.symbol == symbol; });
 }
 
+std::string chart_grid(const Chart& chart) {
+  std::size_t counts = 0;
+  for (const ChartRow& row : chart.rows) counts = std::max(counts, std::to_string(row.stitches).size());
+  std::string text;
+  for (std::size_t i = chart.rows.size(); i-- > 0;) {
+    const ChartRow& row = chart.rows[i];
+    const bool ends = row.stitches == 0;  // the bind off: no round, and nothing is left
+    text += right_aligned(ends ? "" : std::to_string(row.stitches), counts) + " |" + squares_of(row) + "|" +
+            (ends || row.laid ? "" : " " + std::to_string(row.number)) + (row.slips_back ? " <" : "") + "\n";
+  }
+  const std::string ruler = ruler_of(chart);
+  return ruler.empty() ? text : text + std::string(counts + 2, ' ') + ruler + "\n";
+}
+
+bool has_symbol(const Chart& chart, ChartSymbol symbol) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(), [&](const ChartRow& row) {
+    return std::any_of(row.squares.begin(), row.squares.end(),
+                       [&](const ChartSquare& square) { return square.symbol == symbol; });
+  });
+}
+
+// Each on a line too short to be joined with the next by whoever reads the file by machine.
+std::string chart_key(const std::vector<const Chart*>& charts) {
+  std::string text;
+  for (const ChartSign& sign : chart_signs) {
+    const bool there = std::any_of(charts.begin(), charts.end(),
+                                   [&](const Chart* chart) { return has_symbol(*chart, sign.symbol); });
+    if (!there) continue;
+    text += sign.sign == ' ' ? "  (blank)  " : std::string("     ") + sign.sign + "     ";
+    text.append(sign.meaning).append("\n");
+  }
+  return text;
+}
+
 std::string chart_as_text(const Chart& chart) {
   if (chart.rows.empty()) return "";
   if (chart.columns > widest_text_chart) return "\nCHART\n" + too_wide(chart);
-  return "\nCHART\n" + std::string(how_to_read) + "\n" + key_of(chart) + "\n" + grid_of(chart);
+  return "\nCHART\n" + std::string(how_to_read) + "\n" + chart_key({&chart}) + "\n" + chart_grid(chart);
 }
 
 std::string chart_as_markdown(const Chart& chart) {
   if (chart.rows.empty()) return "";
   if (chart.columns > widest_text_chart) return "\n## Chart\n\n" + too_wide(chart);
-  return "\n## Chart\n\n" + std::string(how_to_read) + "\n```text\n" + key_of(chart) + "\n" + grid_of(chart) +
-         "```\n";
+  return "\n## Chart\n\n" + std::string(how_to_read) + "\n```text\n" + chart_key({&chart}) + "\n" +
+         chart_grid(chart) + "```\n";
 }
 
 }  // namespace knit

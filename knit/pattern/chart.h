@@ -16,18 +16,37 @@
 
 namespace knit {
 
-enum class ChartSymbol : std::uint8_t { no_stitch, knit, m1r, m1l, k2tog, ssk, cast_on, bind_off };
+enum class ChartSymbol : std::uint8_t {
+  no_stitch,
+  knit,
+  m1r,
+  m1l,
+  k2tog,
+  ssk,
+  cast_on,
+  bind_off,
+  // Of pieces with limbs, in rows that knit nothing (limb_chart.h).
+  kept,       // stays on the needle
+  held,       // of a holder, that has its piece's letter
+  picked_up,  // along a gap
+  on_holder,  // goes on a holder, of its own piece
+  grafted
+};
 
 struct ChartSquare {
   ChartSymbol symbol = ChartSymbol::no_stitch;
   bool main = false;         // of a main wale
   std::int32_t stitch = -1;  // of its row, from 0; -1: no stitch
+  std::int32_t piece = -1;   // held: the piece whose letter stands there
   friend bool operator==(const ChartSquare&, const ChartSquare&) = default;
 };
 struct ChartRow {
   std::int32_t number = 1;    // of the round
   std::int32_t stitches = 0;  // on the needles afterwards
   std::vector<ChartSquare> squares;
+  bool laid =
+      false;  // knits nothing: what lies on the needle before the first round, or where stitches go in the end
+  bool slips_back = false;  // the last stitch of the round before is taken together with the first
   friend bool operator==(const ChartRow&, const ChartRow&) = default;
 };
 struct Chart {
@@ -37,7 +56,8 @@ struct Chart {
 
 // Columns are chosen so that a stitch stands above the one it is worked from wherever it can, and main wales
 // keep their column all the way.
-Chart chart_of(const Rounds& rounds);
+// `slips_back`, of each round, as for wales_of.
+Chart chart_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back = {});
 
 // The chart as characters, for the plain documents: one a square, under its key, bottom to top and right to left.
 //
@@ -50,7 +70,7 @@ struct ChartSign {
   char sign;
   std::string_view meaning;
 };
-inline constexpr std::array<ChartSign, 8> chart_signs{{
+inline constexpr std::array<ChartSign, 13> chart_signs{{
     {ChartSymbol::knit, ' ', "k: knit"},
     {ChartSymbol::m1r, 'R', "m1r: make 1 right"},
     {ChartSymbol::m1l, 'L', "m1l: make 1 left"},
@@ -58,12 +78,23 @@ inline constexpr std::array<ChartSign, 8> chart_signs{{
     {ChartSymbol::ssk, '\\', "ssk: slip, slip, knit"},
     {ChartSymbol::cast_on, 'o', "CO: cast on"},
     {ChartSymbol::bind_off, '=', "BO: bind off or close up"},
+    {ChartSymbol::kept, '.', "stays on the needle"},
+    {ChartSymbol::held, 'A', "a letter: on the holder of that piece"},
+    {ChartSymbol::picked_up, 'u', "picked up along a gap"},
+    {ChartSymbol::on_holder, '-', "goes on a holder"},
+    {ChartSymbol::grafted, '~', "grafted"},
     {ChartSymbol::no_stitch, ':', "no stitch: skip it"},
 }};
 const ChartSign& sign_of(ChartSymbol symbol);
 
 // A wider chart is no use as text.
 inline constexpr std::int32_t widest_text_chart = 100;
+
+// The characters of a chart alone: rows from the top down, numbers beside them, the columns' numbers below.
+std::string chart_grid(const Chart& chart);
+// Of all charts together: a line for each symbol that is there.
+std::string chart_key(const std::vector<const Chart*>& charts);
+bool has_symbol(const Chart& chart, ChartSymbol symbol);
 
 // The document's last section, with an empty line before it. Of a chart that is too wide it says where the
 // chart is to be had.

@@ -38,10 +38,6 @@ std::string plural_of(const std::string& word);
 std::string deal_sentence(const LimbPlan& plan, const LimbNames& names, const LimbDeal& deal);
 std::string cast_on_words(const LimbDeal& deal);  // "CO 5 sts. Join in the round, place marker"
 std::string end_sentence(const LimbPlan& plan, const LimbNames& names, const LimbPiece& piece);
-// A line of the overview, without brackets: how pieces made together begin, their rounds, size and end.
-std::string overview_of(const LimbPlan& plan, const LimbNames& names, const std::vector<std::int32_t>& pieces,
-                        const Gauge& gauge);
-
 // What the holders that a join takes go by, in that order.
 std::string holders_joined(const LimbNames& names, const LimbDeal& deal);
 

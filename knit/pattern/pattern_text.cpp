@@ -46,26 +46,17 @@ bool is_heading(const WrittenPattern::Instruction& instruction) {
   return !instruction.round && instruction.kind == WrittenPattern::Instruction::Kind::heading;
 }
 
-// A step too long for a line is told one item a line.
-bool is_list(const WrittenPattern::Instruction& instruction) {
-  return instruction.kind == WrittenPattern::Instruction::Kind::step && instruction.remark.size() > columns &&
-         instruction.remark.find(": ") != std::string::npos;
-}
-
-std::string item_by_item(const std::string& step) {
-  std::size_t begin = step.find(": ") + 1;
-  std::string text = step.substr(0, begin) + "\n";
-  while (begin < step.size()) {
-    const std::size_t comma = std::min(step.find(", ", begin), step.size() - 1);
-    text += " " + step.substr(begin, comma + 1 - begin) + "\n";
-    begin = comma + 1;
-  }
+// Its head as a line, then an item a line behind `bullet`.
+std::string item_by_item(const std::string& step, std::string_view bullet) {
+  const std::vector<std::string> items = items_of_step(step);
+  std::string text = items.front() + "\n" + (bullet.starts_with("-") ? "\n" : "");
+  for (std::size_t i = 1; i < items.size(); ++i) text += std::string(bullet) + items[i] + "\n";
   return text;
 }
 
 // A step of a piece is one line, like a round.
 std::string step_or_remark(const WrittenPattern::Instruction& instruction) {
-  if (is_list(instruction)) return item_by_item(instruction.remark);
+  if (is_told_by_items(instruction)) return item_by_item(instruction.remark, "  ");
   const bool step = instruction.kind == WrittenPattern::Instruction::Kind::step && instruction.row == 0;
   return step ? instruction.remark + "\n" : wrapped(instruction.remark);
 }
@@ -87,6 +78,22 @@ std::string escaped(const std::string& text) {
 }
 
 }  // namespace
+
+bool is_told_by_items(const WrittenPattern::Instruction& instruction) {
+  return !instruction.round && instruction.kind == WrittenPattern::Instruction::Kind::step &&
+         instruction.remark.size() > columns && instruction.remark.find(": ") != std::string::npos;
+}
+
+std::vector<std::string> items_of_step(const std::string& step) {
+  std::size_t begin = step.find(": ") + 2;
+  std::vector<std::string> items{step.substr(0, begin - 1)};
+  while (begin < step.size()) {
+    const std::size_t comma = std::min(step.find(", ", begin), step.size() - 1);
+    items.push_back(step.substr(begin, comma + 1 - begin));
+    begin = comma + 2;
+  }
+  return items;
+}
 
 std::string pattern_as_text(const WrittenPattern& pattern) {
   std::string text = pattern.title + "\n" + std::string(pattern.title.size(), '=') + "\n\n";
@@ -135,7 +142,10 @@ std::string pattern_as_markdown(const WrittenPattern& pattern) {
   text += pattern.start + "\n\n";
   for (const auto& instruction : pattern.instructions) {
     if (is_heading(instruction)) text += "### ";
-    text += instruction_text(instruction) + "\n\n";
+    if (is_told_by_items(instruction))
+      text += item_by_item(instruction.remark, "- ") + "\n";
+    else
+      text += instruction_text(instruction) + "\n\n";
   }
   text.pop_back();
   heading("Finishing");

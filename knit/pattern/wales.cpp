@@ -23,15 +23,19 @@ std::vector<std::vector<std::uint8_t>> main_stitches(const Rounds& rounds) {
 // Numbers wales as they come, and keeps their order as a chain into which new ones are put.
 class WaleFinder {
  public:
-  explicit WaleFinder(const Rounds& rounds) : graph_(graph_of(rounds)), main_(main_stitches(rounds)) {}
+  WaleFinder(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back)
+      : graph_(graph_of(rounds)), main_(main_stitches(rounds)), slips_back_(slips_back) {}
 
   Wales find() {
+    auto slips = slips_back_.begin();  // from the round after the cast on
     for (std::size_t row = 0; row < graph_.rows.size(); ++row) {
       std::vector<Wale> wales;
+      slips_ = row > 0 && slips != slips_back_.end() && *slips++ != 0;
       Wale last = none;  // the last of those that the stitch before took in
       for (std::size_t i = 0; i < graph_.rows[row].size(); ++i) {
         const GraphStitch& stitch = graph_.rows[row][i];
-        wales.push_back(stitch.count == 0 ? begun_after(last, stitch.hand, row) : kept(stitch, row, i));
+        const bool begins = stitch.count == 0 || (is_slipped(stitch.first) && stitch.count == 1);
+        wales.push_back(begins ? begun_after(last, stitch.hand, row) : kept(stitch, row, i));
         last = stitch.count == 2 ? below(stitch.first + 1) : wales.back();
       }
       found_.rows.push_back(std::move(wales));
@@ -41,9 +45,13 @@ class WaleFinder {
   }
 
  private:
-  [[nodiscard]] Wale below(std::int32_t stitch) const {
-    return found_.rows.back()[static_cast<std::size_t>(stitch)];
+  [[nodiscard]] bool is_slipped(std::int32_t stitch) const { return slips_ && stitch == 0; }
+  // Where a stitch of the row below stood before the last one was slipped back.
+  [[nodiscard]] std::size_t place_below(std::int32_t stitch) const {
+    if (is_slipped(stitch)) return found_.rows.back().size() - 1;
+    return static_cast<std::size_t>(stitch) - (slips_ ? 1 : 0);
   }
+  [[nodiscard]] Wale below(std::int32_t stitch) const { return found_.rows.back()[place_below(stitch)]; }
 
   Wale begun_after(Wale before, Hand hand, std::size_t row) {
     const auto wale = static_cast<Wale>(next_.size());
@@ -58,6 +66,7 @@ class WaleFinder {
 
   [[nodiscard]] Wale kept(const GraphStitch& stitch, std::size_t row, std::size_t i) const {
     if (stitch.count == 1) return below(stitch.first);
+    if (is_slipped(stitch.first)) return below(stitch.first + 1);
     if (main_[row][i] != 0) {
       const bool first = was_main_below(stitch.first);
       const bool second = was_main_below(stitch.first + 1);
@@ -66,7 +75,7 @@ class WaleFinder {
     return below(stitch.hand == Hand::k2tog ? stitch.first + 1 : stitch.first);
   }
   [[nodiscard]] bool was_main_below(std::int32_t stitch) const {
-    return !main_below_.empty() && main_below_[static_cast<std::size_t>(stitch)] != 0;
+    return !main_below_.empty() && main_below_[place_below(stitch)] != 0;
   }
 
   [[nodiscard]] Wales in_order() const {
@@ -87,6 +96,8 @@ class WaleFinder {
   KnitGraph graph_;
   std::vector<std::vector<std::uint8_t>> main_;  // per stitch; nothing is known of the cast on
   std::vector<std::uint8_t> main_below_;         // of the row that the next one is worked on
+  const std::vector<std::uint8_t>& slips_back_;
+  bool slips_ = false;  // in the row at hand
   Wales found_;
   Wale first_ = none;
   std::vector<Wale> next_;
@@ -94,7 +105,9 @@ class WaleFinder {
 
 }  // namespace
 
-Wales wales_of(const Rounds& rounds) { return WaleFinder(rounds).find(); }
+Wales wales_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back) {
+  return WaleFinder(rounds, slips_back).find();
+}
 
 namespace {
 

@@ -19,8 +19,9 @@ struct Wales {
   std::vector<std::int32_t> begins;     // per wale: its first row, from 0
 };
 
-// Requires that every round consumes exactly what is there.
-Wales wales_of(const Rounds& rounds);
+// Requires that every round consumes exactly what is there. `slips_back`, of each round: it begins with the last stitch of the
+// round before, that a decrease takes together with the first; the first one's wale goes on. Empty: no round does.
+Wales wales_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back = {});
 
 // One column for each wale for all its life, so that every row's wales stand in the row's order, in as few
 // columns as that can be done with: wales that never meet share one, a row without either between them.

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "knit/model/words.h"
+#include "knit/pattern/limb_groups.h"
+#include "knit/pattern/limb_needle.h"
+#include "knit/pattern/limb_notes.h"
+#include "knit/pattern/limb_overview.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/written_parts.h"
-#include "knit/pattern/yarn.h"
 
 namespace knit {
 
@@ -19,16 +22,7 @@ namespace {
 using Instruction = WrittenPattern::Instruction;
 using InstructionKind = WrittenPattern::Instruction::Kind;
 
-std::int32_t first_round_of(const LimbPiece& piece) { return piece.is_cast_on() ? 2 : 1; }
-
-Rounds rounds_of(const LimbPiece& piece) {
-  Rounds rounds;
-  rounds.cast_on = piece.first_count();
-  std::int32_t number = first_round_of(piece);
-  for (const LimbRound& round : piece.rounds)
-    rounds.rounds.push_back({number++, round.operations, round.before, round.after});
-  return rounds;
-}
+constexpr std::int32_t wide_enough_to_stuff = 12;  // stitches
 
 std::string lower_first(std::string text) {
   if (!text.empty() && text.front() >= 'A' && text.front() <= 'Z')
@@ -61,75 +55,30 @@ std::vector<RoundLine> lines_of(const LimbPiece& piece, const PatternOptions& op
   return lines;
 }
 
-bool is_alone(const LimbPiece& piece) {
-  return piece.deals.size() == 1 && piece.deals.front().kind == LimbDealKind::cast_on;
-}
-
-bool are_twins(const LimbPlan& plan, std::int32_t a, std::int32_t b) {
-  const std::vector<std::int32_t>& twins = plan.piece(a).twins;
-  return std::find(twins.begin(), twins.end(), b) != twins.end();
-}
-
-bool same_operations(const LimbRound& a, const LimbRound& b) {
-  const auto same_hand = [](const Operation& x, const Operation& y) { return x.hand == y.hand; };
-  return a.before == b.before && a.after == b.after && a.slips_back == b.slips_back &&
-         std::equal(a.operations.begin(), a.operations.end(), b.operations.begin(), b.operations.end(),
-                    same_hand);
-}
-
-// Which rounds of a twin before it say what to do: from this number on; 0: none.
-std::int32_t alike_from(const LimbPiece& twin, const LimbPiece& piece) {
-  if (twin.rounds.size() != piece.rounds.size() || twin.is_cast_on() != piece.is_cast_on()) return 0;
-  std::size_t same = piece.rounds.size();
-  while (same > 0 && same_operations(twin.rounds[same - 1], piece.rounds[same - 1])) --same;
-  const bool all = same == 0 && piece.is_cast_on() && twin.deals.back().kind == piece.deals.back().kind;
-  const std::int32_t from = all ? 1 : first_round_of(piece) + static_cast<std::int32_t>(same);
-  return piece.round_count() - from + 1 >= 2 ? from : 0;
-}
-
 class Writer {
  public:
   Writer(const LimbPlan& plan, const Gauge& gauge, const PatternOptions& options)
-      : plan_(plan), gauge_(gauge), names_(plan, options) {
+      : plan_(plan),
+        names_(plan, options),
+        facts_(piece_facts(plan, names_, gauge)),
+        late_(second_markers(plan)),
+        stuffed_(is_stuffed(plan)) {
     for (const LimbPiece& piece : plan.pieces) lines_.push_back(lines_of(piece, options));
   }
 
   [[nodiscard]] const LimbNames& names() const { return names_; }
+  [[nodiscard]] const std::vector<PieceFacts>& facts() const { return facts_; }
   [[nodiscard]] const std::vector<RoundLine>& lines(std::int32_t piece) const {
     return lines_[static_cast<std::size_t>(piece)];
   }
 
   std::vector<Instruction> instructions() {
     overview();
-    for (std::int32_t piece = 0; piece < plan_.count();) {
-      std::int32_t end = piece + 1;
-      while (end < plan_.count() && is_made_with(piece, end)) ++end;
-      write(piece, end);
-      piece = end;
-    }
+    for (const PieceFacts& facts : facts_) write(facts.pieces.front(), facts.pieces.back() + 1);
     return std::move(all_);
   }
 
-  // Nothing is left open but what is drawn in, and nothing is pushed inside.
-  [[nodiscard]] bool is_stuffed() const {
-    return std::all_of(plan_.pieces.begin(), plan_.pieces.end(), [](const LimbPiece& piece) {
-      const bool closed = piece.end.kind != LimbEndKind::closed || is_drawn_in(piece.last_count());
-      const bool begun =
-          piece.deals.front().kind != LimbDealKind::cast_on || is_drawn_in(piece.first_count());
-      return closed && begun && !piece.inner;
-    });
-  }
-
  private:
-  // Twins that follow each other, are cast on and have the same words.
-  [[nodiscard]] bool is_made_with(std::int32_t first, std::int32_t other) const {
-    const LimbPiece &a = plan_.piece(first), &b = plan_.piece(other);
-    return are_twins(plan_, first, other) && is_alone(a) && is_alone(b) &&
-           names_.word(first) == names_.word(other) && a.first_count() == b.first_count() &&
-           a.rounds.size() == b.rounds.size() &&
-           std::equal(a.rounds.begin(), a.rounds.end(), b.rounds.begin(), same_operations);
-  }
-
   void remark(const std::string& words) { all_.push_back({std::nullopt, "(" + words + ")"}); }
   void step(std::string words) { all_.push_back({std::nullopt, std::move(words), InstructionKind::step}); }
 
@@ -138,11 +87,7 @@ class Writer {
                                     ? "no holder"
                                     : plural(plan_.held_most, "holder", "holders") + " at once at most";
     remark("Order of work; " + holders + ", " + plural(plan_.yarns, "yarn", "yarns") + " begun:");
-    for (std::int32_t piece = 0; piece < plan_.count();) {
-      std::vector<std::int32_t> together{piece++};
-      while (piece < plan_.count() && is_made_with(together.front(), piece)) together.push_back(piece++);
-      remark(overview_of(plan_, names_, together, gauge_));
-    }
+    for (const PieceFacts& facts : facts_) remark(overview_line(facts));
   }
 
   void heading(std::int32_t first, std::int32_t end) {
@@ -164,38 +109,67 @@ class Writer {
       remark(
           "This tube is the inside of the work: knit it right side out like the others. It is pushed through "
           "at the end.");
-    for (const LimbDeal& deal : piece.deals) {
-      const bool casts_on = deal.kind == LimbDealKind::cast_on || deal.kind == LimbDealKind::provisional;
-      if (deal.kind == LimbDealKind::provisional)
-        remark("Its cast-on loops are worked later: see the notes.");
-      if (!casts_on) step(deal_sentence(plan_, names_, deal));
-    }
+    for (const LimbDeal& deal : piece.deals) begin_with(deal);
     rounds(first, end);
     ends(first, end);
   }
 
-  void rounds(std::int32_t first, std::int32_t end) {
-    std::int32_t twin = -1, from = 0;
-    for (const std::int32_t other : plan_.piece(first).twins) {
-      if (other >= first || twin >= 0) continue;
-      from = alike_from(plan_.piece(other), plan_.piece(first));
-      if (from > 0) twin = other;
+  void begin_with(const LimbDeal& deal) {
+    if (deal.kind == LimbDealKind::provisional) remark("Its cast-on loops are worked later: see the notes.");
+    if (deal.kind == LimbDealKind::cast_on || deal.kind == LimbDealKind::provisional) return;
+    step(deal_sentence(plan_, names_, deal));
+    if (deal.kind == LimbDealKind::divide || deal.kind == LimbDealKind::set_aside)
+      second_marker(deal.piece, deal.holder,
+                    " of those on the holder for " + names_.holder(deal.piece, deal.holder));
+  }
+
+  // Where a holder is entered elsewhere than at its first stitch.
+  void second_marker(std::int32_t piece, std::int32_t holder, const std::string& of) {
+    const auto late = late_.find({piece, holder});
+    if (late == late_.end()) return;
+    remark("Hang a second marker before st " + std::to_string(late->second.stitch) + of + ": " +
+           names_(late->second.piece) + " takes them from there on.");
+  }
+
+  // Of held pieces; those that one piece takes are told in one remark.
+  void second_markers_of(const std::vector<std::int32_t>& held, bool several) {
+    for (std::size_t i = 0; i < held.size();) {
+      const auto late = late_.find({held[i], 0});
+      if (late == late_.end() || plan_.piece(held[i]).end.kind != LimbEndKind::held) {
+        ++i;
+        continue;
+      }
+      const std::int32_t taker = late->second.piece;
+      std::string places;
+      for (; i < held.size(); ++i) {
+        const auto next = late_.find({held[i], 0});
+        if (next == late_.end() || next->second.piece != taker) break;
+        places += (places.empty() ? " before st " : "; before st ") + std::to_string(next->second.stitch) +
+                  (several ? " of " + names_(held[i]) : "");
+      }
+      remark("Hang a second marker" + places + ": " + names_(taker) + " takes them from there on.");
     }
+  }
+
+  void rounds(std::int32_t first, std::int32_t end) {
+    const auto [twin, from] = model_of(plan_, first);
     // Where the rounds of a twin say so, they say it.
-    std::int32_t stuffed = is_stuffed() ? stuffed_in(plan_.piece(first)) : 0;
-    if (twin >= 0 && stuffed >= from) stuffed = 0;
-    bool told = false;
-    const auto tell_stuffing = [&](std::int32_t last) {
-      if (stuffed == 0 || told || last < stuffed) return;
-      remark(stuff_and_close);
-      told = true;
-    };
+    std::int32_t stuffed = stuffed_ ? stuffed_in(plan_.piece(first)) : 0;
+    const bool as_twin = twin >= 0 && stuffed >= from;
     for (const RoundLine& line : lines(first)) {
       if (twin >= 0 && line.last >= from) break;
       add(line, first, end);
-      tell_stuffing(line.last);
+      if (stuffed > 0 && !as_twin && line.last >= stuffed) {
+        remark(stuff_and_close);
+        stuffed = 0;
+      }
     }
     if (twin < 0) return;
+    add_as_twin(first, end, twin, from);
+    if (as_twin) remark("Stuff it before it closes, as " + names_(twin) + ".");
+  }
+
+  void add_as_twin(std::int32_t first, std::int32_t end, std::int32_t twin, std::int32_t from) {
     const LimbPiece& piece = plan_.piece(first);
     // Of rounds alike on one line some may come before.
     for (const RoundLine& line : lines(first)) {
@@ -223,7 +197,7 @@ class Writer {
 
   // The last round, by its number, at which a piece that closes is still wide; 0: it never is.
   static std::int32_t stuffed_in(const LimbPiece& piece) {
-    constexpr double fewest = 12.0;
+    constexpr double fewest = wide_enough_to_stuff;
     if (piece.end.kind != LimbEndKind::closed) return 0;
     double most = 0.0;
     for (const LimbRound& round : piece.rounds) most = std::max<double>(most, round.after);
@@ -236,174 +210,72 @@ class Writer {
     return last;
   }
 
+  [[nodiscard]] bool is_divided_next(std::int32_t piece) const {
+    if (plan_.piece(piece).end.kind != LimbEndKind::goes_on) return false;
+    const LimbDealKind next = plan_.piece(plan_.piece(piece).end.piece).deals.front().kind;
+    return next == LimbDealKind::divide;
+  }
+
+  // Of a piece that does not close itself.
+  void stuff_before_end(std::int32_t first, std::int32_t end) {
+    const LimbPiece& piece = plan_.piece(first);
+    constexpr std::int32_t long_limb = 3;
+    const bool joined = piece.end.kind == LimbEndKind::held || piece.end.kind == LimbEndKind::goes_on;
+    if (!stuffed_ || !joined || widest_of(piece) < wide_enough_to_stuff || piece.round_count() <= long_limb)
+      return;
+    if (begins_alone(piece)) {
+      remark(std::string("Pull the cast-on hole shut with its tail. Stuff ") +
+             (end - first > 1 ? "each before it is joined." : "it before it is joined."));
+    } else if (is_divided_next(first)) {
+      remark("Stuff what is made so far, up to a finger below the needle, before it is divided.");
+    }
+  }
+
+  void graft_remarks(std::int32_t first) {
+    const LimbPiece& piece = plan_.piece(first);
+    const std::int32_t inner = piece.inner                          ? first
+                               : plan_.piece(piece.end.piece).inner ? piece.end.piece
+                                                                    : -1;
+    if (inner >= 0)
+      remark("Push " + names_(inner) +
+             " to the inside, wrong sides together; stuff the space between, if you like, "
+             "before the last sts are grafted.");
+    const bool one_by_one = std::all_of(piece.end.grafts.begin(), piece.end.grafts.end(),
+                                        [](const LimbGraft& graft) { return graft == LimbGraft{}; });
+    if (one_by_one)
+      remark(
+          "The sts pair one by one: a three-needle bind off joins them too, in place of the graft; it leaves "
+          "a ridge.");
+  }
+
   void ends(std::int32_t first, std::int32_t end) {
     const LimbPiece& piece = plan_.piece(first);
-    constexpr std::int32_t long_limb = 3, wide_limb = 12;
-    const bool joined = piece.end.kind == LimbEndKind::held || piece.end.kind == LimbEndKind::goes_on;
-    const bool wide = std::any_of(piece.rounds.begin(), piece.rounds.end(),
-                                  [](const LimbRound& round) { return round.after >= wide_limb; });
-    if (is_stuffed() && joined && wide && is_alone(piece) && piece.round_count() > long_limb)
-      remark(end - first > 1 ? "Stuff each before it is joined." : "Stuff it before it is joined.");
-    if (piece.end.kind == LimbEndKind::grafted) {
-      const std::int32_t inner = piece.inner                          ? first
-                                 : plan_.piece(piece.end.piece).inner ? piece.end.piece
-                                                                      : -1;
-      if (inner >= 0)
-        remark("Push " + names_(inner) +
-               " to the inside, wrong sides together; stuff the space between, if you like, "
-               "before the last sts are grafted.");
-    }
+    stuff_before_end(first, end);
+    if (piece.end.kind == LimbEndKind::grafted) graft_remarks(first);
     for (std::int32_t i = first; i < end;) {
       const std::string words = end_sentence(plan_, names_, plan_.piece(i));
       std::vector<std::int32_t> same;
       while (i < end && end_sentence(plan_, names_, plan_.piece(i)) == words) same.push_back(i++);
       step(end - first > 1 ? names_.together(same) + ": " + words : words);
+      second_markers_of(same, end - first > 1);
     }
     if (piece.end.kind == LimbEndKind::closed && piece.inner)
       remark("Push this tube through to the inside, wrong sides together.");
   }
 
   const LimbPlan& plan_;
-  const Gauge& gauge_;
   LimbNames names_;
+  std::vector<PieceFacts> facts_;
+  SecondMarkers late_;
+  bool stuffed_ = false;
   std::vector<std::vector<RoundLine>> lines_;
   std::vector<Instruction> all_;
 };
 
-// --- everything about them ---------------------------------------------------------------------------------------
-
-bool has_deal(const LimbPlan& plan, LimbDealKind kind) {
-  return std::any_of(plan.pieces.begin(), plan.pieces.end(), [&](const LimbPiece& piece) {
-    return std::any_of(piece.deals.begin(), piece.deals.end(),
-                       [&](const LimbDeal& deal) { return deal.kind == kind; });
-  });
-}
-
-std::vector<std::string> material_words(const LimbPlan& plan, const PatternSizes& sizes,
-                                        const PatternOptions& options, const Used& used, bool stuffed) {
-  std::vector<std::string> lines{yarn_line(sizes, options)};
-  lines.push_back("Needles: " + needle_text(needle_of(sizes.gauge, options)) +
-                  ", or the size that gives the gauge: a set of five double-pointed" +
-                  (needs_circular(sizes) ? " and, for the wide parts, a 40 cm (16 in) circular." : "."));
-  if (plan.held_most > 0)
-    lines.push_back("Stitch holders: " + std::to_string(plan.held_most) +
-                    "; a length of waste yarn will do.");
-  if (has_deal(plan, LimbDealKind::provisional))
-    lines.emplace_back("Waste yarn for the provisional cast on.");
-  if (stuffed) lines.emplace_back("Stuffing.");
-  lines.push_back(marker_line(used));
-  if (plan.held_most > 0) lines.emplace_back("Removable markers, one for each holder.");
-  lines.emplace_back("Tapestry needle.");
-  return lines;
-}
-
-std::string worked_in(const LimbPlan& plan) {
-  return plural(plan.count(), "piece", "pieces") + ", one after the other, from A to " +
-         tube_name(plan.count() - 1);
-}
-
-// A span in brackets stands where a holder is entered elsewhere than at its first stitch.
-const LimbItem* entered_late(const LimbPlan& plan) {
-  for (const LimbPiece& piece : plan.pieces) {
-    for (const LimbDeal& deal : piece.deals) {
-      for (const LimbItem& item : deal.items) {
-        if (item.kind == LimbItemKind::take && item.first > 0 && item.count == item.held) return &item;
-      }
-    }
-  }
-  return nullptr;
-}
-
-void add_marker_notes(const LimbPlan& plan, const LimbNames& names, std::vector<std::string>& notes) {
-  if (plan.held_most > 0)
-    notes.emplace_back(
-        "When you put the sts of a finished piece on a holder, hang a removable marker before the first st "
-        "of "
-        "its rnd; where a needle is divided, before the first st that is placed. Held sts are counted from "
-        "there.");
-  if (const LimbItem* late = entered_late(plan)) {
-    const std::string first = std::to_string(late->first + 1), last = std::to_string(late->first);
-    notes.push_back("\"" + stitches_text(late->count) + " of " + names(late->piece) + " (" + first + " to " +
-                    last + ")\": begin with its held st " + first +
-                    ", counted from its marker, and go round to st " + last +
-                    ", so that all of them are worked.");
-  }
-  const bool slips = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
-    return std::any_of(piece.rounds.begin(), piece.rounds.end(),
-                       [](const LimbRound& r) { return r.slips_back; });
-  });
-  if (slips)
-    notes.emplace_back(
-        "\"Slip last st back\": put the last st of the rnd before back on the left needle; the marker moves "
-        "with it.");
-}
-
-std::vector<std::string> note_words(const LimbPlan& plan, const LimbNames& names, const Used& used) {
-  std::vector<std::string> notes{"Worked in the round, right side out, in " + worked_in(plan) +
-                                     ". Every rnd begins at the marker, which stays where the yarn hangs; "
-                                     "slip it as you come to it. Rnds are numbered "
-                                     "from 1 in each piece; a cast on counts as a rnd.",
-                                 "The number in brackets at the end of a line is how many sts are on the "
-                                 "needle after it. What stands in brackets by "
-                                 "itself is a remark."};
-  notes.emplace_back(
-      "Lines that begin with Divide, Join or Rejoin knit nothing. They list, from the marker on, what lies "
-      "on "
-      "the needle when Rnd 1 begins; \"keep\" means that sts stay there.");
-  if (!plan.gaps.empty()) {
-    notes.emplace_back(
-        "\"CO 2 sts over gap 1\": when Rnd 1 comes to the gap, cast the sts on to the left needle (knitted "
-        "cast "
-        "on) and knit on over them. Hang a thread in each gap to know it by.");
-    notes.emplace_back(
-        "\"Pick up 2 sts along gap 1\": lift one loop of that cast-on edge onto the needle for each st, "
-        "without "
-        "knitting; the next rnd works them. Each gap is cast on once and picked up once, so it closes "
-        "without "
-        "a hole.");
-  }
-  add_marker_notes(plan, names, notes);
-  if (has_deal(plan, LimbDealKind::provisional))
-    notes.emplace_back(
-        "A provisional cast on leaves live loops on waste yarn. The other piece of the ring begins on them.");
-  notes.emplace_back("\"Work as for\": the same rnds, with the same numbers, as of the piece that is named.");
-  if (has_deal(plan, LimbDealKind::join))
-    notes.emplace_back("Lay pieces side by side, untwisted, right sides out, before you join them.");
-  const bool tight = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
-    return piece.is_cast_on() && !piece.rounds.empty() && piece.rounds.front().after > piece.first_count();
-  });
-  add_shaping_notes(used, tight, notes);
-  return notes;
-}
-
-std::vector<std::string> finishing_words(const LimbPlan& plan, const LimbNames& names) {
-  std::vector<std::int32_t> drawn, open;
-  for (std::int32_t i = 0; i < plan.count(); ++i) {
-    if (plan.piece(i).deals.front().kind == LimbDealKind::cast_on)
-      (is_drawn_in(plan.piece(i).first_count()) ? drawn : open).push_back(i);
-  }
-  std::vector<std::string> lines;
-  if (!drawn.empty() && open.empty()) {
-    lines.emplace_back(
-        "Of each piece that was cast on: thread the tail through the sts of the cast-on edge, pull the hole "
-        "shut and "
-        "fasten off.");
-  } else if (!drawn.empty()) {
-    lines.push_back(
-        names.listed(drawn) +
-        ": thread the cast-on tail through the sts of the cast-on edge, pull the hole shut and fasten off.");
-  }
-  if (!open.empty())
-    lines.push_back(names.listed(open) + (open.size() > 1 ? ", each" : "") +
-                    ": the cast-on edge stays open.");
-  lines.emplace_back("Weave in all ends; close small holes beside the gaps with them.");
-  return lines;
-}
-
 }  // namespace
 
 WrittenPattern write_pattern(const LimbPlan& plan, const Gauge& gauge, const PatternOptions& options,
-                             const std::string& mesh_name) {
+                             const std::string& mesh_name, std::optional<double> height_cm) {
   const PatternSizes sizes = sizes_of(plan, gauge);
   Writer writer(plan, gauge, options);
   Used used;
@@ -414,17 +286,17 @@ WrittenPattern write_pattern(const LimbPlan& plan, const Gauge& gauge, const Pat
   WrittenPattern pattern;
   pattern.title = title_of(options, mesh_name);
   pattern.level = level_of(used);
-  pattern.size = {"About " + length_text(sizes.around_cm) +
-                  " around at the widest rnd; the sizes of the pieces stand before "
-                  "them."};
-  pattern.materials = material_words(plan, sizes, options, used, writer.is_stuffed());
+  pattern.size = {size_of_limbs(sizes, height_cm)};
+  pattern.materials = materials_of_limbs(plan, sizes, options, used);
   pattern.gauge = gauge_line(gauge, options);
   pattern.abbreviations = abbreviations_of(used, binds_off);
-  pattern.notes = note_words(plan, writer.names(), used);
+  pattern.notes = notes_of_limbs(plan, writer.names(), used);
   pattern.start = "(Worked in " + worked_in(plan) + ".)";
   pattern.instructions = writer.instructions();
-  pattern.finishing = finishing_words(plan, writer.names());
+  pattern.finishing = finishing_of_limbs(plan, writer.names());
   pattern.in_pieces = true;
+  pattern.pieces = writer.facts();
+  pattern.overview = pattern.pieces.size() + 1;
   return pattern;
 }
 

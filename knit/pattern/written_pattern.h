@@ -74,6 +74,16 @@ struct RoundLine {
   [[nodiscard]] std::string text() const;
 };
 
+// Of pieces that are made together: a line of the list of pieces.
+struct PieceFacts {
+  std::vector<std::int32_t> pieces;  // of the plan
+  std::string name;                  // "Limbs B and C"
+  std::string begins, ends;          // "cast on 5"; "held for Body D"
+  std::int32_t rounds = 0, first = 0,
+               last = 0;  // stitches before the first round, or cast on; after the last one
+  double long_cm = 0.0, around_cm = 0.0;
+};
+
 struct WrittenPattern {
   std::string title, level;  // Basic, Easy, Intermediate or Complex
   std::vector<std::string> size;
@@ -94,12 +104,19 @@ struct WrittenPattern {
   std::vector<Instruction> instructions;
   std::vector<std::string> finishing;
   bool in_pieces = false;  // each has a heading among the instructions
+  std::vector<PieceFacts> pieces = {};
+  std::size_t overview = 0;  // so many of the first instructions say no more than the list of pieces does
 };
 
 WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name);
+// `height_cm`: of the finished object as the shape stands, where it is known.
 WrittenPattern write_pattern(const LimbPlan& plan, const Gauge& gauge, const PatternOptions& options,
-                             const std::string& mesh_name);
+                             const std::string& mesh_name, std::optional<double> height_cm = std::nullopt);
+
+// A step of a piece that is too long for a line is told one item a line: "Join with Limb A:", "keep 7 sts,", ...
+bool is_told_by_items(const WrittenPattern::Instruction& instruction);
+std::vector<std::string> items_of_step(const std::string& step);
 
 // Lines of at most 100 columns, but a round is always one line. No line begins like a round but the rounds.
 std::string pattern_as_text(const WrittenPattern& pattern);

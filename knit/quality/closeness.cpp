@@ -96,7 +96,11 @@ std::optional<Closeness> measure_closeness(const Input& input, const State& stat
 std::optional<Closeness> measure_closeness(const Input& input, const State& state, double stitch_width,
                                            double stitch_height) {
   std::optional<Closeness> closeness = measure_closeness(input, state);
-  if (closeness) closeness->coverage = measure_coverage(input, state, stitch_width, stitch_height);
+  if (!closeness) return closeness;
+  closeness->coverage = measure_coverage(input, state, stitch_width, stitch_height);
+  if (!state.placed) return closeness;
+  if (auto placed = measure_closeness(input, placed_state(state), stitch_width, stitch_height))
+    closeness->placed = std::make_shared<const Closeness>(std::move(*placed));
   return closeness;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "knit/mesh/mesh.h"
@@ -24,12 +25,13 @@ struct Closeness {
   Distances knit_to_mesh, mesh_to_knit;  // the ends of the tube stay open, which mesh_to_knit shows
   double diagonal = 0.0;                 // of the mesh's bounding box
   double knit_area = 0.0, mesh_area = 0.0;
-  std::optional<Coverage> coverage;  // once all faces are there, and where a stitch's size was given
+  std::optional<Coverage> coverage;         // once all faces are there, and where a stitch's size was given
+  std::shared_ptr<const Closeness> placed;  // likewise: as stitches were placed. Null: nothing has settled
 };
 
 // Nothing while there are no faces. Takes about a second a million triangles; meant for a worker.
 std::optional<Closeness> measure_closeness(const Input& input, const State& state);
-// With the coverage, which takes about as long again.
+// With the coverage, which takes about as long again; and all of it as placed, where stitches have settled.
 std::optional<Closeness> measure_closeness(const Input& input, const State& state, double stitch_width,
                                            double stitch_height);
 

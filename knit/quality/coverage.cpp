@@ -55,6 +55,12 @@ void close_ends(KnitSurface& surface, const State& state) {
   for (const LiveLoop& loop : state.fabric.live()) close(loop.stitches, false);
 }
 
+KnitSurface closed_surface(const State& state) {
+  KnitSurface surface = knit_surface(state);
+  close_ends(surface, state);
+  return surface;
+}
+
 // A small piece of a triangle of the mesh.
 struct Piece {
   Corners corners;
@@ -210,6 +216,32 @@ UncoveredPlace place_of(const Input& input, const Patch& patch, const std::vecto
   return place;
 }
 
+// Rows as they were placed, where they have settled elsewhere since.
+class PlacedCover {
+ public:
+  PlacedCover(const State& state, double limit)
+      : surface_(closed_surface(placed_state(state))),
+        tree_(surface_.positions, surface_.triangles),
+        limit_(limit) {}
+  // Whether they covered more than half of a patch.
+  [[nodiscard]] bool held(const Patch& patch, const std::vector<Piece>& pieces) const {
+    double covered = 0.0;
+    for (const std::uint32_t i : patch.pieces) {
+      const Corners& c = pieces[i].corners;
+      const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+      const double size = glm::length(normal);
+      const double farther = 2.0 * limit_;
+      if (size > 0.0 && tree_.distance(middle_of(c), normal / size, farther) <= limit_) covered += size / 2.0;
+    }
+    return covered > 0.5 * patch.area;
+  }
+
+ private:
+  KnitSurface surface_;
+  TriangleTree tree_;
+  double limit_;
+};
+
 // Why it is there.
 void explain(UncoveredPlace& place, const Input& input, const State& state, double stitch_height,
              const Patch& patch, const std::vector<Piece>& pieces) {
@@ -232,10 +264,12 @@ Uncovered measure_uncovered(const Input& input, const State& state, double stitc
   double whole = 0.0;
   for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) whole += area_of(places_of(input, t));
   if (!(whole > 0.0)) return uncovered;
-  KnitSurface surface = knit_surface(state);
-  close_ends(surface, state);
+  const KnitSurface surface = closed_surface(state);
+  const double limit = covered_within * stitch_height;
+  std::optional<PlacedCover> placed;
+  if (state.placed) placed.emplace(state, limit);
   const TriangleTree knit(surface.positions, surface.triangles);
-  Cutter cutter(knit, covered_within * stitch_height, std::max(stitch_height, std::sqrt(whole / most_cuts)));
+  Cutter cutter(knit, limit, std::max(stitch_height, std::sqrt(whole / most_cuts)));
   for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) cutter.cut(places_of(input, t), t);
 
   const std::vector<Piece>& pieces = cutter.uncovered();
@@ -246,6 +280,7 @@ Uncovered measure_uncovered(const Input& input, const State& state, double stitc
     UncoveredPlace place = place_of(input, patch, pieces);
     place.share = patch.area / whole;
     explain(place, input, state, stitch_height, patch, pieces);
+    if (placed && placed->held(patch, pieces)) place.kind = UncoveredKind::slid;
     uncovered.places.push_back(place);
   }
   return uncovered;
@@ -259,7 +294,8 @@ std::optional<Coverage> measure_coverage(const Input& input, const State& state,
   std::sort(tubes.begin(), tubes.end());
   const auto different = std::unique(tubes.begin(), tubes.end()) - tubes.begin();
   return Coverage{measure_uncovered(input, state, stitch_width, stitch_height),
-                  stretched_rows(state, stitch_height), static_cast<std::size_t>(different)};
+                  stretched_rows(state, stitch_height), static_cast<std::size_t>(different),
+                  measure_turned(input, state)};
 }
 
 }  // namespace knit

@@ -5,6 +5,9 @@
 // and bent shapes are then covered to the last point; at 3/4 h a capsule's two ends would not be (0.8 %), and at 3/2 h
 // flat ends shrink by a sixth. A row of few stitches at an end is drawn together, so its hole counts as closed.
 //
+// Stitches that have settled are looked at where they settled; from a part that they covered where they were placed they
+// have slid.
+//
 // A wale is stretched where it is longer than 3/2 h: rows of a tube stand at most 5/4 h apart [knit/tubes/plan.h].
 //
 // Lengths are in mesh units, areas as shares of the mesh's.
@@ -17,6 +20,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/quality/ease.h"
 #include "knit/run/state.h"
 
 namespace knit {
@@ -31,7 +35,8 @@ inline constexpr std::size_t most_closing = 12;  // stitches: as many as the pat
 enum class UncoveredKind : std::uint8_t {
   flat,  // the time hardly changes on it: less than a row's worth
   limb,  // of a limb or handle that was left out
-  other
+  other,
+  slid  // rows were placed on most of it, and settled elsewhere
 };
 
 // A connected part without rows.
@@ -61,6 +66,7 @@ struct Coverage {
   Uncovered uncovered;
   std::vector<Stretched> stretched;  // in working order
   std::size_t tubes = 1;             // that have rows
+  TurnedFaces turned;
 };
 
 // Nothing before all faces are made. Requires a stitch of a size above 0. Takes about 2 microseconds a triangle and

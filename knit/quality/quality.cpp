@@ -132,8 +132,8 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   return angle_to(glm::dot(a, b), glm::length(glm::cross(a, b))) * 180.0 / std::numbers::pi;
 }
 
-Spread corners_of(const State& state, const std::vector<Stop>& stops) {
-  std::vector<double> angles;
+void measure_corners(Quality& quality, const State& state, const std::vector<Stop>& stops) {
+  std::vector<double> angles, off;
   for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       const auto n = static_cast<std::size_t>(face.corner_count);
@@ -141,10 +141,12 @@ Spread corners_of(const State& state, const std::vector<Stop>& stops) {
         const glm::dvec3& corner = stops[face.corners[i]].position;
         angles.push_back(degrees_between(stops[face.corners[(i + 1) % n]].position - corner,
                                          stops[face.corners[(i + n - 1) % n]].position - corner));
+        if (n == 4) off.push_back(std::abs(angles.back() - 90.0));
       }
     }
   }
-  return spread_of(angles, 0.0, 180.0, 36);
+  quality.corner = spread_of(angles, 0.0, 180.0, 36);
+  quality.corner_off = spread_of(off, 0.0, 90.0, 18);
 }
 
 // Of the stitches that have a strip below and one above.
@@ -205,7 +207,7 @@ Quality measure_quality(const Input& input, const State& state, double stitch_wi
   const std::vector<Stop> stops = stops_of(state);
   measure_wales(quality, state, stops);
   measure_tubes(quality, state, stops);
-  quality.corner = corners_of(state, stops);
+  measure_corners(quality, state, stops);
   quality.faces = count_faces(state);
   const std::size_t faces = quality.faces.quads + quality.faces.triangles;
   if (faces > 0) quality.quad_share = static_cast<double>(quality.faces.quads) / static_cast<double>(faces);

@@ -62,8 +62,9 @@ struct Quality {
   Spread course;                                   // length / w, all rows
   Spread long_course;                              // the same, rows of 12 stitches or more
   double worst_course_cv_in_row = 0.0;
-  Spread wale;    // length / h
-  Spread corner;  // inner angles of all faces, degrees
+  Spread wale;        // length / h
+  Spread corner;      // inner angles of all faces, degrees
+  Spread corner_off;  // how far those of quads are from a right angle, degrees
   std::vector<RowFit> rows;
   std::vector<TubeFit> tubes;  // in working order; one where nothing branches
   FaceCounts faces;

@@ -328,7 +328,8 @@ bool LimbWorker::round(std::string_view words) {
   const auto next = static_cast<std::int32_t>(read_.limbs.back().rows.size()) + 1;
   if (first != next)
     return fail("Rnd " + std::to_string(next) + " is next, the line says " + std::to_string(first) + ".");
-  if (words.starts_with("Rnds") == (first == last))
+  const bool names_several = words.starts_with("Rnds") || words.starts_with("Rounds");
+  if (names_several == (first == last))
     return fail(std::to_string(first) + "-" + std::to_string(last) + " is no range of rnds.");
   if (last > heading_->rounds)
     return fail("Rnd " + std::to_string(last) + " is told, and the heading says " +

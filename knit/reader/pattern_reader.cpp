@@ -5,6 +5,7 @@
 
 #include "knit/import/quoting.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/published_reader.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
 
@@ -300,7 +301,8 @@ ReadPattern as_pattern(ReadLimbs limbs) {
 }  // namespace
 
 ReadPattern read_pattern(std::string_view text) {
-  return has_limb_headings(text) ? as_pattern(read_limbs(text)) : Reader().run(text);
+  if (has_limb_headings(text)) return as_pattern(read_limbs(text));
+  return has_held_stitches(text) ? read_published(text) : Reader().run(text);
 }
 
 }  // namespace knit

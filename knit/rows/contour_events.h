@@ -10,10 +10,21 @@
 
 namespace knit {
 
+// Why a tube has no round.
+enum class Rowless : std::uint8_t {
+  no,            // it has some
+  dealt_on,      // lower than a round: its stitches are only dealt
+  cast_on_edge,  // the edge that two tubes start from
+  grafted        // the edge at which two tubes are grafted to each other
+};
+
 struct TubeTaken {
   static constexpr std::string_view kind = "tube-taken";
   std::int32_t tube, rows, live;  // live: stitches that it is worked on; 0: it is cast on
   float height, spacing;          // of the tube; from row to row
+  std::int32_t held = 0;          // loops that wait on holders while it is worked
+  std::int32_t aside = -1;        // of them, the tube that begins to wait for this one; -1: none
+  Rowless rowless = Rowless::no;
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   friend bool operator==(const TubeTaken&, const TubeTaken&) = default;
@@ -92,6 +103,12 @@ struct StitchPlaced {
 
 // --- deals, between a tube and the next
 
+// The tubes of a deal: those of its two loops, and of the one loop that is cut or made; -1: of a ring, there is none.
+struct DealTubes {
+  std::int16_t one = -1, two = -1, whole = -1;
+  friend bool operator==(const DealTubes&, const DealTubes&) = default;
+};
+
 struct GapsFound {
   static constexpr std::string_view kind = "gaps-found";
   DealKind deal;
@@ -99,6 +116,7 @@ struct GapsFound {
   std::int32_t tried;     // arcs; join: gaps
   std::int32_t one, two;  // stitches of the two sides
   float gap;              // across the saddle, in stitch widths
+  DealTubes tubes = {};
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   friend bool operator==(const GapsFound&, const GapsFound&) = default;
@@ -117,6 +135,7 @@ struct LoopsDealt {
   DealKind deal;
   std::int32_t one, two, whole, bridge;  // stitches of the two loops, and of the one
   std::int32_t held;                     // loops that wait on holders now
+  DealTubes tubes = {};
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   friend bool operator==(const LoopsDealt&, const LoopsDealt&) = default;

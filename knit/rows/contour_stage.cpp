@@ -75,6 +75,15 @@ std::size_t brings_yarn(const ContourAt& at, const TubeEvent& event) {
   return place(event.below[0]) > place(event.below[1]) ? 0 : 1;
 }
 
+// By their names in what is told.
+DealTubes tubes_dealt(const Deal& deal) {
+  const auto name = [](TubeId tube) { return static_cast<std::int16_t>(tube); };
+  const bool parts = deal.kind == DealKind::split;
+  const std::vector<TubeId>& pair = parts ? deal.to : deal.from;
+  const std::vector<TubeId>& whole = parts ? deal.from : deal.to;
+  return {name(pair[0]), name(pair[1]), whole.empty() ? std::int16_t{-1} : name(whole.front())};
+}
+
 Advanced<ContourEvent> find_gaps(const ContourAt& at, const StitchSize& stitch, std::int32_t event,
                                  ContourWork& work) {
   const DealAt deal_at{at.input, at.plan, at.fabric, event, stitch.width};
@@ -94,8 +103,9 @@ Advanced<ContourEvent> find_gaps(const ContourAt& at, const StitchSize& stitch, 
     deal = deal_ring(deal_at);
   }
   const GapsFound step{
-      deal.kind,    what.vertex,  static_cast<std::int32_t>(std::min<std::int64_t>(tried, INT32_MAX)),
-      deal.arcs[0], deal.arcs[1], static_cast<float>(deal.gap / stitch.width)};
+      deal.kind,        what.vertex,  static_cast<std::int32_t>(std::min<std::int64_t>(tried, INT32_MAX)),
+      deal.arcs[0],     deal.arcs[1], static_cast<float>(deal.gap / stitch.width),
+      tubes_dealt(deal)};
   work.phase = deal.bridge.empty() ? ContourPhase::give : ContourPhase::bridge;
   work.deal = Shared(std::move(deal));
   work.bridged = 0;
@@ -109,13 +119,15 @@ BridgeCastOn cast_on_bridge(ContourWork& work) {
   return {work.bridged, stitches};
 }
 
-// That are worked on after it; those of tubes that have ended by themselves are bound off.
+// Of a tube that has ended by itself: its loop waits for nothing.
+bool is_bound_off(const ContourAt& at, const ContourWork& work, TubeId tube) {
+  return at.plan.event(at.plan.tube(tube).top).kind == EventKind::bind_off && is_done(at, work, tube);
+}
+
+// That are worked on after it.
 std::int32_t loops_after(const ContourAt& at, const ContourWork& work, const Deal& deal) {
-  const auto bound_off = [&](TubeId tube) {
-    return at.plan.event(at.plan.tube(tube).top).kind == EventKind::bind_off && is_done(at, work, tube);
-  };
   const auto live = std::count_if(at.fabric.live().begin(), at.fabric.live().end(),
-                                  [&](const LiveLoop& loop) { return !bound_off(loop.tube); });
+                                  [&](const LiveLoop& loop) { return !is_bound_off(at, work, loop.tube); });
   if (deal.kind == DealKind::ring_cast_on) return static_cast<std::int32_t>(live);
   return static_cast<std::int32_t>(live) + static_cast<std::int32_t>(deal.to.size()) -
          static_cast<std::int32_t>(deal.from.size());
@@ -126,7 +138,8 @@ Advanced<ContourEvent> give_loops(const ContourAt& at, ContourWork& work, std::o
   const bool split = deal.kind == DealKind::split;
   const auto& loops = split ? deal.given : deal.taken;
   LoopsDealt step{
-      deal.kind, loops[0].size(), loops[1].size(), 0, static_cast<std::int32_t>(deal.bridge.size()), 0};
+      deal.kind, loops[0].size(),  loops[1].size(), 0, static_cast<std::int32_t>(deal.bridge.size()),
+      0,         tubes_dealt(deal)};
   if (split) step.whole = deal.taken.front().size();
   if (deal.kind == DealKind::join) step.whole = deal.given.front().size();
   step.held = std::max(0, loops_after(at, work, deal) - 1);
@@ -152,6 +165,23 @@ CutFound find_cut(const ContourAt& at, ContourWork& work) {
           time_at(at.timing, tube.values[static_cast<std::size_t>(work.row)])};
 }
 
+Rowless why_rowless(const TubePlan& plan, const Tube& tube) {
+  if (tube.rows() > 0) return Rowless::no;
+  if (plan.event(tube.top).kind == EventKind::ring_cast_on) return Rowless::cast_on_edge;
+  if (plan.event(tube.bottom).kind == EventKind::ring_bind_off) return Rowless::grafted;
+  return Rowless::dealt_on;
+}
+
+// What waits once a tube is taken up: all other loops, and the one that was worked until now begins to.
+void tell_waiting(const ContourAt& at, const ContourWork& work, TubeTaken& step) {
+  const TubeId before = work.taken > 1 ? at.plan.order[static_cast<std::size_t>(work.taken) - 2] : -1;
+  for (const LiveLoop& loop : at.fabric.live()) {
+    if (loop.tube == step.tube || is_bound_off(at, work, loop.tube)) continue;
+    ++step.held;
+    if (loop.tube == before) step.aside = before;
+  }
+}
+
 Advanced<ContourEvent> take_tube(const ContourAt& at, ContourWork& work) {
   if (work.taken == static_cast<std::int32_t>(at.plan.order.size()))
     throw Bug("no tube is left, and no deal");
@@ -160,8 +190,10 @@ Advanced<ContourEvent> take_tube(const ContourAt& at, ContourWork& work) {
   const TubeId id = current_tube(at.plan, work);
   const Tube& tube = at.plan.tube(id);
   work.phase = tube.rows() > 0 ? ContourPhase::cut : ContourPhase::take;
-  const TubeTaken step{id, tube.rows(), at.fabric.live(id).size(), static_cast<float>(tube.height),
-                       static_cast<float>(tube.spacing)};
+  TubeTaken step{id, tube.rows(), at.fabric.live(id).size(), static_cast<float>(tube.height),
+                 static_cast<float>(tube.spacing)};
+  step.rowless = why_rowless(at.plan, tube);
+  tell_waiting(at, work, step);
   return {step, tube.rows() == 0 && nothing_follows(at, work) ? Ended::stage : Ended::step};
 }
 
@@ -231,7 +263,8 @@ RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const
   const LiveStitches live = at.fabric.live(current_tube(at.plan, work));
   RoundBegun step{0, 0.0, 0.0, 0.0};
   if (!live.empty() && rows.round_start == RoundStart::follow) {
-    const BegunRound begun = follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0);
+    const BegunRound begun =
+        follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0, stitch.height);
     step = {begun.passes, begun.arc, begun.slid, begun.sum_of_squares / (stitch.height * stitch.height)};
   } else {
     const RowFrame frame = row_frame(at.timing.ends.direction, rows.start_direction);

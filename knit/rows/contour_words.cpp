@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "knit/model/measured.h"
 #include "knit/model/words.h"
 #include "knit/rows/row_variables.h"
 #include "knit/timing/timing_variables.h"
@@ -28,22 +29,69 @@ std::string_view word_of(CountReason reason) {
   return "";
 }
 
+// Of a tube that has no round, and the same at the end of a run as anywhere else.
+std::string rowless_sentence(const std::string& tube, Rowless why) {
+  switch (why) {
+    case Rowless::cast_on_edge:
+      return tube + " has no round: it is the edge that two tubes start from, back to back.";
+    case Rowless::grafted:
+      return tube + " has no round: it is the edge at which two tubes are grafted to each other.";
+    case Rowless::no:
+    case Rowless::dealt_on:
+      break;
+  }
+  return tube + " is lower than a round: its stitches are only dealt on.";
+}
+
+std::string two_names(const DealTubes& tubes) {
+  return tube_name(tubes.one) + " and " + tube_name(tubes.two);
+}
+
+std::string two_counts(std::int32_t one, std::int32_t two) {
+  return std::to_string(one) + " and " + stitch_count_text(two);
+}
+
+// "", or with a comma before it.
+std::string waiting_words(std::int32_t held) {
+  return held == 0 ? "" : "; " + plural(held, "loop waits on a holder", "loops wait on holders");
+}
+
+// The tubes that a deal takes from, and those that it gives to.
+StepFields tubes_of(DealKind deal, const DealTubes& tubes) {
+  const std::string pair = two_names(tubes);
+  const std::string whole = tubes.whole < 0 ? "none" : tube_name(tubes.whole);
+  const bool parts = deal == DealKind::split;
+  return {
+      {"from", &var::dealt_from, std::string_view(parts || deal == DealKind::ring_cast_on ? whole : pair)},
+      {"to", &var::dealt_to, std::string_view(parts || deal == DealKind::ring_cast_on ? pair : whole)}};
+}
+
 }  // namespace
 
 std::string TubeTaken::sentence(const Telling& at) const {
   const std::string name = "Tube " + tube_name(tube);
-  if (rows == 0) return name + " is passed through without a round.";
-  const std::string where = live == 0 ? " is cast on" : " is worked on " + stitch_count_text(live);
-  return at.row() + ": " + name + where + ", " + plural(rows, "round", "rounds") + " of " +
-         short_number(static_cast<double>(spacing)) + " over a height of " +
-         short_number(static_cast<double>(height)) + ".";
+  if (rows == 0) {
+    const std::string also = aside < 0 ? "" : " Tube " + tube_name(aside) + " is laid on a holder.";
+    return rowless_sentence(name, rowless) + also;
+  }
+  std::string text = at.row() + ": ";
+  if (aside >= 0) text += "tube " + tube_name(aside) + " is laid on a holder, and ";
+  text += (aside >= 0 ? "tube " : "Tube ") + tube_name(tube);
+  text += live == 0 ? " is cast on" : " is worked on " + stitch_count_text(live);
+  text += ", " + plural(rows, "round", "rounds");
+  if (rows > 1) text += " of " + short_number(static_cast<double>(spacing));
+  text += " over a height of " + short_number(static_cast<double>(height));
+  const bool is_said = aside >= 0 && held == 1;
+  return text + (is_said ? "" : waiting_words(held)) + ".";
 }
 StepFields TubeTaken::numbers() const {
   return {{var::tube, std::string_view(tube_name(tube))},
           {var::rows, rows},
           {var::below, live},
           {"height", &var::surface_height, static_cast<double>(height)},
-          {var::row_height, static_cast<double>(spacing)}};
+          {var::row_height, static_cast<double>(spacing)},
+          {"held", &var::loops, held},
+          {"aside", &var::laid_aside, std::string_view(aside < 0 ? "none" : tube_name(aside))}};
 }
 
 std::string RowsReplanned::sentence(const Telling& at) const {
@@ -68,8 +116,9 @@ std::string LoopClosed::sentence(const Telling& at) const {
 StepFields LoopClosed::numbers() const { return {{var::points, points}}; }
 
 std::string LengthMeasured::sentence(const Telling& at) const {
-  return at.row() + ": the loop is " + short_number(length) + " long, " + short_number(ideal) +
-         " stitch widths of " + short_number(at.parameters.stitch.width) + ".";
+  return at.row() + ": the loop is " + short_number(length) + " long, " +
+         measured(ideal, "stitch width", "stitch widths") + " of " +
+         short_number(at.parameters.stitch.width) + ".";
 }
 StepFields LengthMeasured::numbers() const { return {{var::length, length}, {var::ideal, ideal}}; }
 
@@ -121,28 +170,33 @@ StepFields StitchPlaced::numbers() const {
 }
 
 std::string GapsFound::sentence(const Telling& /*at*/) const {
-  const std::string sides = std::to_string(one) + " and " + std::to_string(two) + " stitches";
-  const std::string across = short_number(static_cast<double>(gap)) + " stitch widths apart";
+  const std::string pair = two_names(tubes);
+  const std::string at_saddle = " at the saddle at " + vertex_text(vertex);
+  const std::string across =
+      measured(static_cast<double>(gap), "stitch width apart", "stitch widths apart") + ".";
   switch (deal) {
     case DealKind::split:
-      return "At the saddle at " + vertex_text(vertex) + " the loop is cut into arcs of " + sides +
-             ", the best of " + std::to_string(tried) + "; the cuts are " + across + ".";
+      return "Tube " + tube_name(tubes.whole) + " parts into " + pair + at_saddle +
+             ": the loop is cut into arcs of " + two_counts(one, two) + ", the best of " +
+             std::to_string(tried) + " tried; the cuts are " + across;
     case DealKind::join:
-      return "At the saddle at " + vertex_text(vertex) + " two loops of " + sides +
-             " are opened where they are nearest, " + across + ".";
+      return "Tubes " + pair + " meet and go on as " + tube_name(tubes.whole) + at_saddle +
+             ": their loops of " + two_counts(one, two) + " are opened where they are nearest, " + across;
     case DealKind::ring_cast_on:
-      return "Two tubes of " + sides + " start from one cast-on edge.";
+      return "Tubes " + pair + ", of " + two_counts(one, two) + ", start from one cast-on edge.";
     case DealKind::ring_bind_off:
-      return "Two tubes of " + sides + " end edge to edge.";
+      return "Tubes " + pair + ", of " + two_counts(one, two) + ", end edge to edge.";
   }
   return "";
 }
 StepFields GapsFound::numbers() const {
-  return {{var::saddle, vertex},
-          {"tried", &var::arcs_tried, tried},
-          {var::one, one},
-          {var::two, two},
-          {"gap", &var::saddle_gap, static_cast<double>(gap)}};
+  StepFields fields = tubes_of(deal, tubes);
+  fields.insert(fields.end(), {{var::saddle, vertex},
+                               {"tried", &var::arcs_tried, tried},
+                               {var::one, one},
+                               {var::two, two},
+                               {"gap", &var::saddle_gap, static_cast<double>(gap)}});
+  return fields;
 }
 
 std::string BridgeCastOn::sentence(const Telling& /*at*/) const {
@@ -154,28 +208,33 @@ StepFields BridgeCastOn::numbers() const {
 }
 
 std::string LoopsDealt::sentence(const Telling& /*at*/) const {
-  const std::string waits =
-      held == 0 ? "." : "; " + plural(held, "loop waits on a holder.", "loops wait on holders.");
-  const std::string two_loops = std::to_string(one) + " and " + std::to_string(two);
+  const std::string waits = waiting_words(held) + ".";
+  const std::string name_one = tube_name(tubes.one), name_two = tube_name(tubes.two);
   switch (deal) {
     case DealKind::split:
-      return "The loop of " + std::to_string(whole) + " is dealt into loops of " + two_loops + " stitches" +
-             waits;
+      return "Tube " + tube_name(tubes.whole) + "'s loop of " + stitch_count_text(whole) +
+             " is dealt into one of " + std::to_string(one) + " for " + name_one + " and one of " +
+             std::to_string(two) + " for " + name_two + waits;
     case DealKind::join:
-      return "The loops of " + two_loops + " become one of " + std::to_string(whole) + " stitches" + waits;
+      return "The loops of tubes " + two_names(tubes) + ", of " + two_counts(one, two) + ", become one of " +
+             stitch_count_text(whole) + " for tube " + tube_name(tubes.whole) + waits;
     case DealKind::ring_cast_on:
-      return "The first rounds of " + two_loops + " stitches share their edge" + waits;
+      return "The first rounds of tubes " + two_names(tubes) + ", of " + two_counts(one, two) +
+             ", share their edge" + waits;
     case DealKind::ring_bind_off:
-      return "The loops of " + two_loops + " stitches are grafted to each other" + waits;
+      return "The loops of tubes " + two_names(tubes) + ", of " + two_counts(one, two) +
+             ", are grafted to each other" + waits;
   }
   return "";
 }
 StepFields LoopsDealt::numbers() const {
-  return {{var::one, one},
-          {var::two, two},
-          {var::whole, whole},
-          {var::bridge, bridge},
-          {"held", &var::loops, held}};
+  StepFields fields = tubes_of(deal, tubes);
+  fields.insert(fields.end(), {{var::one, one},
+                               {var::two, two},
+                               {var::whole, whole},
+                               {var::bridge, bridge},
+                               {"held", &var::loops, held}});
+  return fields;
 }
 
 }  // namespace knit

@@ -9,6 +9,7 @@ Parameters first_parameters(const Input& input) {
   parameters.timing.kind = TimingKind::by_itself;
   parameters.rows.source = RowSource::by_itself;
   parameters.stitches.placement = PlacementPolicy::by_itself;
+  parameters.settle.settling = Settling::by_itself;
   return resolved(parameters, input);
 }
 

@@ -6,8 +6,8 @@
 
 namespace knit {
 
-// default_parameters() with timing, rows and placement left to the run, which chooses by the mesh (knit/timing/choice.h,
-// knit/rows/choice.h). Resolved on the mesh.
+// default_parameters() with timing, rows, placement and settling left to the run, which chooses by the mesh
+// (knit/timing/choice.h, knit/rows/choice.h): stitches settle where rows come from contours. Resolved on the mesh.
 Parameters first_parameters(const Input& input);
 
 }  // namespace knit

@@ -121,9 +121,87 @@ double mean_offset(std::span<const glm::dvec3> below, std::span<const glm::dvec3
   return sum / static_cast<double>(match.link.size());
 }
 
+// How far the wales are from being `height` long: the sum of the squares.
+double off_height(std::span<const glm::dvec3> below, std::span<const glm::dvec3> above,
+                  const RoundMatch& match, double height) {
+  const bool grows = above.size() >= below.size();
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < match.link.size(); ++cell) {
+    const auto on = static_cast<std::size_t>(match.link[cell]);
+    const std::size_t stitch = ((grows ? cell : on) + static_cast<std::size_t>(match.turn)) % above.size();
+    const double off = glm::distance(below[grows ? on : cell], above[stitch]) - height;
+    sum += off * off;
+  }
+  return sum;
+}
+
 // A wider window finds nothing else on sound curves and costs its share.
 constexpr std::int32_t most_turns = 12;
-constexpr std::int32_t most_turns_tried = 96;  // where any will do
+constexpr std::int32_t most_turns_tried = 96;     // where any will do
+constexpr std::int32_t most_phases = 8;           // of a stitch, where a row may be set down anywhere
+constexpr std::int32_t stitches_set_down = 2000;  // of all phases, so that long rounds stay cheap
+constexpr double better_phase = 0.95;             // another phase must be better by this much: less is noise
+constexpr std::int32_t passes = 3;
+
+// A row of `count` stitches on a curve, set down above live stitches.
+class RowFollower {
+ public:
+  RowFollower(const Ring& curve, std::int32_t count, std::span<const Stitch> below, double height)
+      : curve_(curve), count_(count), height_(height), first_(nearest_arc(curve, below.front().position)) {
+    live_.reserve(below.size());
+    for (const Stitch& stitch : below) live_.push_back(stitch.position);
+  }
+
+  // From where the live stitches begin, within a few stitches.
+  BegunRound near_the_first() {
+    const std::int32_t window = std::clamp(count_ / 8, std::int32_t{3}, most_turns);
+    return slide_from(first_, window, 2, [](double sum, const RoundMatch&) { return sum; }).begun;
+  }
+  // At any turn. Sliding ends in another place for each phase that it begins at; of their ends the one is taken whose wales
+  // come nearest to the height, as the least sum of squares may be that of one short wale beside a long one.
+  BegunRound anywhere() {
+    const std::int32_t phases = std::clamp(stitches_set_down / count_, std::int32_t{1}, most_phases);
+    SlidTo best;
+    for (std::int32_t phase = 0; phase < phases; ++phase) {
+      const double start = first_ + curve_.length / count_ * phase / phases;
+      const SlidTo found = slide_from(start, count_, count_, [&](double, const RoundMatch& match) {
+        return off_height(live_, row_, match, height_);
+      });
+      if (phase == 0 || found.cost < better_phase * best.cost) best = found;
+    }
+    return best.begun;
+  }
+
+ private:
+  struct SlidTo {
+    BegunRound begun{0.0, 0.0, unreachable, 0};
+    double cost = unreachable;
+  };
+
+  template <class Cost>
+  SlidTo slide_from(double start, std::int32_t window, std::int32_t window_after, Cost cost_of) {
+    const double scale = curve_.length * curve_.length / count_;
+    SlidTo best;
+    double least = unreachable;
+    for (std::int32_t pass = 0; pass < passes; ++pass) {
+      row_ = set_down(curve_, count_, start);
+      const RoundMatch match = match_round(live_, row_, pass == 0 ? window : window_after);
+      if (!clearly_less(match.sum_of_squares, least, scale)) break;
+      least = match.sum_of_squares;
+      const double cost = cost_of(least, match);
+      if (clearly_less(cost, best.cost, scale))
+        best = {{start + curve_.length * match.turn / count_, start - first_, least, pass + 1}, cost};
+      start += mean_offset(live_, row_, match);
+    }
+    return best;
+  }
+
+  const Ring& curve_;
+  std::int32_t count_;
+  double height_;
+  double first_;
+  std::vector<glm::dvec3> live_, row_;
+};
 
 }  // namespace
 
@@ -151,22 +229,10 @@ RoundMatch match_round(std::span<const glm::dvec3> below, std::span<const glm::d
   return best;
 }
 
-BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free) {
-  std::vector<glm::dvec3> live;
-  live.reserve(below.size());
-  for (const Stitch& stitch : below) live.push_back(stitch.position);
-  constexpr std::int32_t passes = 3;
-  const std::int32_t window = free ? count : std::clamp(count / 8, std::int32_t{3}, most_turns);
-  double start = nearest_arc(curve, live.front());
-  const double first = start;
-  BegunRound best{0.0, 0.0, unreachable, 0};
-  for (std::int32_t pass = 0; pass < passes; ++pass) {
-    const std::vector<glm::dvec3> row = set_down(curve, count, start);
-    const RoundMatch match = match_round(live, row, pass == 0 || free ? window : 2);
-    if (!clearly_less(match.sum_of_squares, best.sum_of_squares, curve.length * curve.length / count)) break;
-    best = {start + curve.length * match.turn / count, start - first, match.sum_of_squares, pass + 1};
-    start += mean_offset(live, row, match);
-  }
+BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free,
+                       double height) {
+  RowFollower follower(curve, count, below, height);
+  BegunRound best = free ? follower.anywhere() : follower.near_the_first();
   best.arc = std::fmod(best.arc, curve.length);
   if (best.arc < 0.0) best.arc += curve.length;
   return best;

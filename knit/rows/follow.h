@@ -3,7 +3,9 @@
 // n stitches stand at equal arcs from some start; which start? The one whose wales are shortest: the stitches are matched
 // to the live stitches as placement `nearest` does, but with the round turned by every q of a window, and of all the least
 // sum of squares is taken; then the row slides by the mean sideways offset of its wales and is matched again, at most three
-// times, while the sum falls. The stitch that hangs on the first live stitch begins the round.
+// times, while the sum falls. The stitch that hangs on the first live stitch begins the round. Right after a deal the loop has
+// corners, and sliding ends in one of several places: eight are tried, and of them the one is taken whose wales are most nearly
+// a row high, sum of (length - h)^2, where it is a twentieth better than the first.
 // recurrence: cost(j, k) = |s_j - g_(j+k)|^2 + min(cost(j-1, k), cost(j-1, k-1) + |s_(j-1) - g_(j+k-1)|^2),
 // s the smaller round, g the larger, k doublings so far. Cost: n x window x (change + 1) a pass.
 #pragma once
@@ -37,8 +39,10 @@ struct BegunRound {
   double sum_of_squares = 0.0;
   std::int32_t passes = 0;
 };
-// `free`: any turn, as after a deal; else a few stitches to either side of the nearest place.
-BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free);
+// `free`: any turn, as after a deal, from several phases of a stitch: of where sliding ends the one whose wales come nearest to
+// `height`; else a few stitches to either side of the nearest place.
+BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free,
+                       double height);
 
 // Where the curve, round its centre, crosses the half-plane towards frame.right: of several places the one nearest to
 // `below`, or without that the outermost; where it does not go round its centre there, the point farthest on that side.

@@ -234,10 +234,11 @@ constexpr std::array cast_on_aside{&var::time, &var::last_level, &var::passed_ov
 constexpr std::array ring_aside{&var::order,  &var::below,   &var::count,  &var::length,       &var::level,
                                 &var::metric, &var::in_band, &var::picked, &var::dropped_last, &var::reason,
                                 &var::first,  &var::how,     &var::shared, &var::gap_after};
-constexpr std::array contour_aside{&var::level,  &var::points, &var::ideal,          &var::course,
-                                   &var::reason, &var::rows,   &var::surface_height, &var::row_height,
-                                   &var::passes, &var::slid,   &var::below,          &var::arcs_tried,
-                                   &var::one,    &var::two,    &var::whole,          &var::stitch_height};
+constexpr std::array contour_aside{&var::dealt_from, &var::dealt_to,       &var::laid_aside,   &var::level,
+                                   &var::points,     &var::ideal,          &var::course,       &var::reason,
+                                   &var::rows,       &var::surface_height, &var::row_height,   &var::passes,
+                                   &var::slid,       &var::below,          &var::arcs_tried,   &var::one,
+                                   &var::two,        &var::whole,          &var::stitch_height};
 
 // Only its own step shows it.
 bool never_chosen(const Parameters& /*parameters*/) { return false; }

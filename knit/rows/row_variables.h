@@ -77,6 +77,9 @@ inline constexpr CodeVariable saddle_gap{"saddle_gap", "D / w",
                                          "How wide the gap across the saddle is, in stitch widths."};
 inline constexpr CodeVariable bridge{"bridge", "g", "How many stitches are cast on across the gap."};
 inline constexpr CodeVariable loops{"loops", "held", "How many loops wait on holders."};
+inline constexpr CodeVariable dealt_from{"dealt_from", "from", "The tubes whose loops are dealt."};
+inline constexpr CodeVariable dealt_to{"dealt_to", "to", "The tubes that get them."};
+inline constexpr CodeVariable laid_aside{"laid_aside", "aside", "The tube that is laid on a holder first."};
 inline constexpr CodeVariable points{"points", "N", "How many points the loop has."};
 inline constexpr CodeVariable ideal{"ideal", "L / w",
                                     "How many stitches of the stitch width the length holds."};

@@ -9,6 +9,9 @@
 // run anew. Edits are kept at their places when the run is tuned; a tuned parameter counts in them too. All
 // parameters kept here agree with themselves.
 //
+// `tune_beside` tunes for whoever has a worker: the run of before stays, whole, until the worker brings the other one.
+// Whatever else changes parameters meanwhile, or works the run out, makes what is wished the run first.
+//
 // It knows no pipeline. A `Machine` has the types Input, Parameters (regular), State (regular), Step (comparable) and
 // Place (ordered; Place{} is the first step's), and as static functions
 //   Step advance(input, parameters, State&)      one smallest step, deterministic
@@ -76,7 +79,7 @@ class BasicTimeline {
   static Outcome work(Job job);
   // Nothing happens when the run has been changed since the job was given out.
   void accept(const Job& job, const Outcome& outcome);
-  [[nodiscard]] bool complete() const { return complete_; }
+  [[nodiscard]] bool complete() const { return complete_ && !wish_; }
   [[nodiscard]] std::size_t known() const { return steps_.size(); }
   [[nodiscard]] const Step& step(std::size_t index) const { return steps_[index]; }
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
@@ -102,14 +105,27 @@ class BasicTimeline {
   // The place of the last step taken; the machine's first place at position 0.
   [[nodiscard]] Place place() const;
 
-  // In force for the next step at the position.
+  // In force for the next step at the position, as wished.
   [[nodiscard]] const Parameters& parameters() const;
+  // Of the run that is shown: what tells it from another.
   [[nodiscard]] const Parameters& base_parameters() const { return base_; }
   [[nodiscard]] const std::vector<Edit>& edits() const { return edits_; }
+  // What it is to be: another only while a run is waited for.
+  [[nodiscard]] const Parameters& wished_parameters() const { return wish_ ? wish_->base : base_; }
+  [[nodiscard]] const std::vector<Edit>& wished_edits() const { return wish_ ? wish_->edits : edits_; }
   // In force for the step at an index.
   [[nodiscard]] const Parameters& parameters_of_step(std::size_t index) const;
 
   void tune(const Parameters& parameters);
+  // As tune, later: until `take_over` brings the run that is waited for, all but the wish is of the run of before, and
+  // that is not complete. Where that has not been worked out yet, as tune.
+  void tune_beside(const Parameters& parameters);
+  [[nodiscard]] bool is_waiting() const { return wish_.has_value(); }
+  // The run that is waited for, as far as it equals this one. Requires is_waiting().
+  [[nodiscard]] BasicTimeline awaited_run() const;
+  // Shows the same place of it. One of an earlier wish is shown too, and the wish stays. Nothing happens, and false, when
+  // none is waited for, or it is of another mesh or not complete.
+  bool take_over(BasicTimeline run);
   void edit_from_here(const Parameters& parameters);
   void remove_edit(std::size_t index);
   // Exactly these parameters and edits, as undoing and opening want them; shows the same place, as tune does.
@@ -129,10 +145,17 @@ class BasicTimeline {
  private:
   [[nodiscard]] const Parameters& parameters_at(const Place& place) const;
   [[nodiscard]] std::size_t first_step_at(const Place& place) const;
+  struct Wish {
+    Parameters base;
+    std::vector<Edit> edits;
+    friend bool operator==(const Wish&, const Wish&) = default;
+  };
+  void take_wish();
   bool extend_while(std::size_t steps, bool take_long);
   void take_frontier_step(const Step& step, const Place& from, bool swept);
   [[nodiscard]] std::size_t first_step_to_differ(const Parameters& base,
                                                  const std::vector<Edit>& edits) const;
+  Place change_everywhere(const Parameters& before, const Parameters& parameters, Wish& knobs) const;
   Place change_everywhere(const Parameters& before, const Parameters& parameters);
   void rerun_from(std::size_t position);
   void return_to(const Place& place);
@@ -153,6 +176,7 @@ class BasicTimeline {
   std::size_t position_ = 0;
   State state_;
   std::optional<Place> sought_;
+  std::optional<Wish> wish_;  // other than the run's; only of a complete one
 
   std::size_t budget_bytes_;
   std::size_t spacing_;

@@ -44,6 +44,8 @@ bool BasicTimeline<Machine>::extend_briefly(std::size_t steps) {
 
 template <class Machine>
 bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long) {
+  if (wish_ && !take_long) return true;
+  take_wish();
   for (; steps > 0 && !complete_; --steps) {
     if (Machine::finished(frontier_)) {
       complete_ = true;
@@ -182,7 +184,7 @@ auto BasicTimeline<Machine>::parameters_at(const Place& place) const -> const Pa
 
 template <class Machine>
 auto BasicTimeline<Machine>::parameters() const -> const Parameters& {
-  return parameters_at(Machine::next(state_));
+  return in_force_at(Machine::next(state_), wished_parameters(), wished_edits());
 }
 
 template <class Machine>
@@ -192,20 +194,31 @@ auto BasicTimeline<Machine>::parameters_of_step(std::size_t index) const -> cons
 
 // Only what was wished is carried over; what follows from it follows anew in each. Returns the first reader.
 template <class Machine>
-auto BasicTimeline<Machine>::change_everywhere(const Parameters& before, const Parameters& parameters)
-    -> Place {
+auto BasicTimeline<Machine>::change_everywhere(const Parameters& before, const Parameters& parameters,
+                                               Wish& knobs) const -> Place {
   const auto change = [&](Parameters& kept) {
     const Parameters old = kept;
     kept = Machine::resolved(Machine::with_change(old, before, parameters), *input_);
     return Machine::first_reader(old, kept);
   };
-  Place first = change(base_);
-  for (Edit& edit : edits_) first = std::min(first, change(edit.parameters));
+  Place first = change(knobs.base);
+  for (Edit& edit : knobs.edits) first = std::min(first, change(edit.parameters));
+  return first;
+}
+
+template <class Machine>
+auto BasicTimeline<Machine>::change_everywhere(const Parameters& before, const Parameters& parameters)
+    -> Place {
+  Wish knobs{std::move(base_), std::move(edits_)};
+  const Place first = change_everywhere(before, parameters, knobs);
+  base_ = std::move(knobs.base);
+  edits_ = std::move(knobs.edits);
   return first;
 }
 
 template <class Machine>
 void BasicTimeline<Machine>::tune(const Parameters& parameters) {
+  take_wish();
   const Parameters before = this->parameters();
   if (before == Machine::resolved(parameters, *input_)) return;
   const Place reader = change_everywhere(before, parameters);
@@ -220,7 +233,56 @@ void BasicTimeline<Machine>::tune(const Parameters& parameters) {
 }
 
 template <class Machine>
+void BasicTimeline<Machine>::tune_beside(const Parameters& parameters) {
+  if (!complete_) return tune(parameters);
+  Wish knobs{wished_parameters(), wished_edits()};
+  change_everywhere(this->parameters(), parameters, knobs);
+  wish_.reset();
+  if (knobs != Wish{base_, edits_}) wish_ = std::move(knobs);
+}
+
+template <class Machine>
+auto BasicTimeline<Machine>::awaited_run() const -> BasicTimeline {
+  if (!wish_) throw Bug("no run is waited for");
+  BasicTimeline run(input_, wish_->base, budget_bytes_);
+  run.base_ = wish_->base;
+  run.edits_ = wish_->edits;
+  const std::size_t first = first_step_to_differ(wish_->base, wish_->edits);
+  run.steps_.assign(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(first));
+  run.spacing_ = spacing_;
+  run.keyframes_ = {keyframes_.begin(), keyframes_.upper_bound(first)};
+  run.rerun_from(first);
+  return run;
+}
+
+template <class Machine>
+bool BasicTimeline<Machine>::take_over(BasicTimeline run) {
+  if (!wish_ || run.input_ != input_ || !run.complete()) return false;
+  const Place here = place();
+  const bool at_start = position_ == 0;
+  Wish wish = std::move(*wish_);
+  *this = std::move(run);
+  if (wish != Wish{base_, edits_}) wish_ = std::move(wish);
+  if (at_start) {
+    seek(0);
+  } else {
+    return_to(here);
+  }
+  return true;
+}
+
+// What is wished becomes the run, as far as nothing differs.
+template <class Machine>
+void BasicTimeline<Machine>::take_wish() {
+  if (!wish_) return;
+  const Wish wish = std::move(*wish_);
+  wish_.reset();
+  set_knobs(wish.base, wish.edits);
+}
+
+template <class Machine>
 void BasicTimeline<Machine>::edit_from_here(const Parameters& parameters) {
+  take_wish();
   const Parameters changed = Machine::resolved(parameters, *input_);
   if (this->parameters() == changed) return;
   const Parameters before = this->parameters();
@@ -238,6 +300,7 @@ void BasicTimeline<Machine>::edit_from_here(const Parameters& parameters) {
 
 template <class Machine>
 void BasicTimeline<Machine>::remove_edit(std::size_t index) {
+  take_wish();
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   const Place at = edits_[index].at;
@@ -248,6 +311,7 @@ void BasicTimeline<Machine>::remove_edit(std::size_t index) {
 
 template <class Machine>
 void BasicTimeline<Machine>::change_input(std::shared_ptr<const Input> input, const Parameters& parameters) {
+  take_wish();
   const Parameters before = this->parameters();
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
@@ -278,6 +342,7 @@ std::size_t BasicTimeline<Machine>::first_step_to_differ(const Parameters& base,
 template <class Machine>
 void BasicTimeline<Machine>::set_knobs(const Parameters& base, const std::vector<Edit>& edits,
                                        std::shared_ptr<const Input> input) {
+  wish_.reset();
   const Place here = sought_.value_or(place());
   const bool at_start = position_ == 0 && !sought_;
   const bool other_mesh = input != nullptr && input != input_;

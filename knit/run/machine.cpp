@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/model/bug.h"
+#include "knit/model/settings_table.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/nearest.h"
 
@@ -258,6 +259,9 @@ namespace {
 
 constexpr std::size_t many_triangles = 20000;
 constexpr std::size_t many_settled = 1500;  // stitches: an iteration takes some milliseconds
+// Microseconds.
+constexpr double of_a_triangle = 1.0, of_a_stitch = 2.0;
+constexpr double part_of_a_frame = 2000.0, a_blink = 100000.0;
 
 }  // namespace
 
@@ -271,6 +275,19 @@ bool step_sweeps(const Input& input, const Parameters& parameters, const State& 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
   return input.mesh.triangles.size() >= many_triangles && step_sweeps(input, parameters, state);
+}
+
+bool change_takes_a_moment(const Input& input, const Parameters& before, const Parameters& after,
+                           const State& end) {
+  const std::size_t triangles = input.mesh.triangles.size();
+  if (!end.tubes || triangles >= many_triangles || first_reader_of_change(before, after) != Stage::tubes ||
+      as_chosen(after, end).settle.settling == Settling::on)
+    return false;
+  const double smaller =
+      (before.stitch.width * before.stitch.height) / (after.stitch.width * after.stitch.height);
+  const double stitches = static_cast<double>(end.fabric.stitch_count()) * smaller;
+  const double time = of_a_triangle * static_cast<double>(triangles) + of_a_stitch * stitches;
+  return time > part_of_a_frame && time < a_blink;
 }
 
 Parameters as_chosen(Parameters parameters, const State& state) {

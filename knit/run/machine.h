@@ -21,6 +21,12 @@ bool step_sweeps(const Input& input, const Parameters& parameters, const State& 
 // Whether it may take longer than a frame besides: the surface is large.
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state);
 
+// Whether a run that ended so takes longer than a part of a frame with a stitch, or a limb, of another size, and yet less
+// than a blink: it is worked out beside the run that is shown, and shown when it is whole. What takes longer shall be seen
+// on its way. About a microsecond a triangle and two a stitch.
+bool change_takes_a_moment(const Input& input, const Parameters& before, const Parameters& after,
+                           const State& end);
+
 // With each `auto` as the run has chosen, as far as it has.
 Parameters as_chosen(Parameters parameters, const State& state);
 

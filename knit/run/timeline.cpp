@@ -20,9 +20,12 @@ bool KnitMachine::is_long(const Input& input, const Parameters& parameters, cons
   return step_is_long(input, parameters, state);
 }
 
-// What first reads a parameter is a stage, so its first step; a stage's first step has row and item at least 0.
+// What first reads a parameter is a stage, so its first step; a stage's first step has row and item at least 0. But the
+// first of the stage tubes, the times' own graph, reads only whether to smooth.
 Place KnitMachine::first_reader(const Parameters& before, const Parameters& after) {
-  return {first_reader_of_change(before, after), 0, 0};
+  const Stage stage = first_reader_of_change(before, after);
+  const bool graph_stays = stage == Stage::tubes && before.tubes.smoothing == after.tubes.smoothing;
+  return {stage, 0, graph_stays ? 1 : 0};
 }
 
 Parameters KnitMachine::resolved(const Parameters& parameters, const Input& input) {

@@ -17,7 +17,7 @@ using Pairs = std::span<const std::array<std::uint32_t, 2>>;
 constexpr std::uint32_t none = UINT32_MAX;
 // Panels are joined where that leaves at least so much of them filled, or where they are no wider than this.
 constexpr double least_filled = 0.8;
-constexpr std::size_t narrow = 4;
+constexpr std::size_t narrow = 3;
 
 // --- the pattern
 // --------------------------------------------------------------------------------------------------------
@@ -106,13 +106,21 @@ void store_two(double* to, Two two) { std::memcpy(to, &two, sizeof(two)); }
 
 constexpr std::size_t up_to_four(std::size_t count) { return (count + 3) / 4 * 4; }
 
-// Columns of four.
-using Square = std::array<std::array<Two, 2>, 4>;
+// Two pieces of columns, `stride` apart, `depth` of them; and where their products go, in columns `out_stride` apart.
+struct Pieces {
+  const double* a = nullptr;
+  const double* b = nullptr;
+  std::size_t stride = 0, depth = 0;
+  double* out = nullptr;
+  std::size_t out_stride = 0;
+};
 
-// sum over k < depth of a(i, k) b(j, k), for four i and four j; a and b are columns `stride` apart.
-Square products(const double* a, const double* b, std::size_t stride, std::size_t depth) {
+// out(i, j) = sum over k < depth of a(i, k) b(j, k), for four i and four j, in the order of k; `take`: less the sum.
+template <bool take>
+void four_by_four(const Pieces& p) {
   Two c00{}, c01{}, c02{}, c03{}, c10{}, c11{}, c12{}, c13{};
-  for (std::size_t k = 0; k < depth; ++k, a += stride, b += stride) {
+  const double *a = p.a, *b = p.b;
+  for (std::size_t k = 0; k < p.depth; ++k, a += p.stride, b += p.stride) {
     const Two high = load_two(a), low = load_two(a + 2);
     c00 += high * b[0];
     c10 += low * b[0];
@@ -123,7 +131,104 @@ Square products(const double* a, const double* b, std::size_t stride, std::size_
     c03 += high * b[3];
     c13 += low * b[3];
   }
-  return {{{c00, c10}, {c01, c11}, {c02, c12}, {c03, c13}}};
+  double* to = p.out;
+  const auto put = [&](Two high, Two low) {
+    store_two(to, take ? load_two(to) - high : high);
+    store_two(to + 2, take ? load_two(to + 2) - low : low);
+    to += p.out_stride;
+  };
+  put(c00, c10);
+  put(c01, c11);
+  put(c02, c12);
+  put(c03, c13);
+}
+
+template <bool take>
+void eight_by_four(Pieces p) {
+  four_by_four<take>(p);
+  p.a += 4;
+  p.out += 4;
+  four_by_four<take>(p);
+}
+
+#if defined(__x86_64__)
+// The same sums in the same order, four numbers at once: the bits are the same.
+using Four __attribute__((vector_size(32))) = double;
+
+template <bool take>
+__attribute__((target("avx"))) void eight_by_four_wide(Pieces p) {
+  Four c00{}, c01{}, c02{}, c03{}, c10{}, c11{}, c12{}, c13{};
+  for (std::size_t k = 0; k < p.depth; ++k, p.a += p.stride, p.b += p.stride) {
+    Four high, low;
+    std::memcpy(&high, p.a, sizeof(high));
+    std::memcpy(&low, p.a + 4, sizeof(low));
+    c00 += high * p.b[0];
+    c10 += low * p.b[0];
+    c01 += high * p.b[1];
+    c11 += low * p.b[1];
+    c02 += high * p.b[2];
+    c12 += low * p.b[2];
+    c03 += high * p.b[3];
+    c13 += low * p.b[3];
+  }
+  for (std::size_t j = 0; j < 4; ++j, p.out += p.out_stride) {
+    Four high = j == 0 ? c00 : j == 1 ? c01 : j == 2 ? c02 : c03;
+    Four low = j == 0 ? c10 : j == 1 ? c11 : j == 2 ? c12 : c13;
+    if (take) {
+      Four now;
+      std::memcpy(&now, p.out, sizeof(now));
+      high = now - high;
+      std::memcpy(&now, p.out + 4, sizeof(now));
+      low = now - low;
+    }
+    std::memcpy(p.out, &high, sizeof(high));
+    std::memcpy(p.out + 4, &low, sizeof(low));
+  }
+}
+bool machine_is_wide() { return __builtin_cpu_supports("avx") != 0; }
+#else
+template <bool take>
+void eight_by_four_wide(const Pieces& p) {
+  eight_by_four<take>(p);
+}
+bool machine_is_wide() { return false; }
+#endif
+
+// The products of `rows` of a with four of b, rows a multiple of four.
+template <bool take>
+void products(Pieces p, std::size_t rows, bool wide) {
+  for (; rows >= 8; rows -= 8, p.a += 8, p.out += 8)
+    wide ? eight_by_four_wide<take>(p) : eight_by_four<take>(p);
+  if (rows > 0) four_by_four<take>(p);
+}
+
+// `width` columns among themselves, from the diagonal on, `rows` long: first the square on the diagonal, then all rows in
+// one pass. False where a pivot is not positive.
+template <std::size_t width>
+bool factor_columns(double* x, std::size_t stride, std::size_t rows) {
+  std::array<std::array<double, width>, width> l{};  // below the diagonal
+  std::array<double, width> inverse{};               // of the diagonal
+  for (std::size_t m = 0; m < width; ++m) {
+    double pivot = x[m * stride + m];
+    for (std::size_t k = 0; k < m; ++k) {
+      double sum = x[k * stride + m];
+      for (std::size_t i = 0; i < k; ++i) sum -= l[m][i] * l[k][i];
+      l[m][k] = sum * inverse[k];
+      pivot -= l[m][k] * l[m][k];
+    }
+    if (!(pivot > 0.0)) return false;
+    inverse[m] = 1.0 / std::sqrt(pivot);
+  }
+  for (std::size_t i = 0; i < rows; i += 2) {
+    std::array<Two, width> row{};
+    for (std::size_t m = 0; m < width; ++m) {
+      row[m] = load_two(x + m * stride + i);
+      for (std::size_t k = 0; k < m; ++k) row[m] -= row[k] * l[m][k];
+      row[m] *= inverse[m];
+      store_two(x + m * stride + i, row[m]);
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -136,10 +241,13 @@ std::uint32_t BlockPattern::slot(std::uint32_t a, std::uint32_t b) const {
   throw Bug("two stitches are coupled that share no face");
 }
 
-BlockPattern make_block_pattern(Pairs coupled, std::span<const glm::dvec3> positions) {
+BlockPattern make_block_pattern(Pairs coupled, std::span<const glm::dvec3> positions, const Heard& heard) {
   BlockPattern pattern;
+  if (heard) heard(0.0);
   pattern.place = places_of(coupled, positions);
+  if (heard) heard(0.6);
   const Rows columns = columns_of(pattern.place, coupled);
+  if (heard) heard(0.7);
   pattern.first.push_back(0);
   for (const auto& column : columns) {
     pattern.row.insert(pattern.row.end(), column.begin(), column.end());
@@ -149,18 +257,35 @@ BlockPattern make_block_pattern(Pairs coupled, std::span<const glm::dvec3> posit
   return pattern;
 }
 
-BlockSolver::BlockSolver(const BlockPattern& pattern)
-    : pattern_(&pattern), panel_of_(pattern.size()), local_(pattern.size()), solved_(2 * pattern.size()) {
+void BlockSolver::refer_to(const BlockPattern& pattern, const Heard& heard) {
+  pattern_ = &pattern;
+  wide_ = machine_is_wide();
+  panels_.clear();
+  done_by_.clear();
+  panel_of_.resize(pattern.size());
+  local_.resize(pattern.size());
+  solved_.resize(2 * pattern.size());
   std::size_t numbers = 0;
+  double products = 0.0;
   for (std::uint32_t s = 0; s + 1 < pattern.panel.size(); ++s) {
     const std::size_t columns = pattern.panel[s + 1] - pattern.panel[s];
     const std::size_t stride = up_to_four(2 * (columns + rows_below(s).size()));
     panels_.push_back({numbers, stride, 2 * columns});
+    done_by_.push_back(products);
     numbers += stride * 2 * columns;
+    products += static_cast<double>(stride) * static_cast<double>(stride) * static_cast<double>(columns);
     for (std::uint32_t column = pattern.panel[s]; column < pattern.panel[s + 1]; ++column)
       panel_of_[column] = s;
   }
-  numbers_.resize(numbers + 4);  // four may be read behind the last
+  for (double& done : done_by_) done /= products;
+  // Behind the last, four numbers may be read, and two columns written that mean nothing.
+  numbers += 4 + (panels_.empty() ? 0 : 2 * panels_.back().stride);
+  numbers_.clear();
+  numbers_.reserve(numbers);
+  while (numbers_.size() < numbers) {  // new memory is slow to come
+    if (heard) heard(0.0);
+    numbers_.resize(std::min(numbers, numbers_.size() + (std::size_t{1} << 20U)));
+  }
   head_.resize(panels_.size());
   next_.resize(panels_.size());
   done_.resize(panels_.size());
@@ -213,15 +338,10 @@ void BlockSolver::take_from(std::uint32_t before, std::uint32_t panel) {
   const std::size_t rows = 2 * (end - begin), columns = 2 * (own - begin);
   const double* a = &numbers_[from.begin + from.columns + 2 * (begin - p.panel_first[before])];
   const std::size_t stride = up_to_four(rows);
-  product_.resize(stride * up_to_four(columns));
+  make_room(stride * up_to_four(columns));
   for (std::size_t j = 0; j < columns; j += 4) {
-    for (std::size_t i = j; i < rows; i += 4) {
-      const Square c = products(a + i, a + j, from.stride, from.columns);
-      for (std::size_t k = 0; k < 4; ++k) {
-        store_two(&product_[(j + k) * stride + i], c[k][0]);
-        store_two(&product_[(j + k) * stride + i + 2], c[k][1]);
-      }
-    }
+    products<false>({a + j, a + j, from.stride, from.columns, &product_[j * stride + j], stride}, stride - j,
+                    wide_);
   }
   for (std::uint32_t column = begin; column < own; ++column) {
     const double* c = &product_[2 * (column - begin) * stride];
@@ -229,13 +349,15 @@ void BlockSolver::take_from(std::uint32_t before, std::uint32_t panel) {
     for (std::uint32_t row = column; row < end; ++row) {
       double* x = at + 2 * local_[p.panel_row[row]];
       const double* y = c + 2 * (row - begin);
-      x[0] -= y[0];
-      x[1] -= y[1];
-      x[to.stride] -= y[stride];
-      x[to.stride + 1] -= y[stride + 1];
+      store_two(x, load_two(x) - load_two(y));
+      store_two(x + to.stride, load_two(x + to.stride) - load_two(y + stride));
     }
   }
   hang_on(before, own);
+}
+
+void BlockSolver::make_room(std::size_t numbers) {
+  if (product_.size() < numbers) product_.resize(numbers);
 }
 
 // Four columns at a time: first what the columns before take, then the four among themselves.
@@ -243,35 +365,19 @@ bool BlockSolver::factor_panel(const Panel& panel) {
   double* const x = &numbers_[panel.begin];
   const std::size_t stride = panel.stride;
   for (std::size_t j = 0; j < panel.columns; j += 4) {
-    const std::size_t width = std::min<std::size_t>(4, panel.columns - j);
-    for (std::size_t i = j; i < stride && j > 0; i += 4) {
-      const Square c = products(x + i, x + j, stride, j);
-      for (std::size_t k = 0; k < width; ++k) {
-        double* const to = x + (j + k) * stride + i;
-        store_two(to, load_two(to) - c[k][0]);
-        store_two(to + 2, load_two(to + 2) - c[k][1]);
-      }
-    }
-    for (std::size_t k = 0; k < width; ++k) {
-      double* const column = x + (j + k) * stride;
-      const double pivot = column[j + k];
-      if (!(pivot > 0.0)) return false;
-      const double root = std::sqrt(pivot);
-      for (std::size_t i = j; i < stride; i += 2) store_two(column + i, load_two(column + i) / root);
-      for (std::size_t m = k + 1; m < width; ++m) {
-        double* const later = x + (j + m) * stride;
-        const double factor = column[j + m];
-        for (std::size_t i = j; i < stride; i += 2)
-          store_two(later + i, load_two(later + i) - factor * load_two(column + i));
-      }
-    }
+    if (j > 0) products<true>({x + j, x + j, stride, j, x + j * stride + j, stride}, stride - j, wide_);
+    double* const own = x + j * stride + j;
+    const bool positive = panel.columns - j >= 4 ? factor_columns<4>(own, stride, stride - j)
+                                                 : factor_columns<2>(own, stride, stride - j);
+    if (!positive) return false;
   }
   return true;
 }
 
-bool BlockSolver::factor(const BlockSystem& system, double shift) {
+bool BlockSolver::factor(const BlockSystem& system, double shift, const Heard& heard) {
   std::fill(head_.begin(), head_.end(), none);
   for (std::uint32_t panel = 0; panel < panels_.size(); ++panel) {
+    if (heard) heard(done_by_[panel]);
     load(system, shift, panel);
     for (std::uint32_t before = head_[panel]; before != none;) {
       const std::uint32_t next = next_[before];
@@ -279,22 +385,30 @@ bool BlockSolver::factor(const BlockSystem& system, double shift) {
       before = next;
     }
     if (!factor_panel(panels_[panel])) return false;
+    substitute(rows_below(panel), panels_[panel], pattern_->panel[panel]);  // while its numbers are at hand
     hang_on(panel, pattern_->panel_first[panel]);
   }
   return true;
 }
 
+// Two columns at once: a panel has an even number of them, and a stitch's two numbers lie side by side.
 void BlockSolver::substitute(std::span<const std::uint32_t> rows_below, const Panel& panel,
                              std::uint32_t first_column) {
   double* const own = &solved_[2 * std::size_t{first_column}];
-  for (std::size_t k = 0; k < panel.columns; ++k) {
-    const double* const column = &numbers_[panel.begin + k * panel.stride];
-    own[k] /= column[k];
-    for (std::size_t i = k + 1; i < panel.columns; ++i) own[i] -= column[i] * own[k];
-    const double* below = column + panel.columns;
+  for (std::size_t k = 0; k < panel.columns; k += 2) {
+    const double* const one = &numbers_[panel.begin + k * panel.stride];
+    const double* const two = one + panel.stride;
+    own[k] /= one[k];
+    own[k + 1] = (own[k + 1] - one[k + 1] * own[k]) / two[k + 1];
+    const double x = own[k], y = own[k + 1];
+    const auto take = [&](double* from, std::size_t at) {
+      store_two(from, load_two(from) - load_two(one + at) * x - load_two(two + at) * y);
+    };
+    for (std::size_t i = k + 2; i < panel.columns; i += 2) take(own + i, i);
+    std::size_t at = panel.columns;
     for (const std::uint32_t row : rows_below) {
-      solved_[2 * std::size_t{row}] -= *below++ * own[k];
-      solved_[2 * std::size_t{row} + 1] -= *below++ * own[k];
+      take(&solved_[2 * std::size_t{row}], at);
+      at += 2;
     }
   }
 }
@@ -302,28 +416,34 @@ void BlockSolver::substitute(std::span<const std::uint32_t> rows_below, const Pa
 void BlockSolver::substitute_back(std::span<const std::uint32_t> rows_below, const Panel& panel,
                                   std::uint32_t first_column) {
   double* const own = &solved_[2 * std::size_t{first_column}];
-  for (std::size_t k = panel.columns; k-- > 0;) {
-    const double* const column = &numbers_[panel.begin + k * panel.stride];
-    double sum = own[k];
-    for (std::size_t i = k + 1; i < panel.columns; ++i) sum -= column[i] * own[i];
-    const double* below = column + panel.columns;
+  for (std::size_t k = panel.columns; k > 0;) {
+    k -= 2;
+    const double* const one = &numbers_[panel.begin + k * panel.stride];
+    const double* const two = one + panel.stride;
+    Two x{}, y{};
+    const auto add = [&](const double* solved, std::size_t at) {
+      x += load_two(one + at) * load_two(solved);
+      y += load_two(two + at) * load_two(solved);
+    };
+    for (std::size_t i = k + 2; i < panel.columns; i += 2) add(own + i, i);
+    std::size_t at = panel.columns;
     for (const std::uint32_t row : rows_below) {
-      sum -= *below++ * solved_[2 * std::size_t{row}];
-      sum -= *below++ * solved_[2 * std::size_t{row} + 1];
+      add(&solved_[2 * std::size_t{row}], at);
+      at += 2;
     }
-    own[k] = sum / column[k];
+    own[k + 1] = (own[k + 1] - (y[0] + y[1])) / two[k + 1];
+    own[k] = (own[k] - (x[0] + x[1]) - one[k + 1] * own[k + 1]) / one[k];
   }
 }
 
-bool BlockSolver::solve(const BlockSystem& system, double shift, std::vector<glm::dvec2>& solution) {
-  if (!factor(system, shift)) return false;
+bool BlockSolver::solve(const BlockSystem& system, double shift, std::vector<glm::dvec2>& solution,
+                        const Heard& heard) {
   const BlockPattern& p = *pattern_;
   for (std::size_t i = 0; i < p.size(); ++i) {
     solved_[2 * i] = system.right[i].x;
     solved_[2 * i + 1] = system.right[i].y;
   }
-  for (std::uint32_t panel = 0; panel < panels_.size(); ++panel)
-    substitute(rows_below(panel), panels_[panel], p.panel[panel]);
+  if (!factor(system, shift, heard)) return false;
   for (auto panel = static_cast<std::uint32_t>(panels_.size()); panel-- > 0;)
     substitute_back(rows_below(panel), panels_[panel], p.panel[panel]);
   solution.clear();

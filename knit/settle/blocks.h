@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -18,6 +19,10 @@
 #include <vector>
 
 namespace knit {
+
+// Told how far long work has come, from 0 to 1, so often that a twentieth of a second never lies between; what it throws
+// breaks the work off, which leaves everything as it was. Empty: nobody listens.
+using Heard = std::function<void(double share)>;
 
 // Row by row: {a, b, c, d} is a b over c d.
 using Block = std::array<double, 4>;
@@ -38,7 +43,7 @@ struct BlockPattern {
 
 // `coupled`: pairs of stitches, each once. The positions tell where to cut.
 BlockPattern make_block_pattern(std::span<const std::array<std::uint32_t, 2>> coupled,
-                                std::span<const glm::dvec3> positions);
+                                std::span<const glm::dvec3> positions, const Heard& heard = {});
 
 // A system with this pattern: all of the diagonal, and of the rest what is below it.
 struct BlockSystem {
@@ -50,16 +55,21 @@ struct BlockSystem {
 // Factors and solves with `shift` added to the diagonal, keeping its memory for the next one. Refers to the pattern.
 class BlockSolver {
  public:
-  explicit BlockSolver(const BlockPattern& pattern);
+  BlockSolver() = default;
+  explicit BlockSolver(const BlockPattern& pattern) { refer_to(pattern); }
+  void refer_to(const BlockPattern& pattern, const Heard& heard = {});
+  [[nodiscard]] const BlockPattern* pattern() const { return pattern_; }
   // By stitch. False: not positive definite, and nothing is solved.
-  [[nodiscard]] bool solve(const BlockSystem& system, double shift, std::vector<glm::dvec2>& solution);
+  [[nodiscard]] bool solve(const BlockSystem& system, double shift, std::vector<glm::dvec2>& solution,
+                           const Heard& heard = {});
 
  private:
   // A panel's numbers, column after column, each `stride` long: its own rows, those below, and up to three that mean nothing.
   struct Panel {
     std::size_t begin = 0, stride = 0, columns = 0;
   };
-  [[nodiscard]] bool factor(const BlockSystem& system, double shift);
+  // And goes through the right side with each panel.
+  [[nodiscard]] bool factor(const BlockSystem& system, double shift, const Heard& heard);
   void load(const BlockSystem& system, double shift, std::uint32_t panel);
   void take_from(std::uint32_t before, std::uint32_t panel);
   void hang_on(std::uint32_t before,
@@ -70,8 +80,12 @@ class BlockSolver {
                        std::uint32_t first_column);
   [[nodiscard]] std::span<const std::uint32_t> rows_below(std::uint32_t panel) const;
 
-  const BlockPattern* pattern_;
+  void make_room(std::size_t numbers);
+
+  const BlockPattern* pattern_ = nullptr;
+  bool wide_ = false;  // the machine takes four numbers at once
   std::vector<Panel> panels_;
+  std::vector<double> done_by_;             // per panel: the share of all products that are made before it
   std::vector<double> numbers_;             // of all panels
   std::vector<std::uint32_t> panel_of_;     // per column
   std::vector<std::uint32_t> local_;        // per row: its number in the panel that is worked on

@@ -144,6 +144,16 @@ struct Summing {
   }
 };
 
+struct Attributing {
+  double sign;
+  std::vector<double>& around;
+  template <std::size_t N>
+  void operator()(const Term<N>& term) {
+    const double square = sign * term.residual * term.residual;
+    for (const std::uint32_t stitch : term.stitches) around[stitch] += square;
+  }
+};
+
 struct Sloping {
   std::vector<glm::dvec3> slopes;
   template <std::size_t N>
@@ -252,6 +262,12 @@ double sum_of_terms(const SettleTerms& terms, const SettleSettings& settings, Pl
   Summing summing;
   visit_terms(terms, settings, placed, summing);
   return summing.sum;
+}
+
+void add_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed, double sign,
+               std::vector<double>& around) {
+  Attributing attributing{sign, around};
+  visit_terms(terms, settings, placed, attributing);
 }
 
 std::vector<glm::dvec3> slopes_of(const SettleTerms& terms, const SettleSettings& settings, Placed placed) {

@@ -65,6 +65,10 @@ std::vector<Tip> tips_of(const SettleGraph& graph, Placed placed, double width);
 
 double sum_of_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed);
 
+// Adds to each stitch the terms that hang on it, `sign` times.
+void add_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed, double sign,
+               std::vector<double>& around);
+
 // How the sum changes with each position, normals held still.
 std::vector<glm::dvec3> slopes_of(const SettleTerms& terms, const SettleSettings& settings, Placed placed);
 

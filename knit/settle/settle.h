@@ -3,10 +3,14 @@
 // Levenberg-Marquardt, one accepted iteration a call:
 //   x = -(A + shift / w^2)^-1 b in the tangent planes; each stitch's own step is shortened to at most 1 w, and goes to the
 //   nearest place of the surface that it can walk to; taken if the sum has fallen there
-//   else the shift grows: 4, 8, 16 ... fold, at most 6 tries; after a first try that was taken it falls to a third
+//   else those around whom the terms have grown most are held back: they go half the way, a quarter, ... at most 8 times,
+//   and those beside them at most twice as far. So a few stitches at a sharp edge, where the surface is not what the
+//   planes promise, hold up nobody but themselves
+//   else the shift grows: 16, 64, 256 fold, at most 4 tries; after a first try that was taken whole it falls to a third
 // It ends when three iterations in a row gained less than 1/5000 each, when a try failed that promised no more than that or
 // no shift helped, or after as many as are allowed. Only positions change; rows, links and words stay as they are.
-// Cost of a try: a sparse factorisation of 2 unknowns a stitch, a walk a stitch and a pass over all terms.
+// Cost of a try: a sparse factorisation of 2 unknowns a stitch, a walk a stitch and a pass over all terms; of holding back,
+// three passes and the walks of those who are held.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +23,7 @@
 #include "knit/model/shared.h"
 #include "knit/settle/blocks.h"
 #include "knit/settle/energy.h"
+#include "knit/settle/kept_memory.h"
 #include "knit/settle/surface.h"
 
 namespace knit {
@@ -41,6 +46,8 @@ struct SettlePlan {
   friend bool operator==(const SettlePlan&, const SettlePlan&) = default;
 };
 
+struct SettleMemory;  // what an iteration works with, kept for the next one
+
 struct SettleWork {
   Shared<SettlePlan> plan;
   Shared<Settled> at;  // the last that was taken
@@ -49,6 +56,7 @@ struct SettleWork {
   double shift = 0.01;
   double sum = 0.0;
   bool done = false;
+  KeptMemory<SettleMemory> memory;  // goes with the plan
   [[nodiscard]] auto fields() const { return std::tie(plan, at, iteration, idle, shift, sum, done); }
   friend bool operator==(const SettleWork&, const SettleWork&) = default;
 };
@@ -66,9 +74,10 @@ struct SettleIteration {
 
 // The first step: puts the stitches onto the surface, and works out the plan. Requires a fabric with faces.
 void begin_settling(const Input& input, const Fabric& fabric, const StitchSize& stitch,
-                    const SettleSettings& settings, SettleWork& work);
+                    const SettleSettings& settings, SettleWork& work, const Heard& heard = {});
 
 // Requires a plan, and that it is not done.
-SettleIteration advance_settling(const Input& input, const SettleSettings& settings, SettleWork& work);
+SettleIteration advance_settling(const Input& input, const SettleSettings& settings, SettleWork& work,
+                                 const Heard& heard = {});
 
 }  // namespace knit

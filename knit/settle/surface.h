@@ -1,9 +1,9 @@
 // The mesh as settling walks on it: nearest places that are reached without going through the shape.
 //
 // A stitch that is moved off the surface goes to the nearest place that can be walked to from where it was: over triangles
-// within the ball that reaches back to where it was, and none whose outside looks the other way. So it stays on its side of a
-// thin sheet, however close the other side is. Cost: the triangles within the ball. Normals are those of the vertices,
-// weighted by area and interpolated, of length 1. Mesh units.
+// and their sides within the ball that reaches back to where it was, and none whose outside looks the other way. So it stays
+// on its side of a thin sheet, however close the other side is. Cost: the triangles within the ball. Normals are those of the
+// vertices, weighted by area and interpolated, of length 1. Mesh units.
 #pragma once
 
 #include <cstdint>
@@ -34,15 +34,17 @@ struct OnSurface {
 glm::dvec3 normal_at(const Input& input, const VertexNormals& normals, std::uint32_t triangle,
                      const glm::dvec3& point, const glm::dvec3& otherwise);
 
-// Refers to what it is given.
+// Refers to what it is given, and keeps its memory from walk to walk.
 class SurfaceWalk {
  public:
+  SurfaceWalk() = default;
   SurfaceWalk(const Input& input, const VertexNormals& normals);
+  void refer_to(const Input& input, const VertexNormals& normals);
   [[nodiscard]] OnSurface nearest(const OnSurface& from, const glm::dvec3& to);
 
  private:
-  const Input* input_;
-  const VertexNormals* normals_;
+  const Input* input_ = nullptr;
+  const VertexNormals* normals_ = nullptr;
   std::vector<std::uint32_t> met_;  // per triangle: the walk that met it last
   std::uint32_t walks_ = 0;
   std::vector<std::uint32_t> queue_;

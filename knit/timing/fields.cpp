@@ -47,10 +47,10 @@ int unknown_at(const Input& input, const Unknowns& unknowns, VertexId vertex) {
   return unknowns.of_vertex[input.twin[vertex]];
 }
 
-std::vector<double> to_vertices(const Input& input, const Unknowns& unknowns, const Vector& values) {
+std::vector<double> to_vertices(const Input& input, const std::vector<int>& of_vertex, const Vector& values) {
   std::vector<double> result(input.twin.size(), 0.0);
   for (std::size_t v = 0; v < result.size(); ++v) {
-    const int unknown = unknowns.of_vertex[input.twin[v]];
+    const int unknown = of_vertex[input.twin[v]];
     if (unknown >= 0) result[v] = values[unknown];
   }
   return result;
@@ -158,7 +158,7 @@ std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrins
   Vector unit = Vector::Zero(unknowns.count);
   unit[source] = 1.0;
   const Vector heat = solve(matrix, unit);
-  return to_vertices(input, unknowns, heat / heat[source]);
+  return to_vertices(input, unknowns.of_vertex, heat / heat[source]);
 }
 
 EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat) {
@@ -185,7 +185,7 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
     }
   }
   const Vector distance = solve_pinned(intrinsic, unknowns, rise, {&pin, 1});
-  return to_vertices(input, unknowns, distance.cwiseMax(0.0));
+  return to_vertices(input, unknowns.of_vertex, distance.cwiseMax(0.0));
 }
 
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
@@ -195,23 +195,36 @@ std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intr
                                 Pin{unknown_at(input, unknowns, end), 1.0}};
   if (pins[0].unknown == pins[1].unknown) throw Bug("a harmonic field begins and ends at one place");
   const Vector zero = Vector::Zero(unknowns.count);
-  return to_vertices(input, unknowns, solve_pinned(intrinsic, unknowns, zero, pins).cwiseMin(1.0));
+  return to_vertices(input, unknowns.of_vertex, solve_pinned(intrinsic, unknowns, zero, pins).cwiseMin(1.0));
 }
 
-std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrinsic,
-                                 const std::vector<double>& field, double length) {
-  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
-  Vector rough = Vector::Zero(unknowns.count);
+struct FieldSmoother::Kept {
+  std::vector<int> unknown_of;  // vertex, in the order of elimination; -1: none
+  Matrix laplacian;
+  Vector masses;
+};
+
+FieldSmoother::FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic) {
+  Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+  Matrix laplacian = make_laplacian(intrinsic, unknowns);
+  Vector masses = lumped_masses(intrinsic, unknowns);
+  kept_ = std::make_shared<const Kept>(
+      Kept{std::move(unknowns.of_vertex), std::move(laplacian), std::move(masses)});
+}
+
+std::vector<double> FieldSmoother::smooth(const Input& input, const std::vector<double>& field,
+                                          double length) const {
+  const auto& [unknown_of, laplacian, masses] = *kept_;
+  Vector rough = Vector::Zero(masses.size());
   for (std::size_t v = 0; v < field.size(); ++v)
-    if (unknowns.of_vertex[v] >= 0) rough[unknowns.of_vertex[v]] = field[v];
-  const Vector masses = lumped_masses(intrinsic, unknowns);
+    if (unknown_of[v] >= 0) rough[unknown_of[v]] = field[v];
   const double longest = most_smoothing * std::sqrt(masses.sum());
   const double reach = std::min(length, longest);
-  Matrix matrix = make_laplacian(intrinsic, unknowns) * (reach * reach);
+  Matrix matrix = laplacian * (reach * reach);
   matrix.diagonal() += masses;
   const Vector smooth = solve(matrix, masses.cwiseProduct(rough));
   // But for rounding the extremes are never passed, as no weight is negative.
-  return to_vertices(input, unknowns, smooth.cwiseMax(rough.minCoeff()).cwiseMin(rough.maxCoeff()));
+  return to_vertices(input, unknown_of, smooth.cwiseMax(rough.minCoeff()).cwiseMin(rough.maxCoeff()));
 }
 
 }  // namespace knit

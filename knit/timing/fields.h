@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "knit/mesh/mesh.h"
@@ -38,9 +39,21 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                    VertexId end);
 
-// The field with its level sets smoothed over about `length`: solves (M + length^2 L) f' = M f with the lumped masses M.
-// Between the least and the greatest of the field everywhere. More than 100 times the square root of the area counts as that.
-std::vector<double> smooth_field(const Input& input, const IntrinsicMesh& intrinsic,
-                                 const std::vector<double>& field, double length);
+// Smooths fields on one surface. What does not depend on the field and the length is worked out once: the order of
+// elimination, Laplacian and masses. Copies share it.
+class FieldSmoother {
+ public:
+  FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic);
+
+  // The field with its level sets smoothed over about `length`: solves (M + length^2 L) f' = M f with the lumped masses M.
+  // Between the least and the greatest of the field everywhere. More than 100 times the square root of the area counts as
+  // that.
+  [[nodiscard]] std::vector<double> smooth(const Input& input, const std::vector<double>& field,
+                                           double length) const;
+
+ private:
+  struct Kept;
+  std::shared_ptr<const Kept> kept_;
+};
 
 }  // namespace knit

@@ -54,10 +54,10 @@ constexpr std::array tubes_lines{
              "docs/algorithm.md, Order",
              lit_or<lit_by<TubesPlanned>, lit_by_stop<StopReason::no_row_levels, StopReason::too_fine>>}};
 
-constexpr std::array tubes_aside{&var::raw_tubes,   &var::nodes,  &var::graph_loops, &var::unfolded,
-                                 &var::field_value, &var::closed, &var::opened,      &var::leaf_girth,
-                                 &var::keeps,       &var::events, &var::held,        &var::yarns,
-                                 &var::exact,       &var::handle};
+constexpr std::array tubes_aside{&var::together,    &var::left_share, &var::raw_tubes,   &var::nodes,
+                                 &var::graph_loops, &var::unfolded,   &var::field_value, &var::closed,
+                                 &var::opened,      &var::leaf_girth, &var::keeps,       &var::events,
+                                 &var::held,        &var::yarns,      &var::exact,       &var::handle};
 
 bool with_contours(const Parameters& parameters) { return parameters.rows.source == RowSource::contours; }
 

@@ -44,6 +44,8 @@ struct TubeLeftOut {
   VertexId vertex;
   float rows, stitches,
       keeps;  // its height in stitch heights, its girth in stitch widths, a stitch width that keeps it
+  std::uint16_t together = 0;  // 0: it alone; else so many low limbs, of which it is the highest
+  std::uint16_t at_most = 0;   // what they all are of the surface, in hundredths of a percent, rounded up
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   [[nodiscard]] bool unusual(const Parameters& /*parameters*/) const { return true; }

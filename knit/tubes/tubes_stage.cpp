@@ -1,14 +1,15 @@
 #include "knit/tubes/tubes_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
 #include "knit/model/ties.h"
-#include "knit/timing/fields.h"
 #include "knit/timing/intrinsic.h"
+#include "knit/tubes/low_limbs.h"
 
 namespace knit {
 
@@ -56,6 +57,7 @@ Advanced<TubesEvent> find_graph(const Input& input, const Timing& timing, const 
     return stop_for(StopReason::too_many_tubes, tubes, static_cast<std::int32_t>(most_raw_tubes), 0.0);
   }
   work.phase = smooth ? TubesPhase::smooth : TubesPhase::nodes;
+  if (smooth) work.smoother.emplace(input, make_intrinsic(input));
   return found(*work.graph);
 }
 
@@ -63,8 +65,8 @@ FieldSmoothed smooth(const Input& input, const Timing& timing, const TubeSetting
                      const StitchSize& stitch, TubesWork& work) {
   const FieldSmoothed step{static_cast<std::int32_t>(work.graph->tubes.size()),
                            settings.smoothing_length * stitch.height};
-  const std::vector<double> field =
-      smooth_field(input, make_intrinsic(input), timing.cut_field(), step.length);
+  const std::vector<double> field = work.smoother->smooth(input, timing.cut_field(), step.length);
+  work.smoother.reset();
   work.graph = Shared(find_tubes(make_morse(input, field)));
   work.phase = TubesPhase::found;
   return step;
@@ -77,10 +79,30 @@ NodeFound next_node(TubesWork& work) {
           static_cast<std::int32_t>(node.above.size()), node.value};
 }
 
-TubeLeftOut next_left_out(const StitchSize& stitch, TubesWork& work) {
-  const LeftOut& left = work.plan->left_out[static_cast<std::size_t>(work.shown++)];
+TubeLeftOut told(const LeftOut& left, const StitchSize& stitch) {
   return {left.handle, left.from, static_cast<float>(left.height / stitch.height),
           static_cast<float>(left.girth / stitch.width), static_cast<float>(left.width_that_keeps)};
+}
+
+// All low limbs by the highest of them; none: there are none.
+std::optional<TubeLeftOut> told_together(const StitchSize& stitch, const TubesWork& work) {
+  const LowLimbs low = low_limbs(*work.graph, *work.plan);
+  if (low.highest == nullptr) return std::nullopt;
+  TubeLeftOut all = told(*low.highest, stitch);
+  all.together = static_cast<std::uint16_t>(low.count);
+  all.at_most = static_cast<std::uint16_t>(std::ceil(1e4 * low.share));
+  return all;
+}
+
+// One after the other, and those that are low at the end; none: all are told.
+std::optional<TubeLeftOut> next_left_out(const StitchSize& stitch, TubesWork& work) {
+  const std::vector<LeftOut>& left_out = work.plan->left_out;
+  const auto all = static_cast<std::int32_t>(left_out.size());
+  while (work.shown < all) {
+    const LeftOut& left = left_out[static_cast<std::size_t>(work.shown++)];
+    if (!is_low(*work.plan, left)) return told(left, stitch);
+  }
+  return work.shown++ == all ? told_together(stitch, work) : std::nullopt;
 }
 
 // A slip of the stitch size shall not fill the memory.
@@ -113,7 +135,7 @@ Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch
     work.plan = Shared(std::move(planned));
     work.shown = 0;
   }
-  if (work.shown < static_cast<std::int32_t>(work.plan->left_out.size())) return next_left_out(stitch, work);
+  if (const auto left = next_left_out(stitch, work)) return *left;
   const TubePlan& planned = *work.plan;
   TubesPlanned step{static_cast<std::int32_t>(planned.tubes.size()),
                     0,

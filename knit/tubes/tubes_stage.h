@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
+#include "knit/timing/fields.h"
 #include "knit/tubes/tubes_events.h"
 
 namespace knit {
@@ -18,9 +20,11 @@ struct TubesWork {
   TubesPhase phase = TubesPhase::graph;
   Shared<TubeGraph> graph;
   Shared<TubePlan> plan;
+  // Until the time is smoothed: what that needs of the surface. Follows from the mesh alone, and so does not count.
+  std::optional<FieldSmoother> smoother;
   std::int32_t shown = 0;  // nodes, then tubes left out, that steps have told of
   [[nodiscard]] auto fields() const { return std::tie(phase, graph, plan, shown); }
-  friend bool operator==(const TubesWork&, const TubesWork&) = default;
+  friend bool operator==(const TubesWork& a, const TubesWork& b) { return a.fields() == b.fields(); }
 };
 
 // What the stage makes: the graph of all tubes, and the plan of those that are knitted.

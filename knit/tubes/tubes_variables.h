@@ -25,6 +25,10 @@ inline constexpr CodeVariable leaf_rows{"leaf_rows", "H / h",
                                         "How many rows high the tube is that is left out."};
 inline constexpr CodeVariable leaf_girth{"leaf_girth", "L / w", "How many stitches round it is."};
 inline constexpr CodeVariable keeps{"keeps", "w that keeps", "A stitch width that would keep it."};
+inline constexpr CodeVariable together{"together", "together",
+                                       "How many limbs lower than a twentieth of a round are left out."};
+inline constexpr CodeVariable left_share{"left_share", "share",
+                                         "How much of the surface they are at most, of 1."};
 inline constexpr CodeVariable planned_rows{"planned_rows", "rows", "How many rows all tubes together get."};
 inline constexpr CodeVariable events{"events", "events",
                                      "How many cast ons, splits, joins and bind offs there are."};

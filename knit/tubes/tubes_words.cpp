@@ -1,3 +1,4 @@
+#include "knit/model/measured.h"
 #include "knit/model/words.h"
 #include "knit/tubes/tubes_events.h"
 #include "knit/tubes/tubes_variables.h"
@@ -34,6 +35,14 @@ std::string_view does(NodeKind kind) {
   return "";
 }
 
+std::string together_sentence(const TubeLeftOut& left, const std::string& size) {
+  const std::string of = "at most " + short_number(0.01 * left.at_most) + " % of the surface";
+  if (left.together == 1)
+    return "A limb at " + vertex_text(left.vertex) + ", " + size + ", is left out; it is " + of + ".";
+  return std::to_string(left.together) + " limbs lower than a twentieth of a round are left out, together " +
+         of + "; the highest, at " + vertex_text(left.vertex) + ", is " + size + ".";
+}
+
 }  // namespace
 
 std::string FieldSmoothed::sentence(const Telling& /*at*/) const {
@@ -64,10 +73,11 @@ StepFields NodeFound::numbers() const {
 }
 
 std::string TubeLeftOut::sentence(const Telling& /*at*/) const {
-  const std::string size =
-      short_number(rows) + " rounds high and " + short_number(stitches) + " stitches round";
+  const std::string size = measured(static_cast<double>(rows), "round", "rounds") + " high and " +
+                           measured(static_cast<double>(stitches), "stitch", "stitches") + " round";
+  if (together > 0) return together_sentence(*this, size);
   const std::string instead =
-      keeps > 0.0F ? "; a stitch " + short_number(keeps) + " wide would keep it." : ".";
+      keeps > 0.0F ? "; a stitch " + short_number(static_cast<double>(keeps)) + " wide would keep it." : ".";
   if (handle)
     return "A hole at " + vertex_text(vertex) + ", its thinner side " + size +
            ", is too small for this stitch and is left out" + instead;
@@ -79,7 +89,9 @@ StepFields TubeLeftOut::numbers() const {
           {"vertex", &var::node, vertex},
           {"rows", &var::leaf_rows, static_cast<double>(rows)},
           {"stitches", &var::leaf_girth, static_cast<double>(stitches)},
-          {var::keeps, static_cast<double>(keeps)}};
+          {var::keeps, static_cast<double>(keeps)},
+          {"together", &var::together, together},
+          {"share", &var::left_share, 1e-4 * at_most}};
 }
 
 std::string TubesPlanned::sentence(const Telling& /*at*/) const {
@@ -106,8 +118,7 @@ std::string tubes_stop_sentence(const Stopped& stop) {
              ".";
     default:
       return "Tubes: stitches as small as these make " +
-             (stop.value > 0.0 ? short_number(stop.value) + " stitches"
-                               : std::to_string(stop.count) + " rows") +
+             (stop.value > 0.0 ? short_number(stop.value) + " stitches" : plural(stop.count, "row", "rows")) +
              ", more than the " + std::to_string(stop.other) +
              " that can be worked; make them wider or higher.";
   }

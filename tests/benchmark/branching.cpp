@@ -1,8 +1,12 @@
 #include "tests/benchmark/branching.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <functional>
 #include <optional>
+#include <thread>
 
 #include "knit/model/stitch_size.h"
 #include "tests/benchmark/ball_file.h"
@@ -63,42 +67,54 @@ double rest_over_solve(const Json& stage_ms) {
   return rest / stage_ms[solve].get<double>();
 }
 
-// As a hand drags a knob: a little further each frame, until the run is whole again and shown. Milliseconds of the program's
-// own thread, without drawing. `set`: the parameters for a factor from 0.9 to 1.1.
+// As a hand drags a knob in a window, sixty frames a second there and back: what the window's own thread does in a frame,
+// without drawing; and how many frames ago the knob stood where the picture shows it. `set`: the parameters for a factor
+// from 0.9 to 1.1.
 using Knob = std::function<void(knit::Parameters& parameters, double factor)>;
 Json measure_dragging(Desk& desk, const Knob& set) {
   const knit::Parameters first = desk.session.document->timeline.parameters();
-  std::vector<Cost> frame, rest, described, panels;
-  constexpr int frames = 60;
-  for (int i = 0; i <= frames; ++i) {
-    knit::Parameters tuned = first;
-    set(tuned, 0.9 + 0.2 * i / frames);
-    frame.push_back(cost_of([&] {
-      desk.act(app::Tune{tuned, true});
-      desk.act(app::PassTime{1.0 / 60.0});
-    }));
-    rest.push_back(cost_of([&] {
-      while (!desk.session.document->timeline.complete()) desk.act(app::PassTime{1.0 / 60.0});
-    }));
+  std::vector<Cost> act, described, panels;
+  std::vector<double> behind;
+  std::vector<knit::Parameters> wished{first};
+  constexpr int frames = 240;
+  auto due = std::chrono::steady_clock::now();
+  for (int i = 0; i < frames; ++i) {
+    const knit::Timeline& timeline = desk.session.document->timeline;
+    Cost cost = cost_of([&] { desk.act(app::PassTime{1.0 / 60.0}); });
     described.push_back(cost_of([&] { desk.describe(); }));
     panels.push_back(cost_of([&] { desk.panels(); }));
+    const auto shown = std::find(wished.rbegin(), wished.rend(), timeline.base_parameters());
+    behind.push_back(static_cast<double>(shown - wished.rbegin()));
+    knit::Parameters tuned = first;
+    set(tuned, 1.0 + 0.1 * std::sin(0.05 * i));
+    const Cost tuning = cost_of([&] { desk.act(app::Tune{tuned, true}); });
+    cost.thread_ms += tuning.thread_ms;
+    act.push_back(cost);
+    wished.push_back(timeline.parameters());
+    due += std::chrono::microseconds(16667);
+    std::this_thread::sleep_until(due);
   }
   desk.act(app::Tune{first, true});
   desk.finish();
-  return {{"first_frame_ms", summary_of(frame, &Cost::thread_ms)},
-          {"describe_ms", summary_of(described, &Cost::thread_ms)},
-          {"panels_ms", summary_of(panels, &Cost::thread_ms)},
-          {"change_to_picture_ms", sums_of({frame, rest, described, panels}, &Cost::thread_ms)}};
+  return {
+      {"own_ms", sums_of({act, described, panels}, &Cost::thread_ms)},
+      {"act_ms", summary_of(act, &Cost::thread_ms)},
+      {"describe_ms", summary_of(described, &Cost::thread_ms)},
+      {"panels_ms", summary_of(panels, &Cost::thread_ms)},
+      {"frames_behind",
+       {{"median", quantile(behind, 0.5)}, {"p99", quantile(behind, 0.99)}, {"max", quantile(behind, 1.0)}}}};
 }
 
 Json measure_knobs(const fs::path& assets, const fs::path& file) {
   Desk desk(assets);
   desk.session.jobs->beside = false;
   desk.act(app::OpenFile{file});
+  desk.session.jobs->beside = true;
   const knit::Timeline& timeline = desk.session.document->timeline;
   desk.act(app::Tune{branching(timeline.parameters(), timeline.input(), knit::TimingKind::linear)});
   desk.finish();
   Json json;
+  json["third_of_a_frame_ms"] = 1000.0 / 60.0 / 3.0;
   json["stitch_width"] = measure_dragging(
       desk, [](knit::Parameters& p, double factor) { knit::give_width(p, factor * p.stitch.width); });
   json["epsilon"] = measure_dragging(

@@ -1,4 +1,4 @@
-// What a shape that branches costs: parsing, the run with each kind of time, seeks, and dragging a knob.
+// What a shape that branches costs: parsing, the run with each kind of time, seeks, and a frame while a knob is dragged.
 #pragma once
 
 #include <filesystem>

@@ -55,6 +55,14 @@ std::string goals(const Json& suite) {
       goal("seek at a million steps, 99th percentile", suite["million_steps"]["seek"]["p99_ms"], 1.0, " ms");
   text += goal("history beside keyframes, a step", suite["million_steps"]["history"]["bytes_a_step"], 64.0,
                " bytes");
+  if (const Json& shape = suite["branching"]; !shape.contains("left_out")) {
+    const double third = shape["drag"]["third_of_a_frame_ms"].get<double>();
+    text += goal("seek on a shape that branches, 99th percentile", shape["seek"]["p99_ms"], 1.0, " ms");
+    text += goal("a frame there while the stitch width is dragged, 99th percentile",
+                 shape["drag"]["stitch_width"]["own_ms"]["p99"], third, " ms");
+    text += goal("a frame there while epsilon is dragged, 99th percentile",
+                 shape["drag"]["epsilon"]["own_ms"]["p99"], third, " ms");
+  }
   text += goal("growth of the run with size, slope on log-log", suite["growth"]["run_slope"], 1.1, "");
   text += goal("growth of opening with size, slope on log-log", suite["growth"]["open_slope"], 1.1, "");
   return text + "\n";
@@ -128,12 +136,13 @@ std::string branches(const Json& suite) {
   for (const auto& [key, words] :
        {std::pair{"stitch_width", "stitch width"}, std::pair{"epsilon", "epsilon (not read)"}}) {
     const Json& drag = shape["drag"][key];
-    const Json& whole = drag["change_to_picture_ms"];
+    const Json& own = drag["own_ms"];
+    const Json& behind = drag["frames_behind"];
     text +=
-        cells({"dragging the " + std::string(words) + ", to the whole picture: median / 99th percentile, ms",
-               number(whole["median"]) + " / " + number(whole["p99"])});
-    text += cells({"of that until the first frame, ms",
-                   number(drag["first_frame_ms"]["median"]) + " / " + number(drag["first_frame_ms"]["p99"])});
+        cells({"a frame while the " + std::string(words) + " is dragged, median / 99th percentile / most, ms",
+               number(own["median"]) + " / " + number(own["p99"]) + " / " + number(own["max"])});
+    text += cells({"how many frames its picture is behind, median / most",
+                   number(behind["median"]) + " / " + number(behind["max"])});
   }
   return text + "\n";
 }

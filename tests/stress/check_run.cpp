@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "knit/insight/narrate.h"
+#include "knit/limbs/limb_plan.h"
 #include "knit/model/stitch_size.h"
+#include "knit/pattern/written_pattern.h"
+#include "knit/reader/limbs_reader.h"
 #include "knit/run/timeline.h"
+#include "tests/stress/settling.h"
 #include "tests/support/promises.h"
 #include "tests/support/rough_sphere.h"
 
@@ -130,6 +134,25 @@ std::string broken_tuning(Timeline& timeline, std::uint64_t whole, Dice& dice) {
   return knit::hash_of(timeline.furthest()) == whole ? "" : "tuning there and back leads to the same state";
 }
 
+// The same run without settling.
+std::string broken_by_settling(const RandomRun& run, const knit::State& settled) {
+  knit::Parameters parameters = run.parameters;
+  parameters.settle.settling = knit::Settling::off;
+  Timeline timeline(run.input, parameters);
+  timeline.extend_to_end();
+  if (!timeline.furthest().finished()) return "a run ends with settling as without";
+  return test_support::broken_settling(*run.input, settled, timeline.furthest());
+}
+
+// The written pattern of a shape that branches reads back without a mistake.
+std::string broken_pattern(const RandomRun& run, const knit::State& state) {
+  if (!knit::has_limbs(state)) return {};
+  const knit::LimbPlan plan = knit::plan_limbs(state);
+  const auto written = knit::write_pattern(plan, run.parameters.stitch.gauge, {}, "shape");
+  const knit::ReadLimbs read = knit::read_limbs(knit::pattern_as_text(written));
+  return read.mistakes.empty() ? std::string() : "a pattern reads back: " + read.mistakes.front().sentence;
+}
+
 std::string broken_run(const RandomRun& run, Outcome& outcome) {
   Dice dice(run.dice);
   const std::size_t budget = dice.below(3) == 0 ? 20000 : Timeline::default_budget_bytes;
@@ -157,6 +180,11 @@ std::string broken_run(const RandomRun& run, Outcome& outcome) {
     return {};
   }
   if (!state.finished()) return "a run ends or says why";
+  if (std::string broken = broken_pattern(run, state); !broken.empty()) return broken;
+  if (run.parameters.settle.settling == knit::Settling::on) {
+    ++outcome.settled;
+    if (std::string broken = broken_by_settling(run, state); !broken.empty()) return broken;
+  }
   return dice.below(8) == 0 ? broken_tuning(timeline, whole, dice) : std::string();
 }
 

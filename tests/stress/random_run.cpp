@@ -103,6 +103,17 @@ knit::Axis random_axis(Dice& dice) {
   return {knit::AxisKind::custom, test_support::random_axes(1, seed).front()};
 }
 
+// In two of three runs; its weights in one of three of those, some of them none at all.
+void draw_settling(Dice& dice, knit::SettleSettings& settle) {
+  settle.settling = dice.below(3) == 0 ? knit::Settling::off : knit::Settling::on;
+  if (settle.settling == knit::Settling::off || dice.below(3) != 0) return;
+  for (double* weight :
+       {&settle.wale, &settle.course, &settle.shear, &settle.rim, &settle.fold, &settle.cover}) {
+    if (dice.below(2) == 0) *weight = dice.below(4) == 0 ? 0.0 : dice.between(0.0, 4.0);
+  }
+  settle.most_iterations = between(dice, 1, 60);
+}
+
 Parameters random_parameters(Dice& dice, const knit::Input& input) {
   Parameters p = knit::default_parameters(input.bounds);
   p.rows.source = knit::RowSource::contours;
@@ -119,6 +130,7 @@ Parameters random_parameters(Dice& dice, const knit::Input& input) {
   p.rows.round_start = static_cast<knit::RoundStart>(dice.below(2));
   if (dice.below(6) == 0) p.rows.cast_on = between(dice, 3, 20);
   if (dice.below(6) == 0) p.stitches.stacking_penalty = dice.between(0.0, 8.0);
+  draw_settling(dice, p.settle);
   return knit::resolved(p, input);
 }
 

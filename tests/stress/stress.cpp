@@ -89,7 +89,7 @@ stress::Meshes read_all(const std::vector<fs::path>& files) {
 }
 
 struct Sums {
-  std::uint32_t runs = 0, stopped = 0, broken = 0, branching = 0;
+  std::uint32_t runs = 0, stopped = 0, broken = 0, branching = 0, settled = 0;
   std::size_t steps = 0, tubes = 0, deals = 0, stitches = 0, left_out = 0, handles_left_out = 0;
   double milliseconds = 0.0, slowest_ms = 0.0;
   std::uint32_t slowest = 0;
@@ -99,6 +99,7 @@ struct Sums {
     ++runs;
     stopped += outcome.verdict == stress::Verdict::stopped ? 1 : 0;
     broken += outcome.verdict == stress::Verdict::broken ? 1 : 0;
+    settled += outcome.settled > 0 ? 1 : 0;
     branching += outcome.tubes > 1 ? 1 : 0;
     if (outcome.verdict == stress::Verdict::stopped) ++stops[outcome.words];
     steps += outcome.steps;
@@ -115,8 +116,8 @@ struct Sums {
   }
   void print() const {
     for (const auto& [words, count] : stops) std::printf("stopped %u: %s\n", count, words.c_str());
-    std::printf("%u runs: %u sound, %u stopped, %u broken; %u with more than one tube\n", runs,
-                runs - stopped - broken, stopped, broken, branching);
+    std::printf("%u runs: %u sound, %u stopped, %u broken; %u with more than one tube, %u settled\n", runs,
+                runs - stopped - broken, stopped, broken, branching, settled);
     std::printf(
         "%zu tubes, %zu splits, joins and rings, %zu stitches, %zu steps, %zu left out, %zu of them "
         "handles\n",

@@ -243,6 +243,11 @@ void draw_view_menu(PanelFrame& frame) {
     }
   }
   ImGui::Separator();
+  const bool placed = frame.session.view->positions == Positions::placed;
+  if (check_item(frame, "Stitches as placed", nullptr, placed))
+    frame.wish(SetPositions{placed ? Positions::settled : Positions::placed});
+  tooltip(frame, "Stitches that have settled are shown, measured and saved where they were placed.");
+  ImGui::Separator();
   command_item(frame, Command::frame_all);
   command_item(frame, Command::side);
   for (const Command command : {Command::chart, Command::knit_along}) command_item(frame, command);

@@ -189,6 +189,8 @@ const std::array table{
     layer_info<Layer::row_edges>(Key::Digit7),
     layer_info<Layer::column_edges>(Key::Digit8),
     layer_info<Layer::faces>(Key::Digit9),
+    layer_info<Layer::stretch>(Key::S),
+    layer_info<Layer::moves>(Key::V),
     CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
                 [](const Session& session) -> Wish {
                   return ShowSide{static_cast<SidePanel>((static_cast<std::size_t>(session.view->side) + 1) %

@@ -1,24 +1,42 @@
 #include "app/panels/pattern/chart_cache.h"
 
+#include "app/session/document.h"
+#include "app/session/view.h"
 #include "knit/limbs/limb_plan.h"
 #include "knit/model/hash.h"
+#include "knit/pattern/limb_words.h"
 
 namespace app {
 
 namespace {
 
-std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
-                     const knit::PatternOptions& options) {
+std::uint64_t key_of(const knit::State& state) {
   knit::Hasher hasher;
   hasher.add(state.fabric.empty() ? 0 : state.fabric.rows().front().content_hash());
   for (const auto& join : state.fabric.joins()) hasher.add(join.content_hash());
   hasher.add(state.fabric.rows().size());
   for (const auto& deal : state.fabric.deals()) hasher.add(deal.content_hash());
+  return hasher.value();
+}
+
+std::uint64_t key_of(std::uint64_t run, const std::vector<std::string>& order) {
+  knit::Hasher hasher;
+  hasher.add(run);
+  for (const std::string& letters : order) knit::hash_into(hasher, std::string_view(letters));
+  return hasher.value();
+}
+
+std::uint64_t key_of(std::uint64_t planned, const knit::Parameters& parameters,
+                     const knit::PatternOptions& options, const PatternPieces& pieces) {
+  const knit::Gauge& gauge = parameters.stitch.gauge;
+  knit::Hasher hasher;
+  hasher.add(planned);
   for (const std::string* words : {&options.title, &options.yarn, &options.colour})
     knit::hash_into(hasher, std::string_view(*words));
-  for (const double number : {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds})
+  for (const double number :
+       {options.needle_mm.value_or(0.0), gauge.stitches, gauge.rounds, parameters.size.height_cm})
     knit::hash_into(hasher, number);
-  for (const auto& [letters, word] : options.piece_names) {
+  for (const auto& [letters, word] : pieces.names) {
     knit::hash_into(hasher, std::string_view(letters));
     knit::hash_into(hasher, std::string_view(word));
   }
@@ -28,21 +46,44 @@ std::uint64_t key_of(const knit::State& state, const knit::Gauge& gauge,
 
 }  // namespace
 
-void ChartCache::refresh(const knit::Timeline& timeline, const knit::PatternOptions& options) {
+void ChartCache::make_pieces(const Session& session, std::uint64_t planned) {
+  const knit::Timeline& timeline = session.document->timeline;
+  const PatternPieces& said = session.document->pieces;
+  if (planned != planned_) {
+    pieces_ = planned_pieces(timeline.furthest(), said, session.view->pattern);
+    piece_charts_.clear();
+  }
+  planned_ = planned;
+  name_pieces(pieces_, said, session.view->pattern);
+  if (piece_charts_.empty() || pieces_.options.piece_names != names_charted_) {
+    names_charted_ = pieces_.options.piece_names;
+    piece_charts_ = knit::piece_charts(pieces_.plan, knit::LimbNames(pieces_.plan, pieces_.options));
+  }
+  const knit::Parameters& parameters = timeline.parameters();
+  pattern_ = knit::write_pattern(pieces_.plan, parameters.stitch.gauge, pieces_.options,
+                                 timeline.input().mesh.name, parameters.size.height_cm);
+}
+
+void ChartCache::refresh(const Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
   const knit::State& state = timeline.furthest();
   const knit::Gauge& gauge = timeline.parameters().stitch.gauge;  // as for a file
-  const std::uint64_t key = key_of(state, gauge, options);
+  const PatternPieces& said = session.document->pieces;
+  const std::uint64_t planned = key_of(key_of(state), said.order);
+  const std::uint64_t key = key_of(planned, timeline.parameters(), session.view->pattern, said);
   if (key == key_) return;
   key_ = key;
   chart_ = {};
   pattern_ = {};
   in_pieces_ = knit::has_limbs(state);
-  if (in_pieces_ && knit::limbs_are_known(state))
-    pattern_ = knit::write_pattern(knit::plan_limbs(state), gauge, options, timeline.input().mesh.name);
+  if (in_pieces_ && knit::limbs_are_known(state)) return make_pieces(session, planned);
+  planned_ = 0;
+  pieces_ = {};
+  piece_charts_.clear();
   if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
-  pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);
+  pattern_ = knit::write_pattern(rounds, gauge, session.view->pattern, timeline.input().mesh.name);
 }
 
 std::string ChartCache::line_of(std::int32_t round) const {

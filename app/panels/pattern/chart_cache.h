@@ -1,28 +1,34 @@
-// The chart and the written rounds of the run, made again only when its joins have changed.
+// The charts and the written rounds of the run, made again only when its joins have changed, or what a person says.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "app/session/planned_pieces.h"
+#include "app/session/session.h"
 #include "knit/pattern/chart.h"
+#include "knit/pattern/limb_chart.h"
 #include "knit/pattern/written_pattern.h"
-#include "knit/run/timeline.h"
 
 namespace app {
 
 class ChartCache {
  public:
-  // Of the whole run as far as it is known.
-  void refresh(const knit::Timeline& timeline, const knit::PatternOptions& options);
+  // Of the whole run as far as it is known. Requires something open.
+  void refresh(const Session& session);
 
   // Without rows where the pattern is in pieces.
   [[nodiscard]] const knit::Chart& chart() const { return chart_; }
   [[nodiscard]] const knit::WrittenPattern& pattern() const { return pattern_; }
-  // There are words; for knitting along and a chart there is one piece.
+  // There are words.
   [[nodiscard]] bool has_pattern() const { return !pattern_.instructions.empty(); }
   [[nodiscard]] bool in_pieces() const { return in_pieces_; }
+  // Of a pattern in pieces that has words: the plan that it is written from, and a chart of each.
+  [[nodiscard]] const PlannedPieces& pieces() const { return pieces_; }
+  [[nodiscard]] const std::vector<knit::PieceChart>& piece_charts() const { return piece_charts_; }
   // Another whenever the chart or the pattern is.
   [[nodiscard]] std::uint64_t key() const { return key_; }
   // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round.
@@ -33,10 +39,16 @@ class ChartCache {
   }
 
  private:
+  void make_pieces(const Session& session, std::uint64_t run);
+
   std::uint64_t key_ = 0;
+  std::uint64_t planned_ = 0;  // the run and the order that `pieces_` is of: other words need no other plan
   bool in_pieces_ = false;
   knit::Chart chart_;
   knit::WrittenPattern pattern_;
+  PlannedPieces pieces_;
+  std::vector<knit::PieceChart> piece_charts_;
+  std::map<std::string, std::string> names_charted_;  // pieces that are called alike may be charted once
 };
 
 }  // namespace app

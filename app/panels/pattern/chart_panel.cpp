@@ -3,6 +3,7 @@
 #include "app/panels/pattern/pattern_parts.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <string>
 
@@ -10,7 +11,9 @@
 #include "app/panels/kit/style.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/view.h"
+#include "knit/model/words.h"
 #include "knit/pattern/chart.h"
+#include "knit/pattern/limb_chart.h"
 
 namespace app {
 
@@ -36,6 +39,11 @@ knit::Label label_of(knit::ChartSymbol symbol) {
       return knit::Label::cast;
     case knit::ChartSymbol::no_stitch:
     case knit::ChartSymbol::knit:
+    case knit::ChartSymbol::kept:
+    case knit::ChartSymbol::held:
+    case knit::ChartSymbol::picked_up:
+    case knit::ChartSymbol::on_holder:
+    case knit::ChartSymbol::grafted:
       break;
   }
   return knit::Label::knit;
@@ -66,6 +74,16 @@ void draw_symbol(ImDrawList& list, ImVec2 low, float side, ImU32 colour, knit::C
   }
 }
 
+// Of the holder that a stitch is on.
+void draw_letter(ImDrawList& list, ImVec2 low, float side, std::int32_t piece) {
+  const std::string letter = knit::tube_name(piece);
+  const float size = std::min(0.8f * side, ImGui::GetFontSize());
+  const ImVec2 words = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, letter.c_str());
+  list.AddText(ImGui::GetFont(), size,
+               ImVec2(low.x + 0.5f * (side - words.x), low.y + 0.5f * (side - words.y)), style::packed(ink),
+               letter.c_str());
+}
+
 }  // namespace
 
 void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, const SquareLook& look) {
@@ -79,6 +97,7 @@ void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, 
     const knit::Label label = label_of(square.symbol);
     const Colour colour = label == knit::Label::knit ? ink : theme().of(label);
     draw_symbol(list, low, look.side - gap, style::packed(colour), square.symbol);
+    if (square.symbol == knit::ChartSymbol::held) draw_letter(list, low, look.side - gap, square.piece);
   } else if (label_of(square.symbol) != knit::Label::knit) {
     list.AddRectFilled(low, high, style::packed(theme().of(label_of(square.symbol))));
   }
@@ -92,8 +111,22 @@ namespace {
 // Where squares stand on the screen. Column 0 is the right edge, the first row the lowest.
 struct Sheet {
   const knit::Chart& chart;
-  ImVec2 low;  // of the upper left square
+  const knit::PieceChart* piece;  // null: the whole pattern is one chart
+  ImVec2 low;                     // of the upper left square
   float side;
+
+  // The fabric's row that a row of the chart is; 0: none's, it knits nothing.
+  [[nodiscard]] std::int32_t round_of(std::size_t row) const {
+    if (piece != nullptr) return piece->rows[row];
+    return row + 1 < chart.rows.size() ? chart.rows[row].number : 0;
+  }
+  // The stitch of the fabric; nothing where there is none.
+  [[nodiscard]] std::optional<StitchAt> stitch_at(std::size_t row, const knit::ChartSquare& square) const {
+    if (square.stitch < 0 || round_of(row) == 0) return std::nullopt;
+    if (piece == nullptr) return StitchAt{chart.rows[row].number, square.stitch};
+    const knit::PiecePlace place = piece->place(row, square.stitch);
+    return StitchAt{place.row, place.stitch};
+  }
 
   [[nodiscard]] ImVec2 at(std::size_t row, std::size_t column) const {
     const auto columns = static_cast<std::size_t>(chart.columns);
@@ -148,16 +181,18 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   const float needed = ImGui::GetTextLineHeight();
   const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
   const knit::ChartRow& round = sheet.chart.rows[row];
+  if (sheet.piece != nullptr && sheet.round_of(row) == 0) return;
   const std::int32_t hand = current_round(frame);
-  const bool current = round.number == hand;
+  const std::int32_t number = sheet.piece != nullptr ? sheet.round_of(row) : round.number;
+  const bool current = number == hand;
   // The current round is always numbered; its neighbours give way.
-  const bool crowded = std::abs(round.number - hand) < static_cast<std::int32_t>(every);
+  const bool crowded = std::abs(number - hand) < static_cast<std::int32_t>(every);
   if (!current && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = style::packed(current ? theme().anchor : theme().faint_text);
   const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
-  const std::string number = std::to_string(round.number);
-  list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, number.c_str());
+  const std::string words = std::to_string(round.number) + (round.slips_back ? " <" : "");
+  list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, words.c_str());
   const std::string count = std::to_string(round.stitches);
   const float width = ImGui::CalcTextSize(count.c_str()).x;
   list.AddText(ImVec2(sheet.low.x - width - frame.units(6.0f), y), colour, count.c_str());
@@ -171,11 +206,12 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
     const float y = sheet.at(row, 0).y;
     if (y > box.bottom() || y + sheet.side < box.y) continue;
     const knit::ChartRow& round = sheet.chart.rows[row];
+    const bool lit =
+        sheet.piece != nullptr ? sheet.round_of(row) == current && current > 0 : round.number == current;
     for (std::size_t column = 0; column < round.squares.size(); ++column) {
       const knit::ChartSquare& square = round.squares[column];
-      const bool here =
-          hovered && hovered->row == round.number && square.stitch >= 0 && hovered->stitch == square.stitch;
-      draw_square(list, sheet.at(row, column), square, {sheet.side, round.number == current, here});
+      const bool here = hovered && hovered == sheet.stitch_at(row, square);
+      draw_square(list, sheet.at(row, column), square, {sheet.side, lit, here});
     }
     draw_numbers(frame, sheet, row);
   }
@@ -186,8 +222,17 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
   const auto& rounds = frame.session.view->gaze.hovered_rounds;
   if (!rounds) return;
   const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
-  const auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
-  const auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
+  auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
+  auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
+  if (sheet.piece != nullptr) {
+    const auto in_span = [&](std::int32_t row) { return row > 0 && rounds->holds(row); };
+    const std::vector<std::int32_t>& all = sheet.piece->rows;
+    const auto begin = std::find_if(all.begin(), all.end(), in_span);
+    if (begin == all.end()) return;
+    const auto end = std::find_if_not(begin, all.end(), in_span);
+    first = static_cast<std::size_t>(begin - all.begin());
+    last = static_cast<std::size_t>(end - all.begin()) - 1;
+  }
   const ImVec2 low = sheet.at(last, static_cast<std::size_t>(sheet.chart.columns) - 1);
   const ImVec2 high = sheet.at(first, 0);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -217,28 +262,107 @@ void wish_why(PanelFrame& frame, const StitchAt& at) {
   frame.wish(SeekPlace{timeline.step(*step).place});
 }
 
+// "Rnd 7, stitch 3 of 12: k2tog", or of a row that knits nothing what a square there means.
+std::string words_for(const Sheet& sheet, const SquarePlace& place) {
+  const knit::ChartRow& round = sheet.chart.rows[place.row];
+  const knit::ChartSquare& square = round.squares[place.column];
+  std::string words = "Rnd " + std::to_string(round.number);
+  if (round.laid) words = place.row == 0 ? "Before Rnd 1" : "At the end";
+  if (sheet.stitch_at(place.row, square))
+    words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);
+  words += ": ";
+  if (square.symbol == knit::ChartSymbol::held)
+    words += "on the holder of " + knit::tube_name(square.piece);
+  else
+    words += knit::sign_of(square.symbol).meaning;
+  return words + (square.main ? ", main" : "");
+}
+
 // The square under the pointer is shown everywhere; a click goes to the step that made what it stands for.
 void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
   std::optional<StitchAt> under;
   if (ImGui::IsItemHovered()) {
     if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
-      const knit::ChartRow& round = sheet.chart.rows[place->row];
-      const knit::ChartSquare& square = round.squares[place->column];
-      const bool worked = round.number <= frame.own<ChartCache>().rounds();
-      if (worked && square.stitch >= 0) under = StitchAt{round.number, square.stitch};
-      std::string words = "Rnd " + std::to_string(round.number);
-      if (under)
-        words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);
-      words += ": " + std::string(knit::sign_of(square.symbol).meaning) + (square.main ? ", main" : "");
-      ImGui::SetTooltip("%s", words.c_str());
+      under = sheet.stitch_at(place->row, sheet.chart.rows[place->row].squares[place->column]);
+      ImGui::SetTooltip("%s", words_for(sheet, *place).c_str());
       const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
       const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                            std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
+      const std::int32_t round = sheet.round_of(place->row);
       if (clicked && under) wish_why(frame, *under);
-      if (clicked && worked && !under) wish_round(frame, round.number);
+      if (clicked && round > 0 && !under) wish_round(frame, round);
     }
   }
   if (under != frame.session.view->gaze.hovered_stitch) frame.wish(HoverStitch{under});
+}
+
+// Which of the charts of pieces is shown: the one chosen, or that of the round that came to hand since.
+struct ShownPieceChart {
+  std::size_t chart = 0;
+  std::int32_t followed = 0;
+};
+
+bool has_row(const knit::LimbPlan& plan, const knit::PieceChart& chart, std::int32_t row) {
+  return std::any_of(chart.pieces.begin(), chart.pieces.end(), [&](std::int32_t piece) {
+    const std::vector<knit::RowId>& rows = plan.piece(piece).rows;
+    return std::find(rows.begin(), rows.end(), row) != rows.end();
+  });
+}
+
+std::string letters_of(const knit::PieceChart& chart) {
+  std::string letters;
+  for (const std::int32_t piece : chart.pieces)
+    letters += (letters.empty() ? "" : ", ") + knit::tube_name(piece);
+  return letters;
+}
+
+// Buttons with the letters of the pieces, over the chart.
+const knit::PieceChart& chosen_piece(PanelFrame& frame, const Box& box) {
+  const ChartCache& cache = frame.own<ChartCache>();
+  const std::vector<knit::PieceChart>& charts = cache.piece_charts();
+  ShownPieceChart& shown = frame.own<ShownPieceChart>();
+  const std::int32_t current = current_round(frame);
+  for (std::size_t i = 0; i < charts.size() && current != shown.followed; ++i) {
+    if (has_row(cache.pieces().plan, charts[i], current)) shown.chart = i;
+  }
+  shown.followed = current;
+  shown.chart = std::min(shown.chart, charts.size() - 1);
+  ImGui::SetCursorPos(ImVec2(frame.units(10.0f), frame.units(8.0f)));
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const std::string letters = letters_of(charts[i]);
+    const float width = ImGui::CalcTextSize(letters.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    if (i > 0 && ImGui::GetItemRectMax().x + width + frame.units(16.0f) < box.right()) ImGui::SameLine();
+    if (i > 0 && ImGui::GetCursorPosX() < frame.units(10.0f)) ImGui::SetCursorPosX(frame.units(10.0f));
+    const bool lit = i == shown.chart;
+    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+    if (ImGui::Button(letters.c_str())) shown.chart = i;
+    if (lit) ImGui::PopStyleColor();
+    frame.mark("chart/piece/" + knit::tube_name(charts[i].pieces.front()));
+    tooltip(frame, ("The chart of " + cache.pieces().name_of(charts[i].pieces.front()) + ".").c_str());
+  }
+  return charts[shown.chart];
+}
+
+// Below what stands in the panel already.
+void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceChart* piece, const Box& box) {
+  Box room = box;
+  if (piece != nullptr) {
+    const float taken = ImGui::GetItemRectMax().y + frame.units(6.0f) - box.y;
+    room.y += taken;
+    room.height = std::max(1.0f, room.height - taken);
+    ImGui::SetCursorPos(ImVec2(0.0f, taken));
+  }
+  ImGui::InvisibleButton("chart", ImVec2(room.width, room.height));
+  frame.mark("chart");
+  handle_zoom_and_drag(frame, room);
+  const ChartView& view = frame.own<ChartView>();
+  Sheet sheet{chart, piece, {}, fitting_side(frame, chart, room) * view.zoom};
+  const ImVec2 size = sheet.size();
+  sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - size.x) + view.move.x),
+                     std::floor(room.y + 0.5f * (room.height - size.y) + view.move.y));
+  draw_squares(frame, sheet, room, frame.session.view->gaze.hovered_stitch);
+  draw_hovered_rounds(frame, sheet);
+  handle_pointer(frame, sheet);
 }
 
 }  // namespace
@@ -249,27 +373,16 @@ void draw_chart(PanelFrame& frame) {
   begin_panel("Chart", box, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   ChartCache& cache = frame.own<ChartCache>();
-  if (frame.timeline() != nullptr) cache.refresh(*frame.timeline(), frame.session.view->pattern);
-  const knit::Chart& chart = cache.chart();
-  if (frame.timeline() == nullptr || chart.rows.empty()) {
+  if (frame.timeline() != nullptr) cache.refresh(frame.session);
+  const bool pieces = frame.timeline() != nullptr && !cache.piece_charts().empty();
+  if (frame.timeline() == nullptr || (!pieces && cache.chart().rows.empty())) {
     ImGui::SetCursorPos(ImVec2(frame.units(14.0f), frame.units(12.0f)));
-    faint_text(frame.timeline() != nullptr && cache.in_pieces()
-                   ? "There is no chart for a pattern in pieces yet; the tab Pattern has it in words."
-                   : "The chart appears once the stitches have their labels.");
+    faint_text("The chart appears once the stitches have their labels.");
     ImGui::End();
     return;
   }
-  ImGui::InvisibleButton("chart", ImVec2(box.width, box.height));
-  frame.mark("chart");
-  handle_zoom_and_drag(frame, box);
-  const ChartView& view = frame.own<ChartView>();
-  Sheet sheet{chart, {}, fitting_side(frame, chart, box) * view.zoom};
-  const ImVec2 size = sheet.size();
-  sheet.low = ImVec2(std::floor(box.x + 0.5f * (box.width - size.x) + view.move.x),
-                     std::floor(box.y + 0.5f * (box.height - size.y) + view.move.y));
-  draw_squares(frame, sheet, box, frame.session.view->gaze.hovered_stitch);
-  draw_hovered_rounds(frame, sheet);
-  handle_pointer(frame, sheet);
+  const knit::PieceChart* piece = pieces ? &chosen_piece(frame, box) : nullptr;
+  draw_sheet(frame, piece != nullptr ? piece->chart : cache.chart(), piece, box);
   ImGui::End();
 }
 

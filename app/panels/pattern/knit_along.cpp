@@ -1,5 +1,6 @@
 // Knit along: one round at a time, large, over the foot of the centre; its line, its row of the chart, and forward
-// and back. The view and the chart light the same round.
+// and back. The view and the chart light the same round. Through pieces: limb by limb, with the deals between them, what
+// waits on which holder and what comes next.
 #include <algorithm>
 #include <string>
 
@@ -8,32 +9,50 @@
 #include "app/panels/pattern/chart_cache.h"
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/pattern/pattern_parts.h"
+#include "app/panels/pattern/piece_stops.h"
 #include "app/session/view.h"
+#include "knit/pattern/pattern_words.h"
 
 namespace app {
 
 namespace {
 
-void draw_turning(PanelFrame& frame, std::int32_t round, std::int32_t last) {
-  const float side = frame.units(34.0f);
-  const auto turn = [&](const char* id, Icon icon, std::int32_t to, const char* help) {
-    if (icon_button(id, icon, ImVec2(side, side))) frame.wish(KnitAlong{std::clamp(to, 1, last)});
-    frame.mark("knit-along/" + std::string(id));
-    tooltip(frame, help);
+// A row of buttons, words, and at the right the cross.
+class TurningBar {
+ public:
+  explicit TurningBar(PanelFrame& frame) : frame_(frame), side_(frame.units(34.0f)) {}
+
+  void turn(const char* id, Icon icon, const KnitAlong& to, const char* help) {
+    if (icon_button(id, icon, ImVec2(side_, side_))) frame_.wish(to);
+    frame_.mark("knit-along/" + std::string(id));
+    tooltip(frame_, help);
     ImGui::SameLine();
-  };
-  turn("first", Icon::first, 1, "To the cast on.");
-  turn("back", Icon::back, round - 1, "One round back.");
-  turn("forward", Icon::forward, round + 1, "This round is knitted: the next one.");
-  const float top = ImGui::GetCursorPosY();
-  // Beside a button words stand lower by its padding anyway.
-  ImGui::SetCursorPosY(top + 0.5f * (side - ImGui::GetTextLineHeight()) - ImGui::GetStyle().FramePadding.y);
-  faint_text("Round " + std::to_string(round) + " of " + std::to_string(last));
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - side);
-  ImGui::SetCursorPosY(top);
-  if (icon_button("close", Icon::cross, ImVec2(side, side))) frame.wish(KnitAlong{std::nullopt});
-  frame.mark("knit-along/close");
-  tooltip(frame, "Stop knitting along; the round is remembered.");
+  }
+  void end(const std::string& place) {
+    const float top = ImGui::GetCursorPosY();
+    // Beside a button words stand lower by its padding anyway.
+    ImGui::SetCursorPosY(top + 0.5f * (side_ - ImGui::GetTextLineHeight()) -
+                         ImGui::GetStyle().FramePadding.y);
+    faint_text(place);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - side_);
+    ImGui::SetCursorPosY(top);
+    if (icon_button("close", Icon::cross, ImVec2(side_, side_))) frame_.wish(KnitAlong{std::nullopt});
+    frame_.mark("knit-along/close");
+    tooltip(frame_, "Stop knitting along; the round is remembered.");
+  }
+
+ private:
+  PanelFrame& frame_;
+  float side_;
+};
+
+void draw_turning(PanelFrame& frame, std::int32_t round, std::int32_t last) {
+  TurningBar bar(frame);
+  const auto to = [&](std::int32_t number) { return KnitAlong{std::clamp(number, 1, last)}; };
+  bar.turn("first", Icon::first, to(1), "To the cast on.");
+  bar.turn("back", Icon::back, to(round - 1), "One round back.");
+  bar.turn("forward", Icon::forward, to(round + 1), "This round is knitted: the next one.");
+  bar.end("Round " + std::to_string(round) + " of " + std::to_string(last));
 }
 
 // The round's squares in working order, from right to left as on the chart.
@@ -50,6 +69,85 @@ void draw_strip(const PanelFrame& frame, const knit::ChartRow& row) {
   ImGui::Dummy(ImVec2(width, side));
 }
 
+void draw_round_line(PanelFrame& frame, const std::string& words) {
+  constexpr std::size_t is_long = 300;  // a join of many limbs
+  push_font(words.size() < is_long ? frame.fonts.heading : frame.fonts.text);
+  wrapped_text(words);
+  pop_font();
+  frame.mark("knit-along/line");
+}
+
+// --- through pieces ----------------------------------------------------------------------------------------------
+
+void draw_turning_of_pieces(PanelFrame& frame, const ChartCache& cache, const std::vector<PieceStop>& stops,
+                            std::size_t at) {
+  TurningBar bar(frame);
+  const auto to = [&](std::size_t stop) { return KnitAlong{stops[stop].row, stops[stop].deal}; };
+  bar.turn("first", Icon::first, to(stop_a_piece_on(stops, at, -1)),
+           "To the beginning of this piece, or of the one before.");
+  bar.turn("back", Icon::back, to(at > 0 ? at - 1 : 0), "One round back.");
+  bar.turn("forward", Icon::forward, to(std::min(at + 1, stops.size() - 1)),
+           "This is knitted, or dealt: what comes next.");
+  bar.turn("next-piece", Icon::last, to(stop_a_piece_on(stops, at, 1)), "To the next piece.");
+  bar.end(place_words(cache.pieces(), stops[at]) + "; piece " + std::to_string(stops[at].piece + 1) + " of " +
+          std::to_string(cache.pieces().plan.count()));
+}
+
+std::string holders_text(const Holding& holding) {
+  if (holding.holders.empty()) return "none in use";
+  std::string words;
+  for (const HeldPiece& held : holding.holders) {
+    words += words.empty() ? "" : ", ";
+    words += knit::stitches_text(held.stitches) + " of " + held.name;
+  }
+  return words;
+}
+
+// A label in a column of its own, and words beside it.
+void draw_labelled(PanelFrame& frame, const char* label, const std::string& words, const char* mark) {
+  const float left = ImGui::GetCursorPosX();
+  faint_text(label);
+  ImGui::SameLine(left + frame.units(78.0f));
+  wrapped_text(words);
+  frame.mark(mark);
+}
+
+const knit::ChartRow* chart_row_of(const ChartCache& cache, const PieceStop& stop) {
+  if (stop.deal != 0) return nullptr;
+  const knit::LimbPiece& piece = cache.pieces().plan.piece(stop.piece);
+  for (const knit::PieceChart& chart : cache.piece_charts()) {
+    if (std::find(chart.pieces.begin(), chart.pieces.end(), stop.piece) == chart.pieces.end()) continue;
+    // Of pieces made together the first stands for all.
+    const knit::LimbPiece& drawn = cache.pieces().plan.piece(chart.pieces.front());
+    const std::int32_t row = chart.row_of(drawn.rows.front() + stop.row - piece.rows.front());
+    return row < 0 ? nullptr : &chart.chart.rows[static_cast<std::size_t>(row)];
+  }
+  return nullptr;
+}
+
+void draw_pieces_along(PanelFrame& frame, const ChartCache& cache, std::int32_t row) {
+  const PlannedPieces& pieces = cache.pieces();
+  const std::vector<PieceStop> stops = stops_of(pieces.plan);
+  const std::size_t at = stop_at(stops, row, frame.session.view->gaze.knit_along_deal);
+  const PieceStop& stop = stops[at];
+  draw_turning_of_pieces(frame, cache, stops, at);
+  draw_round_line(frame, words_of(pieces, stop));
+  if (const knit::ChartRow* squares = chart_row_of(cache, stop)) draw_strip(frame, *squares);
+  const std::string end = end_words(pieces, stop);
+  if (!end.empty()) draw_labelled(frame, "Then", end, "knit-along/end");
+  const Holding holding = holding_after(pieces, stop);
+  draw_labelled(frame, "Needle",
+                knit::stitches_text(holding.needle) + " of " + pieces.name_of(stop.piece) +
+                    (stop.deal == 0 ? ", after this round" : ", after this"),
+                "knit-along/needle");
+  draw_labelled(frame, "Holders", holders_text(holding), "knit-along/holders");
+  if (at + 1 == stops.size()) return;
+  const PieceStop& next = stops[at + 1];
+  const std::string whose = next.piece == stop.piece ? "" : pieces.name_of(next.piece) + ": ";
+  const float room = ImGui::GetContentRegionAvail().x - frame.units(86.0f);
+  draw_labelled(frame, "Next", cut_to_width(whose + words_of(pieces, next), room), "knit-along/next");
+}
+
 }  // namespace
 
 std::int32_t current_round(const PanelFrame& frame) {
@@ -57,16 +155,16 @@ std::int32_t current_round(const PanelFrame& frame) {
   return current_row(frame);
 }
 
-void wish_round(PanelFrame& frame, std::int32_t number) {
+void wish_round(PanelFrame& frame, std::int32_t number, std::int16_t deal) {
   wish_row(frame, number);
-  if (frame.session.view->gaze.knit_along) frame.wish(KnitAlong{number});
+  if (frame.session.view->gaze.knit_along) frame.wish(KnitAlong{number, deal});
 }
 
 void draw_knit_along(PanelFrame& frame) {
   const auto& along = frame.session.view->gaze.knit_along;
   if (!along || frame.timeline() == nullptr) return;
   ChartCache& cache = frame.own<ChartCache>();
-  cache.refresh(*frame.timeline(), frame.session.view->pattern);
+  cache.refresh(frame.session);
   const std::int32_t last = cache.rounds();
   const Box& view = frame.layout.view;
   const float margin = frame.units(14.0f);
@@ -79,17 +177,15 @@ void draw_knit_along(PanelFrame& frame) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   pop_raised_look();
-  if (last == 0) {
-    faint_text(cache.in_pieces()
-                   ? "Knitting along is for one piece only; the tab Pattern has all pieces in words."
-                   : "There is nothing to knit yet: the stitches have no labels.");
+  if (cache.in_pieces() && cache.has_pattern()) {
+    draw_pieces_along(frame, cache, *along);
+  } else if (last == 0) {
+    faint_text(cache.in_pieces() ? "Pieces are knitted along once the run is worked out to its end."
+                                 : "There is nothing to knit yet: the stitches have no labels.");
   } else {
     const std::int32_t round = std::clamp(*along, 1, last);
     draw_turning(frame, round, last);
-    push_font(frame.fonts.heading);
-    wrapped_text(cache.line_of(round));
-    pop_font();
-    frame.mark("knit-along/line");
+    draw_round_line(frame, cache.line_of(round));
     draw_strip(frame, cache.chart().rows[static_cast<std::size_t>(round) - 1]);
   }
   ImGui::End();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace app {
 
@@ -31,24 +32,81 @@ PatternLine line_of_round(const knit::RoundLine& round) {
   const std::string text = unbroken(round.text());
   const std::size_t colon = text.find(": ");
   const RoundSpan rows{round.first + round.rows_before, round.last + round.rows_before};
-  if (colon == std::string::npos) return {Kind::round, {}, text, rows};
-  return {Kind::round, text.substr(0, colon + 1), text.substr(colon + 2), rows};
+  PatternLine line{Kind::round, {}, text, rows};
+  if (colon != std::string::npos) {
+    line.label = text.substr(0, colon + 1);
+    line.words = text.substr(colon + 2);
+  }
+  for (const std::int32_t before : round.twins_before)
+    line.twins.push_back({round.first + before, round.last + before});
+  return line;
 }
 
-// Of pieces: what they are called, how they begin, and what is to be thought of.
-PatternLine line_of_words(const knit::WrittenPattern::Instruction& instruction) {
-  using Words = knit::WrittenPattern::Instruction::Kind;
-  switch (instruction.kind) {
-    case Words::heading:
-      return {Kind::piece, {}, unbroken(instruction.remark), {}};
-    case Words::step:
-      if (instruction.row == 0) return {Kind::round, {}, unbroken(instruction.remark), {}};
-      return {Kind::round, {}, unbroken(instruction.remark), RoundSpan{instruction.row, instruction.row}};
-    case Words::remark:
-      break;
-  }
-  return {Kind::remark, {}, instruction.remark, {}};
+// A long deal is read item by item.
+std::string one_item_a_line(std::string words) {
+  constexpr std::size_t is_long = 200;
+  if (words.size() < is_long) return words;
+  for (std::size_t at = words.find(": "); at != std::string::npos; at = words.find(", ", at + 1))
+    words[at + 1] = '\n';
+  return words;
 }
+
+// Of pieces: what they are called, how they begin and end, and what is to be thought of. Each heading stands for the next
+// pieces made together; what comes before their first round are their deals, what comes after it their ends.
+class PieceLines {
+ public:
+  PieceLines(const knit::WrittenPattern& pattern, const knit::LimbPlan* plan)
+      : pattern_(pattern), plan_(plan) {}
+
+  PatternLine line_of(const knit::WrittenPattern::Instruction& instruction) {
+    using Words = knit::WrittenPattern::Instruction::Kind;
+    if (instruction.round) {
+      rounds_begun_ = true;
+      return line_of_round(*instruction.round);
+    }
+    PatternLine line{Kind::remark, {}, instruction.remark, {}};
+    if (instruction.kind == Words::remark) return line;
+    line.kind = instruction.kind == Words::heading ? Kind::piece : Kind::round;
+    line.words = unbroken(instruction.remark);
+    if (instruction.kind == Words::heading) begin_piece();
+    if (plan_ == nullptr || now_ >= pattern_.pieces.size()) return line;
+    for (const std::int32_t piece : pattern_.pieces[now_].pieces) {
+      const std::vector<knit::RowId>& rows = plan_->piece(piece).rows;
+      const RoundSpan whole{rows.front(), rows.back()};
+      const std::int32_t at = rounds_begun_ ? whole.last : whole.first;
+      const RoundSpan span = line.kind == Kind::piece ? whole : RoundSpan{at, at};
+      if (line.rounds)
+        line.twins.push_back(span);
+      else
+        line.rounds = span;
+    }
+    if (line.kind == Kind::round && !rounds_begun_) {
+      line.deal = next_deal();
+      line.words = one_item_a_line(std::move(line.words));
+    }
+    return line;
+  }
+
+ private:
+  void begin_piece() {
+    now_ = begun_ ? now_ + 1 : 0;
+    begun_ = true;
+    rounds_begun_ = false;
+    deals_ = 0;
+  }
+  // A long deal may be told on several lines; casting on is a round.
+  std::int16_t next_deal() {
+    const auto& deals = plan_->piece(pattern_.pieces[now_].pieces.front()).deals;
+    if (static_cast<std::size_t>(deals_) < deals.size()) ++deals_;
+    return deals_;
+  }
+
+  const knit::WrittenPattern& pattern_;
+  const knit::LimbPlan* plan_;
+  std::size_t now_ = 0;
+  bool begun_ = false, rounds_begun_ = false;
+  std::int16_t deals_ = 0;
+};
 
 // Space before a kind of line, in plain units; the fonts' own leading is not counted.
 float space_before(Kind kind) {
@@ -112,7 +170,20 @@ ImFont* font_of(PatternLine::Kind kind, const Fonts& fonts) {
   return fonts.text;
 }
 
-std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern) {
+bool PatternLine::says(std::int32_t round) const {
+  return (rounds && rounds->holds(round)) ||
+         std::any_of(twins.begin(), twins.end(), [&](const RoundSpan& span) { return span.holds(round); });
+}
+
+bool PatternLine::is_meant(const RoundSpan& meant) const {
+  const auto touches = [&](const RoundSpan& span) {
+    if (kind == Kind::piece) return meant.first <= span.first && span.last <= meant.last;
+    return span.first <= meant.last && meant.first <= span.last;
+  };
+  return (rounds && touches(*rounds)) || std::any_of(twins.begin(), twins.end(), touches);
+}
+
+std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern, const knit::LimbPlan* plan) {
   std::vector<PatternLine> lines;
   const auto add = [&](Kind kind, const std::string& words) { lines.push_back({kind, {}, words, {}}); };
   const auto add_all = [&](const char* heading, Kind kind, const std::vector<std::string>& all) {
@@ -130,19 +201,19 @@ std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern) {
   add(Kind::heading, "Instructions");
   lines.push_back({pattern.in_pieces ? Kind::plain : Kind::round, {}, unbroken(pattern.start), {}});
   if (!pattern.in_pieces) lines.back().rounds = RoundSpan{1, 1};
-  for (const auto& instruction : pattern.instructions)
-    lines.push_back(instruction.round ? line_of_round(*instruction.round) : line_of_words(instruction));
+  PieceLines pieces(pattern, plan);
+  for (const auto& instruction : pattern.instructions) lines.push_back(pieces.line_of(instruction));
   add_all("Finishing", Kind::plain, pattern.finishing);
   return lines;
 }
 
-void PatternLayout::refresh(const knit::WrittenPattern& pattern, std::uint64_t key, float width,
-                            const Fonts& fonts, float scale) {
+void PatternLayout::refresh(const knit::WrittenPattern& pattern, const knit::LimbPlan* plan,
+                            std::uint64_t key, float width, const Fonts& fonts, float scale) {
   const Key wanted{key, width, scale};
   if (wanted == key_) return;
   key_ = wanted;
   lines_.clear();
-  for (PatternLine& line : lines_of(pattern)) lines_.push_back({std::move(line)});
+  for (PatternLine& line : lines_of(pattern, plan)) lines_.push_back({std::move(line)});
   place(fonts);
 }
 
@@ -175,9 +246,9 @@ std::size_t PatternLayout::line_below(float height) const {
   return static_cast<std::size_t>(found - lines_.begin());
 }
 
-std::optional<std::size_t> PatternLayout::line_of(std::int32_t round) const {
+std::optional<std::size_t> PatternLayout::line_of(std::int32_t round, std::int16_t deal) const {
   const auto found = std::find_if(lines_.begin(), lines_.end(), [&](const Placed& placed) {
-    return placed.line.rounds && placed.line.rounds->holds(round);
+    return placed.line.kind == Kind::round && placed.line.deal == deal && placed.line.says(round);
   });
   if (found == lines_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - lines_.begin());

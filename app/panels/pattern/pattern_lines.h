@@ -18,13 +18,21 @@ namespace app {
 struct PatternLine {
   enum class Kind : std::uint8_t { title, faint, heading, piece, plain, item, entry, round, remark };
   Kind kind = Kind::plain;
-  std::string label;                // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
-  std::string words;                // wrapped
-  std::optional<RoundSpan> rounds;  // that it says, as the fabric's rows are numbered
+  std::string label;  // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
+  std::string words;  // wrapped
+  // That it says, as the fabric's rows are numbered. Of a deal the first round after it, of a heading all of its piece.
+  std::optional<RoundSpan> rounds;
+  std::vector<RoundSpan> twins = {};  // the same of twins that are made by the same words
+  std::int16_t deal = 0;              // before its piece's first round, from 1; 0: none
+
+  // The round, or one of a twin.
+  [[nodiscard]] bool says(std::int32_t round) const;
+  // What is meant is a part of it; all of a heading's piece must be meant.
+  [[nodiscard]] bool is_meant(const RoundSpan& meant) const;
 };
 
-// In the document's order.
-std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern);
+// In the document's order. `plan`: of a pattern in pieces the one that it is written from; else null.
+std::vector<PatternLine> lines_of(const knit::WrittenPattern& pattern, const knit::LimbPlan* plan = nullptr);
 
 class PatternLayout {
  public:
@@ -34,16 +42,16 @@ class PatternLayout {
     float words_left = 0.0f;          // from the left edge
   };
 
-  // Needs a frame of ImGui's. `key`: another for every other pattern.
-  void refresh(const knit::WrittenPattern& pattern, std::uint64_t key, float width, const Fonts& fonts,
-               float scale);
+  // Needs a frame of ImGui's. `key`: another for every other pattern. `plan`: as in lines_of.
+  void refresh(const knit::WrittenPattern& pattern, const knit::LimbPlan* plan, std::uint64_t key,
+               float width, const Fonts& fonts, float scale);
 
   [[nodiscard]] const std::vector<Placed>& lines() const { return lines_; }
   [[nodiscard]] float height() const { return height_; }
   // The first line that ends below a height.
   [[nodiscard]] std::size_t line_below(float height) const;
-  // The line that says a round; none: there is no such line.
-  [[nodiscard]] std::optional<std::size_t> line_of(std::int32_t round) const;
+  // The line that says a round, or a deal before it; none: there is no such line.
+  [[nodiscard]] std::optional<std::size_t> line_of(std::int32_t round, std::int16_t deal = 0) const;
 
  private:
   struct Key {

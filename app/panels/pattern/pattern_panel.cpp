@@ -13,6 +13,7 @@
 #include "app/panels/pattern/chart_cache.h"
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/pattern/pattern_parts.h"
+#include "app/panels/pattern/piece_list.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
 
@@ -33,15 +34,23 @@ void show_line(const PatternLayout::Placed& line) {
   ImGui::SetScrollY(std::max(0.0f, now < lowest ? lowest : highest));
 }
 
+// Knitting along, of the deal at hand; 0: of none.
+std::int16_t current_deal(const PanelFrame& frame) {
+  const Gaze& gaze = frame.session.view->gaze;
+  return gaze.knit_along ? gaze.knit_along_deal : std::int16_t{0};
+}
+
 // The round that has come to hand, or to be meant elsewhere, since the last frame.
 void follow(PanelFrame& frame) {
   PatternView& view = frame.own<PatternView>();
-  const auto follow_round = [&](std::int32_t round) {
-    if (const auto line = view.layout.line_of(round)) show_line(view.layout.lines()[*line]);
+  const auto follow_round = [&](std::int32_t round, std::int16_t deal = 0) {
+    if (const auto line = view.layout.line_of(round, deal)) show_line(view.layout.lines()[*line]);
   };
   const std::int32_t hand = current_round(frame);
-  if (hand != view.followed) follow_round(hand);
+  const std::int16_t deal = current_deal(frame);
+  if (hand != view.followed || deal != view.followed_deal) follow_round(hand, deal);
   view.followed = hand;
+  view.followed_deal = deal;
   // A line that is pointed at stays where it is.
   const auto meant = rounds_meant(frame.session);
   const bool elsewhere = meant && !ImGui::IsWindowHovered();
@@ -52,10 +61,11 @@ void follow(PanelFrame& frame) {
 void draw_ground(const PanelFrame& frame, const PatternLayout::Placed& placed, ImVec2 at, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + width, at.y + placed.height);
-  const auto& rounds = placed.line.rounds;
+  const PatternLine& line = placed.line;
   const auto meant = rounds_meant(frame.session);
-  const bool is_meant = rounds && meant && rounds->first <= meant->last && meant->first <= rounds->last;
-  if (rounds && rounds->holds(current_round(frame))) {
+  const bool is_meant = meant && line.is_meant(*meant);
+  const bool at_hand = line.kind == Kind::round && line.deal == current_deal(frame);
+  if (at_hand && line.says(current_round(frame))) {
     list.AddRectFilled(at, end, style::packed(theme().anchor, is_meant ? 70 : 40), frame.units(4.0f));
     list.AddRectFilled(at, ImVec2(at.x + frame.units(3.0f), end.y), style::packed(theme().anchor),
                        frame.units(1.5f));
@@ -97,6 +107,13 @@ void draw_words(const PanelFrame& frame, const PatternLayout::Placed& placed, Im
   pop_font();
 }
 
+std::string mark_of(const PatternLine& line) {
+  const std::string row = std::to_string(line.rounds->first);
+  if (line.kind == Kind::piece) return "pattern/piece/" + row;
+  if (line.deal != 0) return "pattern/deal/" + row + "/" + std::to_string(line.deal);
+  return (line.label.empty() && line.rounds->first > 1 ? "pattern/end/" : "pattern/round/") + row;
+}
+
 void draw_line(PanelFrame& frame, std::size_t i, float width) {
   const PatternLayout::Placed& placed = frame.own<PatternView>().layout.lines()[i];
   const auto& rounds = placed.line.rounds;
@@ -104,9 +121,11 @@ void draw_line(PanelFrame& frame, std::size_t i, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (rounds) {
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("line", ImVec2(width, placed.height))) wish_round(frame, rounds->first);
+    const PatternLine& line = placed.line;
+    if (ImGui::InvisibleButton("line", ImVec2(width, placed.height)))
+      wish_round(frame, rounds->first, line.deal);
     ImGui::PopID();
-    frame.mark("pattern/round/" + std::to_string(rounds->first));
+    frame.mark(mark_of(line));
     if (ImGui::IsItemHovered()) frame.rounds_under = rounds;
   }
   draw_ground(frame, placed, at, width);
@@ -120,7 +139,8 @@ void draw_document(PanelFrame& frame) {
   const ChartCache& cache = frame.own<ChartCache>();
   PatternLayout& layout = frame.own<PatternView>().layout;
   const float width = ImGui::GetContentRegionAvail().x;
-  layout.refresh(cache.pattern(), cache.key(), width, frame.fonts, frame.layout.scale);
+  const knit::LimbPlan* plan = cache.in_pieces() ? &cache.pieces().plan : nullptr;
+  layout.refresh(cache.pattern(), plan, cache.key(), width, frame.fonts, frame.layout.scale);
   follow(frame);
   const float scroll = ImGui::GetScrollY();
   for (std::size_t i = layout.line_below(scroll); i < layout.lines().size(); ++i) {
@@ -253,12 +273,12 @@ void draw_pattern_fields(PanelFrame& frame) {
 template <>
 void draw_side<SidePanel::pattern>(PanelFrame& frame) {
   draw_pattern_fields(frame);
-  if (frame.timeline() != nullptr)
-    frame.own<ChartCache>().refresh(*frame.timeline(), frame.session.view->pattern);
+  if (frame.timeline() != nullptr) frame.own<ChartCache>().refresh(frame.session);
   if (frame.timeline() == nullptr || !frame.own<ChartCache>().has_pattern()) {
     wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
   } else {
     if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);
+    if (frame.own<ChartCache>().in_pieces()) draw_piece_list(frame, frame.own<ChartCache>());
     draw_document(frame);
   }
 }

@@ -24,8 +24,8 @@ void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, 
 
 // That is knitted along, or in progress; none: 0.
 std::int32_t current_round(const PanelFrame& frame);
-// There, as wish_row; who knits along goes on from there.
-void wish_round(PanelFrame& frame, std::int32_t number);
+// There, as wish_row; who knits along goes on from there, or from a deal before it.
+void wish_round(PanelFrame& frame, std::int32_t number, std::int16_t deal = 0);
 
 // What is typed about the pattern; follows the session's options unless they are what was typed.
 struct PatternFields {
@@ -39,6 +39,7 @@ struct PatternFields {
 struct PatternView {
   PatternLayout layout;
   std::int32_t followed = 0;                // the current round that was scrolled to
+  std::int16_t followed_deal = 0;           // and the deal before it
   std::optional<RoundSpan> followed_meant;  // and the rounds under the pointer elsewhere
 };
 

@@ -21,7 +21,8 @@ CardCache::Key CardCache::key_of(const knit::Timeline& timeline) {
   add(state.fabric.joins());
   add(state.fabric.strips());
   const knit::Parameters& parameters = timeline.parameters();
-  return {timeline.input_pointer(), parameters.stitch.width, parameters.stitch.height, products.value()};
+  return {timeline.input_pointer(), parameters.stitch.width, parameters.stitch.height,
+          static_cast<bool>(state.placed), products.value()};
 }
 
 void CardCache::refresh(const knit::Timeline& timeline) {
@@ -41,7 +42,10 @@ void CardCache::refresh(const knit::Timeline& timeline) {
 
 void CardCache::measure(const knit::Timeline& timeline) {
   const auto start = std::chrono::steady_clock::now();
-  quality_ = knit::measure_quality(timeline.input(), timeline.state(), measured_.width, measured_.height);
+  both_ = settled_figures(timeline);
+  quality_ =
+      both_ ? both_->settled
+            : knit::measure_quality(timeline.input(), timeline.state(), measured_.width, measured_.height);
   owed_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   ++times_measured_;
 }

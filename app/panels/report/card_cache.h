@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/files/card.h"
 #include "knit/quality/quality.h"
 #include "knit/run/timeline.h"
 
@@ -21,14 +22,17 @@ class CardCache {
   // the state shown.
   void refresh(const knit::Timeline& timeline);
 
-  // Null while there is no row.
+  // Null while there is no row. Of where stitches settled, once they have.
   [[nodiscard]] const knit::Quality* quality() const { return quality_ ? &*quality_ : nullptr; }
+  // Of where they were placed, too; null while nothing has settled.
+  [[nodiscard]] const SettledFigures* both() const { return quality_ && both_ ? &*both_ : nullptr; }
   [[nodiscard]] std::size_t times_measured() const { return times_measured_; }
 
  private:
   struct Key {
     std::shared_ptr<const knit::Input> input;
     double width = 0.0, height = 0.0;
+    bool settled = false;        // or settling
     std::uint64_t products = 0;  // what is finished of the run, by content: replayed steps make new pointers
     friend bool operator==(const Key&, const Key&) = default;
   };
@@ -37,6 +41,7 @@ class CardCache {
 
   double budget_ms_ = 2.0;  // what measuring may take a frame
   std::optional<knit::Quality> quality_;
+  std::optional<SettledFigures> both_;
   Key measured_, seen_;   // of quality_; of the last frame
   double owed_ms_ = 0.0;  // of the last measuring, not yet paid off by frames
   std::size_t times_measured_ = 0;

@@ -15,6 +15,8 @@
 #include "app/panels/report/card_cache.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "app/session/shown.h"
+#include "app/session/view.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -47,12 +49,11 @@ Grid grid_of(const PanelFrame& frame) {
   return {left, left + width, std::floor(std::max(least, 0.17f * width)), line, air};
 }
 
-void draw_header(const PanelFrame& frame, const Grid& grid) {
-  constexpr std::array names{"mean", "CV", "95 %", "max"};
+void draw_header(const PanelFrame& frame, const Grid& grid, const CardHeads& heads) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   push_font(frame.fonts.small);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, names[i]);
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, std::string(heads[i]));
   }
   const float height = ImGui::GetTextLineHeight() + frame.units(2.0f);
   pop_font();
@@ -117,17 +118,34 @@ void draw_line(PanelFrame& frame, const CardLine& line, const Grid& grid) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + grid.line));
 }
 
+// Once stitches have settled: which of their two positions figures, plots, view and what is saved are of.
+void draw_positions_switch(PanelFrame& frame) {
+  constexpr std::array<std::string_view, 2> names{"as settled", "as placed"};
+  ImGui::BeginGroup();
+  const int clicked = segmented("positions", names, static_cast<int>(frame.session.view->positions),
+                                ImGui::GetContentRegionAvail().x);
+  ImGui::EndGroup();
+  if (clicked >= 0) frame.wish(SetPositions{static_cast<Positions>(clicked)});
+  frame.mark("positions");
+  tooltip(
+      frame,
+      "Where stitches are shown: where they are at ease, or where rows were placed. Figures, plots, the view "
+      "and what is saved follow; the pattern has the same words at both.");
+}
+
 void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
   const Grid grid = grid_of(frame);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
   bool first = true;
   const auto& document = frame.session.document;
   const knit::Closeness* closeness = document ? document->closeness.get() : nullptr;
-  for (const CardGroup& group :
-       card_groups(quality, closeness, frame.session.jobs->run.measuring.has_value())) {
+  const SettledFigures* both = frame.timeline() != nullptr ? frame.own<CardCache>().both() : nullptr;
+  const CardFigures known{quality, closeness, both, frame.session.view->positions,
+                          frame.session.jobs->run.measuring.has_value()};
+  for (const CardGroup& group : card_groups(known)) {
     if (!first) draw_rule(frame, grid, frame.units(7.0f));
     first = false;
-    if (group.headed) draw_header(frame, grid);
+    if (group.headed) draw_header(frame, grid, group.heads);
     for (const CardLine& line : group.lines) draw_line(frame, line, grid);
   }
   draw_rule(frame, grid, frame.units(10.0f));
@@ -138,6 +156,7 @@ void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
 
 constexpr std::size_t most_tube_lines = 6;  // more are scrolled to
 
+// A number, or what stands above numbers: at the right end of its column.
 void draw_cell(const std::string& words, Colour colour) {
   ImGui::TableNextColumn();
   const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
@@ -179,9 +198,14 @@ void draw_tubes(PanelFrame& frame, const knit::Quality* quality) {
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
   const ImVec2 size(0.0f, std::ceil(line * static_cast<float>(lines)));
   if (ImGui::BeginTable("tubes of the card", static_cast<int>(names.size()), flags, size)) {
+    // As wide as their heads, so that none is cut off.
+    for (const char* name : names)
+      ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, ImGui::CalcTextSize(name).x);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (const char* name : names) draw_cell(name, theme().faint_text);
+    ImGui::TableNextColumn();
+    faint_text(names[0]);
+    for (std::size_t i = 1; i < names.size(); ++i) draw_cell(names.at(i), theme().faint_text);
     for (const knit::TubeFit& tube : quality->tubes) draw_tube(frame, tube);
     ImGui::EndTable();
   }
@@ -308,12 +332,20 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
   ImGui::PopStyleVar();
 }
 
+const knit::Quality* shown_quality(const PanelFrame& frame) {
+  if (frame.timeline() == nullptr) return nullptr;
+  const CardCache& cache = frame.own<CardCache>();
+  const bool placed = frame.session.view->positions == Positions::placed && cache.both() != nullptr;
+  return placed ? &cache.both()->placed : cache.quality();
+}
+
 }  // namespace
 
 template <>
 void draw_side<SidePanel::report>(PanelFrame& frame) {
   if (frame.timeline() != nullptr) frame.own<CardCache>().refresh(*frame.timeline());
-  const knit::Quality* quality = frame.timeline() != nullptr ? frame.own<CardCache>().quality() : nullptr;
+  const knit::Quality* quality = shown_quality(frame);
+  if (has_settled(frame.session)) draw_positions_switch(frame);
   draw_figures(frame, quality);
   draw_tubes(frame, quality);
   const knit::Quality none;

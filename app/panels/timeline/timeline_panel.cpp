@@ -8,9 +8,11 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/tube_marks.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/timeline/timeline.h"
 #include "app/panels/timeline/track.h"
+#include "app/panels/timeline/tube_band.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
@@ -223,6 +225,7 @@ void draw_transport(PanelFrame& frame) {
 
 void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) {
   const float now = track.x_of(frame.timeline()->position());
+  const float foot = place_of_band(frame, track).letters;
   for (const RunCache::Stretch& stretch : frame.own<RunCache>().stages()) {
     const float x0 = track.x_of(stretch.begin);
     const float x1 = std::max(track.x_of(stretch.end), x0 + 1.0f);
@@ -240,7 +243,7 @@ void draw_stages(const PanelFrame& frame, const Track& track, ImDrawList& list) 
     const std::string name = capitalised(knit::name_of(stretch.stage));
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     if (x1 - x0 < size.x + frame.units(8.0f)) continue;
-    const ImVec2 at(0.5f * (x0 + x1 - size.x), 0.5f * (track.top + track.bottom - size.y));
+    const ImVec2 at(0.5f * (x0 + x1 - size.x), std::max(track.top, 0.5f * (track.top + foot - size.y)));
     list.AddText(at, style::packed(theme().text), name.c_str());
   }
 }
@@ -313,6 +316,10 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
   const std::size_t position = track.position_at(ImGui::GetIO().MousePos.x);
   std::string words = "Step " + with_commas(position);
   if (position > 0) words += ": " + words_of(timeline.step(position - 1).place);
+  if (const std::string tube = tube_words_at(frame, position); !tube.empty()) words += "\n" + tube;
+  if (const auto mark = mark_under(frame, track))
+    words +=
+        "\n\n" + event_words(*timeline.furthest().tubes, mark->event) + "\nClick: to the step that deals it.";
   if (const auto edit = near_pointer(frame, track, frame.own<RunCache>().edits(), 0)) {
     words += "\n\nParameters were changed before " + words_of(timeline.edits()[*edit].at) + ".";
   }
@@ -327,6 +334,19 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
     words += "\n\nBreak: " + knit::words_of(*hits.condition_at(*hit)) + ".";
   words += "\n\nDrag: go there. Right drag: a loop that playing goes round in; right click: no loop.";
   tooltip(frame, words);
+}
+
+// A press on an event's mark goes to its step and stays there until the pointer is drawn away.
+struct MarkPressed {
+  std::optional<TubeBand::Mark> mark;
+};
+
+void follow_pointer(PanelFrame& frame, const Track& track) {
+  std::optional<TubeBand::Mark>& pressed = frame.own<MarkPressed>().mark;
+  if (ImGui::IsItemActivated()) pressed = mark_under(frame, track);
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, frame.units(4.0f))) pressed.reset();
+  const std::size_t wanted = pressed ? pressed->at : track.position_at(ImGui::GetIO().MousePos.x);
+  if (wanted != frame.timeline()->position()) frame.wish(SeekTo{wanted});
 }
 
 void draw_track(PanelFrame& frame) {
@@ -347,13 +367,13 @@ void draw_track(PanelFrame& frame) {
   ImGui::InvisibleButton("track", room);
   frame.mark("track");
   if (ImGui::IsItemActive()) {
-    const std::size_t wanted = track.position_at(ImGui::GetIO().MousePos.x);
-    if (wanted != timeline->position()) frame.wish(SeekTo{wanted});
+    follow_pointer(frame, track);
   } else if (ImGui::IsItemHovered()) {
     mean_round_under(frame, track);
     if (wants_tooltip()) draw_track_tooltip(frame, track);
   }
   draw_stages(frame, track, list);
+  draw_tube_band(frame, track);
   draw_row_ticks(frame, track, list);
   draw_problem_marks(frame, track, list);
   draw_edit_marks(frame, track, list);

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "app/panels/kit/tube_marks.h"
+
 namespace app {
 
 namespace {
@@ -232,22 +234,11 @@ void place_upward(const knit::TubePlan& plan, TubesLayout& layout) {
 
 // --- yarns and rows --------------------------------------------------------------------------------------------
 
-bool is_edge_at_ring(const knit::TubePlan& plan, const knit::Tube& tube) {
-  return plan.event(tube.top).kind == knit::EventKind::ring_cast_on ||
-         plan.event(tube.bottom).kind == knit::EventKind::ring_bind_off;
-}
-
-// A tube goes on with the yarn of a tube below it that was worked just before; else a new one is taken up.
 void give_yarns(const knit::TubePlan& plan, TubesLayout& layout) {
-  knit::TubeId before = -1;
-  for (const knit::TubeId id : plan.order) {
-    const knit::Tube& tube = plan.tube(id);
-    if (is_edge_at_ring(plan, tube)) continue;
-    const knit::TubeEvent& bottom = plan.event(tube.bottom);
-    const bool goes_on = bottom.kind != knit::EventKind::ring_cast_on &&
-                         std::find(bottom.below.begin(), bottom.below.end(), before) != bottom.below.end();
-    layout.tubes[index_of(id)].yarn = goes_on ? layout.tubes[index_of(before)].yarn : layout.yarns++;
-    before = id;
+  const std::vector<std::int32_t> yarns = yarns_of(plan);
+  for (std::size_t i = 0; i < yarns.size(); ++i) {
+    layout.tubes[i].yarn = yarns[i];
+    layout.yarns = std::max(layout.yarns, yarns[i] + 1);
   }
 }
 

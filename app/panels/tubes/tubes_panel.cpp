@@ -13,6 +13,7 @@
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/tubes/tubes_words.h"
+#include "knit/insight/waiting.h"
 #include "knit/insight/why.h"
 #include "knit/model/words.h"
 
@@ -87,9 +88,11 @@ struct Drawing {
   Box ground;
   std::vector<ShownTube> tubes;
   std::vector<std::uint8_t> dealt;         // of each event
+  std::vector<std::uint8_t> waits;         // of each tube
   std::int32_t dealing = -1;               // the event whose loops are dealt now
   knit::RowId row = 0;                     // the current one
   knit::TubeId current = -1, chosen = -1;  // of the current row, of what is selected
+  knit::TubeId meant = -1;                 // of the round under the pointer in another panel
   [[nodiscard]] float x_of(double x) const { return ground.x + static_cast<float>(x) * ground.width; }
   [[nodiscard]] float y_of(double y) const { return ground.bottom() - static_cast<float>(y) * ground.height; }
   [[nodiscard]] const TubePlace& place(knit::TubeId id) const {
@@ -99,13 +102,6 @@ struct Drawing {
 };
 
 constexpr std::uint8_t bright = 235, faint = 70;
-
-// The labels' colours, so ordered that neighbours differ most.
-Colour yarn_colour(std::int32_t yarn) {
-  constexpr std::array<std::size_t, 6> order{4, 2, 5, 6, 1, 3};
-  if (yarn < 0) return theme().ring;
-  return theme().labels[order[static_cast<std::size_t>(yarn) % order.size()]];
-}
 
 // Girths differ by far more than places on the screen do.
 float half_width(const PanelFrame& frame, const Drawing& drawing, double length) {
@@ -143,12 +139,7 @@ ShownTube shown_tube(const PanelFrame& frame, const Drawing& drawing, knit::Tube
   } else {
     shown.done = is_dealt(drawing, ends ? tube.bottom : tube.top);
   }
-  const auto* work = std::get_if<knit::ContourWork>(&state.work);
-  const auto& live = state.fabric.live();
-  const bool is_live =
-      std::any_of(live.begin(), live.end(), [&](const auto& loop) { return loop.tube == id; });
-  shown.held =
-      is_live && !(shown.done && ends) && (work == nullptr || id != knit::current_tube(drawing.plan, *work));
+  shown.held = drawing.waits[static_cast<std::size_t>(id)] != 0;
   shown.begun = shown.knitted > 0 || shown.done;
   return shown;
 }
@@ -167,7 +158,10 @@ knit::RowId row_of_selected(const PanelFrame& frame) {
 Drawing drawing_of(const PanelFrame& frame, const Box& ground) {
   const knit::TubePlan& plan = *state_with_plan(*frame.timeline()).tubes;
   const knit::State& state = frame.timeline()->state();
-  Drawing drawing{plan, seen_now(frame), *ImGui::GetWindowDrawList(), ground, {}, {}};
+  Drawing drawing{plan, seen_now(frame), *ImGui::GetWindowDrawList(), ground, {}, {}, {}};
+  drawing.waits.assign(plan.tubes.size(), 0);
+  for (const knit::LiveLoop& loop : knit::waiting_loops(state))
+    drawing.waits[static_cast<std::size_t>(loop.tube)] = 1;
   drawing.dealt.assign(plan.events.size(), 0);
   for (const auto& deal : state.fabric.deals()) {
     const auto event = static_cast<std::size_t>(deal->event);
@@ -176,8 +170,11 @@ Drawing drawing_of(const PanelFrame& frame, const Box& ground) {
   const auto* work = std::get_if<knit::ContourWork>(&state.work);
   if (work != nullptr && work->deal) drawing.dealing = work->deal->event;
   drawing.row = current_row(frame);
-  drawing.current = tube_of_row(plan, drawing.seen.layout, drawing.row);
+  // The steps of a deal count towards a row that is not begun.
+  if (drawing.dealing < 0) drawing.current = tube_of_row(plan, drawing.seen.layout, drawing.row);
   drawing.chosen = tube_of_row(plan, drawing.seen.layout, row_of_selected(frame));
+  const auto& rounds = frame.session.view->gaze.hovered_rounds;
+  if (rounds) drawing.meant = tube_of_row(plan, drawing.seen.layout, rounds->first);
   for (std::size_t i = 0; i < plan.tubes.size(); ++i)
     drawing.tubes.push_back(shown_tube(frame, drawing, static_cast<knit::TubeId>(i)));
   return drawing;
@@ -247,6 +244,24 @@ void draw_current_row(const PanelFrame& frame, const Drawing& drawing) {
                              ImVec2(shown.x + half, y + 0.5f * thick), style::packed(theme().anchor));
 }
 
+// Rows that are meant elsewhere: by a line of the pattern, a stitch, a place on the timeline.
+void draw_meant_rows(const PanelFrame& frame, const Drawing& drawing) {
+  const auto meant = rounds_meant(frame.session);
+  if (!meant) return;
+  for (const ShownTube& shown : drawing.tubes) {
+    const knit::RowId first = drawing.place(shown.id).first_row;
+    const knit::Tube& tube = drawing.tube(shown.id);
+    const int low = std::max(0, meant->first - first);
+    const int high = std::min(tube.rows(), meant->last - first + 1);
+    if (first <= 0 || low >= high) continue;
+    const float half = shown.half + frame.units(3.0f);
+    const ImVec2 upper(shown.x - half, whole(y_of_row(shown, tube, high)) - frame.units(1.0f));
+    const ImVec2 lower(shown.x + half, whole(y_of_row(shown, tube, low)) + frame.units(1.0f));
+    drawing.list.AddRect(upper, lower, style::packed(theme().accepted), frame.units(2.0f), 0,
+                         frame.units(2.0f));
+  }
+}
+
 void draw_outline(const PanelFrame& frame, const Drawing& drawing, knit::TubeId id, Colour colour) {
   if (id < 0) return;
   const ShownTube& shown = drawing.tubes[static_cast<std::size_t>(id)];
@@ -302,9 +317,23 @@ std::vector<LabelLine> label_of(const PanelFrame& frame, const Drawing& drawing,
   return {};
 }
 
+// The name alone, where a tube is too low for it: at its side, as far as its column goes.
+void draw_name_beside(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown) {
+  push_font(frame.fonts.small);
+  const std::string name = knit::tube_name(shown.id);
+  const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : 0.0f;
+  const float x = shown.x + half + frame.units(4.0f);
+  const float room = 0.5f * static_cast<float>(drawing.seen.layout.column) * drawing.ground.width;
+  if (x + ImGui::CalcTextSize(name.c_str()).x <= shown.x + room + frame.units(4.0f)) {
+    const float y = 0.5f * (shown.bottom + shown.top - ImGui::GetTextLineHeight());
+    text_at(ImVec2(x, whole(y)), 0.0f, shown.begun ? theme().text : theme().faint_text, name);
+  }
+  pop_font();
+}
+
 void draw_tube_label(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown) {
   const std::vector<LabelLine> lines = label_of(frame, drawing, shown);
-  if (lines.empty()) return;
+  if (lines.empty()) return draw_name_beside(frame, drawing, shown);
   const ImVec2 size = size_of_label(lines);
   const float middle = 0.5f * (shown.bottom + shown.top);
   const float edge = frame.units(3.0f);
@@ -321,32 +350,6 @@ void draw_tube_label(const PanelFrame& frame, const Drawing& drawing, const Show
 }
 
 // --- events ----------------------------------------------------------------------------------------------------
-
-// Cast on: a dot. Split and join: a triangle that opens upward, and one that closes. Bind off: a square. Ring: a ring.
-void draw_event_symbol(ImDrawList& list, knit::EventKind kind, ImVec2 at, float r, ImU32 colour,
-                       ImU32 under) {
-  switch (kind) {
-    case knit::EventKind::cast_on:
-      list.AddCircleFilled(at, r, colour);
-      return;
-    case knit::EventKind::split:
-      list.AddTriangleFilled(ImVec2(at.x - r, at.y - r), ImVec2(at.x, at.y + r), ImVec2(at.x + r, at.y - r),
-                             colour);
-      return;
-    case knit::EventKind::join:
-      list.AddTriangleFilled(ImVec2(at.x - r, at.y + r), ImVec2(at.x + r, at.y + r), ImVec2(at.x, at.y - r),
-                             colour);
-      return;
-    case knit::EventKind::bind_off:
-      list.AddRectFilled(ImVec2(at.x - r, at.y - r), ImVec2(at.x + r, at.y + r), colour);
-      return;
-    case knit::EventKind::ring_cast_on:
-    case knit::EventKind::ring_bind_off:
-      list.AddCircleFilled(at, r, under);
-      list.AddCircle(at, r, colour, 0, 0.5f * r);
-      return;
-  }
-}
 
 ImVec2 event_at(const Drawing& drawing, std::size_t event) {
   const EventPlace& place = drawing.seen.layout.events[event];
@@ -375,19 +378,6 @@ void draw_events(const PanelFrame& frame, const Drawing& drawing) {
     draw_event_symbol(drawing.list, drawing.plan.events[i].kind, at, r, style::packed(colour),
                       style::packed(theme().background));
   }
-}
-
-// The event under the pointer.
-std::optional<std::int32_t> event_pointed(const PanelFrame& frame, const Drawing& drawing) {
-  if (!ImGui::IsWindowHovered()) return std::nullopt;
-  const ImVec2 pointer = ImGui::GetIO().MousePos;
-  const float r = frame.units(6.0f);
-  for (std::size_t i = 0; i < drawing.plan.events.size(); ++i) {
-    const ImVec2 at = event_at(drawing, i);
-    if (std::abs(pointer.x - at.x) <= r && std::abs(pointer.y - at.y) <= r)
-      return static_cast<std::int32_t>(i);
-  }
-  return std::nullopt;
 }
 
 // What the symbols stand for, those that are there, on as many lines as they need.
@@ -438,6 +428,49 @@ void wish_first_row(PanelFrame& frame, knit::RowId row) {
   wish_row(frame, row);
 }
 
+// To the step that deals it, to where its tube begins, or to where it has ended; what a click does, in words.
+std::string_view follow_event(PanelFrame& frame, const Drawing& drawing, std::int32_t event, bool clicked) {
+  const knit::TubeEvent& of = drawing.plan.event(event);
+  const auto rows_of = [&](const std::vector<knit::TubeId>& tubes) {
+    const knit::TubeId tube = tubes.front();
+    const knit::RowId first = drawing.place(tube).first_row;
+    return RoundSpan{first, first + drawing.tube(tube).rows() - 1};
+  };
+  if (of.kind == knit::EventKind::cast_on || of.kind == knit::EventKind::bind_off) {
+    const bool begins = of.kind == knit::EventKind::cast_on;
+    const RoundSpan rows = rows_of(begins ? of.above : of.below);
+    if (rows.first == 0) return "";
+    if (clicked && begins) wish_first_row(frame, rows.first);
+    if (clicked && !begins) frame.wish(SeekPlace{{knit::stage_of_row(rows.last), rows.last, INT32_MAX}});
+    return begins ? "\nClick: to its first row." : "\nClick: to its last row.";
+  }
+  const auto& deals = frame.timeline()->furthest().fabric.deals();
+  const auto deal =
+      std::find_if(deals.begin(), deals.end(), [&](const auto& one) { return one->event == event; });
+  if (deal == deals.end()) return "";
+  const auto number = static_cast<std::int32_t>(deal - deals.begin()) + 1;
+  if (clicked) frame.wish(SeekTo{knit::steps_of_deal(*frame.timeline(), number).begin + 1});
+  return "\nClick: to the step that deals it.";
+}
+
+// The event under the pointer. Before the tubes, on whose ends events stand.
+std::optional<std::int32_t> event_items(PanelFrame& frame, const Drawing& drawing) {
+  std::optional<std::int32_t> pointed;
+  const float r = frame.units(6.0f);
+  for (std::size_t i = 0; i < drawing.plan.events.size(); ++i) {
+    const ImVec2 at = event_at(drawing, i);
+    const auto event = static_cast<std::int32_t>(i);
+    const std::string name = "tube-event/" + std::to_string(i);
+    ImGui::SetCursorScreenPos(ImVec2(at.x - r, at.y - r));
+    const bool clicked = ImGui::InvisibleButton(name.c_str(), ImVec2(2.0f * r, 2.0f * r));
+    frame.mark(name);
+    if (ImGui::IsItemHovered()) pointed = event;
+    const std::string_view does = follow_event(frame, drawing, event, clicked);
+    tooltip(frame, event_words(drawing.plan, event) + std::string(does));
+  }
+  return pointed;
+}
+
 // The tube that the pointer is over.
 std::optional<knit::TubeId> draw_tube_items(PanelFrame& frame, const Drawing& drawing, bool over_event) {
   std::optional<knit::TubeId> pointed;
@@ -470,7 +503,7 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
   const Drawing drawing = drawing_of(frame, {at.x, at.y + air, size.x, std::max(1.0f, size.y - 2.0f * air)});
   drawing.list.AddRectFilled(at, ImVec2(at.x + size.x, at.y + size.y), style::packed(theme().background),
                              frame.units(2.0f));
-  const std::optional<std::int32_t> event = event_pointed(frame, drawing);
+  const std::optional<std::int32_t> event = event_items(frame, drawing);
   const std::optional<knit::TubeId> pointed = draw_tube_items(frame, drawing, event.has_value());
   for (const ShownTube& shown : drawing.tubes) {
     draw_way(frame, drawing, shown, true);
@@ -478,18 +511,18 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
   }
   for (const ShownTube& shown : drawing.tubes) draw_band(frame, drawing, shown);
   draw_current_row(frame, drawing);
+  draw_meant_rows(frame, drawing);
   for (const ShownTube& shown : drawing.tubes) {
     draw_tube_label(frame, drawing, shown);
     if (shown.held) dashed_across(frame, drawing, shown);
   }
   draw_outline(frame, drawing, drawing.current, theme().anchor);
   draw_outline(frame, drawing, drawing.chosen, theme().selected);
-  draw_outline(frame, drawing, pointed.value_or(-1), theme().text);
+  draw_outline(frame, drawing, pointed.value_or(drawing.meant), theme().text);
   draw_events(frame, drawing);
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(size);
   frame.mark("tubes/drawing");
-  if (event) tooltip(frame, event_words(drawing.plan, *event));
   draw_key_of_symbols(frame, drawing);
 }
 

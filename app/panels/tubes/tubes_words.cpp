@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "knit/model/words.h"
+#include "knit/tubes/low_limbs.h"
 
 namespace app {
 
@@ -16,21 +18,25 @@ using knit::short_number;
 
 constexpr std::size_t most_left_out = 3;  // that are told one by one
 
-// "A", "A and B", "A, B and C".
-std::string names_of(std::span<const knit::TubeId> tubes) {
-  std::string words;
-  for (std::size_t i = 0; i < tubes.size(); ++i) {
-    if (i > 0) words += i + 1 == tubes.size() ? " and " : ", ";
-    words += knit::tube_name(tubes[i]);
-  }
-  return words;
-}
-
 // Two digits, or whole: "0.014", "0.63", "12".
 std::string size_text(double value) {
   std::array<char, 32> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), value < 10.0 ? "%.2g" : "%.0f", value);
   return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+std::string sized(double value, std::string_view one, std::string_view many) {
+  const std::string number = size_text(value);
+  return number + " " + std::string(number == "1" ? one : many);
+}
+
+// Told by their number and what they are of the surface, not one by one; empty: there are none.
+std::string low_limbs_words(const knit::TubePlan& plan, const knit::TubeGraph& graph) {
+  const knit::LowLimbs low = knit::low_limbs(graph, plan);
+  if (low.count == 0) return "";
+  return "Left out: " + plural(low.count, "limb", "limbs") +
+         " lower than a twentieth of a round, together at most " +
+         short_number(std::ceil(1e4 * low.share) / 100.0) + " % of the surface.";
 }
 
 std::string rounds_text(std::int32_t rounds) { return plural(rounds, "round", "rounds"); }
@@ -39,9 +45,9 @@ std::string rowless_words(const knit::TubePlan& plan, const knit::Tube& tube) {
   const knit::TubeEvent& bottom = plan.event(tube.bottom);
   const knit::TubeEvent& top = plan.event(tube.top);
   if (top.kind == knit::EventKind::ring_cast_on)
-    return "No round: an edge that tubes " + names_of(top.above) + " start from, back to back.";
+    return "No round: an edge that tubes " + names_of_tubes(top.above) + " start from, back to back.";
   if (bottom.kind == knit::EventKind::ring_bind_off)
-    return "No round: an edge at which tubes " + names_of(bottom.below) + " are grafted to each other.";
+    return "No round: an edge at which tubes " + names_of_tubes(bottom.below) + " are grafted to each other.";
   return "No round: lower than a row, so its stitches are only dealt on.";
 }
 
@@ -60,7 +66,8 @@ std::string overview(const knit::TubePlan& plan, const TubesLayout& layout) {
 std::string left_out_words(const knit::TubePlan& plan, const knit::LeftOut& left_out) {
   const double rounds = left_out.height / plan.stitch_height;
   const double stitches = left_out.girth / plan.stitch_width;
-  const std::string size = size_text(rounds) + " rounds high and " + size_text(stitches) + " stitches round";
+  const std::string size =
+      sized(rounds, "round", "rounds") + " high and " + sized(stitches, "stitch", "stitches") + " round";
   const std::string keeps =
       left_out.width_that_keeps > 0.0
           ? "; stitches narrower than " + short_number(left_out.width_that_keeps) + " would keep it."
@@ -118,10 +125,11 @@ std::string tube_words(const knit::TubePlan& plan, const TubesLayout& layout, kn
     words += ": " + rounds_text(of.rows()) + ", " + stitches_of_tube(plan, tube, count, " stitches") + ".";
   else
     words += ". " + rowless_words(plan, of);
-  words += "\n" + size_text(of.height / plan.stitch_height) + " rows high, up to " +
-           size_text(of.longest / plan.stitch_width) + " stitches round";
+  words += "\n" + sized(of.height / plan.stitch_height, "row", "rows") + " high, up to " +
+           sized(of.longest / plan.stitch_width, "stitch", "stitches") + " round";
   words += place.yarn < 0 ? "." : "; yarn " + std::to_string(place.yarn + 1) + ".";
-  if (of.twins.size() > 1) words += "\nTubes " + names_of(of.twins) + " are alike and get the same rounds.";
+  if (of.twins.size() > 1)
+    words += "\nTubes " + names_of_tubes(of.twins) + " are alike and get the same rounds.";
   if (of.forced) words += "\nIt is lower than a row and gets one round all the same.";
   if (of.inner)
     words +=
@@ -133,50 +141,13 @@ std::string tube_words(const knit::TubePlan& plan, const TubesLayout& layout, kn
   return words + "\nClick: to its first row.";
 }
 
-std::string_view event_word(knit::EventKind kind) {
-  switch (kind) {
-    case knit::EventKind::cast_on:
-      return "cast on";
-    case knit::EventKind::split:
-      return "split";
-    case knit::EventKind::join:
-      return "join";
-    case knit::EventKind::bind_off:
-      return "bind off";
-    case knit::EventKind::ring_cast_on:
-    case knit::EventKind::ring_bind_off:
-      return "ring";
-  }
-  return "";
-}
-
-std::string event_words(const knit::TubePlan& plan, std::int32_t event) {
-  const knit::TubeEvent& of = plan.event(event);
-  const std::string below = names_of(of.below);
-  const std::string above = names_of(of.above);
-  const std::string at = " at " + knit::vertex_text(of.vertex) + ".";
-  switch (of.kind) {
-    case knit::EventKind::cast_on:
-      return "Tube " + above + " begins" + at;
-    case knit::EventKind::split:
-      return "Tube " + below + " splits into " + above + at;
-    case knit::EventKind::join:
-      return "Tubes " + below + " join to " + above + at;
-    case knit::EventKind::bind_off:
-      return "Tube " + below + " ends" + at;
-    case knit::EventKind::ring_cast_on:
-      return "A ring: tubes " + above + " start from one edge, around " + knit::vertex_text(of.vertex) + ".";
-    case knit::EventKind::ring_bind_off:
-      return "A ring: tubes " + below + " end edge to edge, around " + knit::vertex_text(of.vertex) + ".";
-  }
-  return "";
-}
-
 std::vector<std::string> plan_words(const knit::TubePlan& plan, const TubesLayout& layout,
                                     const knit::TubeGraph* graph) {
   std::vector<std::string> sentences{overview(plan, layout)};
   // Those first that the least change would keep.
-  std::vector<knit::LeftOut> left_out = plan.left_out;
+  std::vector<knit::LeftOut> left_out;
+  std::copy_if(plan.left_out.begin(), plan.left_out.end(), std::back_inserter(left_out),
+               [&](const knit::LeftOut& one) { return graph == nullptr || !knit::is_low(plan, one); });
   std::stable_sort(left_out.begin(), left_out.end(), [](const knit::LeftOut& a, const knit::LeftOut& b) {
     return a.width_that_keeps > b.width_that_keeps;
   });
@@ -184,6 +155,9 @@ std::vector<std::string> plan_words(const knit::TubePlan& plan, const TubesLayou
   for (std::size_t i = 0; i < told; ++i) sentences.push_back(left_out_words(plan, left_out[i]));
   if (told < left_out.size())
     sentences.push_back("Left out too: " + std::to_string(left_out.size() - told) + " more, smaller still.");
+  if (graph != nullptr) {
+    if (std::string low = low_limbs_words(plan, *graph); !low.empty()) sentences.push_back(std::move(low));
+  }
   if (graph != nullptr) sentences.push_back(genus_words(plan, *graph));
   sentences.push_back(machine_words(machine_verdict(plan, layout)));
   return sentences;

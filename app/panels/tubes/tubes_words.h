@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/panels/kit/tube_marks.h"
 #include "app/panels/tubes/tubes_layout.h"
 #include "knit/tubes/graph.h"
 
@@ -22,8 +23,6 @@ std::string stitches_of_tube(const knit::TubePlan& plan, knit::TubeId tube, cons
                              std::string_view word);
 std::string tube_words(const knit::TubePlan& plan, const TubesLayout& layout, knit::TubeId tube,
                        const TubeCount& count);
-std::string_view event_word(knit::EventKind kind);  // "cast on"
-std::string event_words(const knit::TubePlan& plan, std::int32_t event);
 
 // A few sentences about all of them; the graph may be missing.
 std::vector<std::string> plan_words(const knit::TubePlan& plan, const TubesLayout& layout,

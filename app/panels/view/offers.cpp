@@ -1,5 +1,6 @@
 // The offer of repairs: what is wrong with a mesh that was not opened, what each repair would do, and the choice.
 #include <algorithm>
+#include <string>
 
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/overlays.h"
@@ -18,6 +19,53 @@ void draw_choice(PanelFrame& frame) {
   if (ImGui::Button("Not now")) frame.wish(DropRepairOffer{});
   frame.mark("repair/not-now");
   tooltip(frame, "The mesh is not opened; what is open stays.");
+}
+
+// How many pieces there are to choose from; 0: it is one, or becomes one.
+std::size_t pieces_of(const RepairOffer& offer) {
+  for (const knit::RepairStep& step : offer.plan->steps) {
+    if (step.kind == knit::RepairKind::largest_piece) return step.count + 1;  // it counts those that go
+  }
+  return 0;
+}
+
+constexpr std::size_t most_piece_buttons = 12;
+
+// As `--piece N` with all repairs that are needed.
+void wish_piece(PanelFrame& frame, const RepairOffer& offer, std::size_t number) {
+  frame.wish(OpenFile{offer.source.file, {true, {knit::keeping_piece(number)}}});
+}
+
+struct PieceAsked {
+  int number = 2;  // of many: too many for a button each
+};
+
+void draw_piece_number(PanelFrame& frame, const RepairOffer& offer, std::size_t pieces) {
+  int& number = frame.own<PieceAsked>().number;
+  ImGui::SetNextItemWidth(frame.units(110.0f));
+  ImGui::InputInt("##piece", &number);
+  frame.mark("repair/piece-number");
+  number = std::clamp(number, 1, static_cast<int>(std::min(pieces, knit::most_pieces)));
+  ImGui::SameLine();
+  if (ImGui::Button("Open this piece")) wish_piece(frame, offer, static_cast<std::size_t>(number));
+  frame.mark("repair/open-piece");
+  tooltip(frame, "With the other repairs that it needs.");
+}
+
+// Each piece is knitted by itself. They are counted by their triangles, most first.
+void draw_pieces(PanelFrame& frame, const RepairOffer& offer) {
+  const std::size_t pieces = pieces_of(offer);
+  if (pieces < 2) return;
+  wrapped_text("It is in " + std::to_string(pieces) + " pieces, the largest first. Open one by its number:",
+               theme().faint_text);
+  if (pieces > most_piece_buttons) return draw_piece_number(frame, offer, pieces);
+  for (std::size_t number = 1; number <= pieces; ++number) {
+    if (number > 1) ImGui::SameLine(0.0f, frame.units(4.0f));
+    const std::string words = std::to_string(number);
+    if (ImGui::Button(words.c_str(), ImVec2(frame.units(32.0f), 0.0f))) wish_piece(frame, offer, number);
+    frame.mark("repair/piece-" + words);
+    tooltip(frame, "Opens piece " + words + " alone, with the other repairs that it needs.");
+  }
 }
 
 }  // namespace
@@ -48,6 +96,7 @@ void draw_repair_offer(PanelFrame& frame) {
     wrapped_text(step.would);
   }
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
+  draw_pieces(frame, *offer);
   draw_choice(frame);
   ImGui::End();
 }

@@ -11,6 +11,8 @@ void draw_welcome(PanelFrame& frame);
 void draw_rescue(PanelFrame& frame);
 // What would make a mesh fit that is not.
 void draw_repair_offer(PanelFrame& frame);
+// Whether stitches are shown as placed or as settled, where there are both.
+void draw_positions(PanelFrame& frame);
 // What the colours say, in the lower right corner: the time's ramp, or the labels once there are any. Inside the
 // view's window.
 void draw_view_legend(PanelFrame& frame);

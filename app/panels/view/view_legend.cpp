@@ -1,9 +1,11 @@
 #include "app/panels/view/overlays.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "app/describe/describe_stretch.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/learning.h"
@@ -84,6 +86,45 @@ void draw_labels(PanelFrame& frame) {
   }
 }
 
+// How long edges are, beside what they should be; the same colours as in the view.
+void draw_stretch_ramp(PanelFrame& frame) {
+  constexpr int parts = 24;
+  const Box& view = frame.layout.view;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = frame.units(150.0f);
+  const float height = frame.units(8.0f);
+  const float line = ImGui::GetTextLineHeight() + frame.units(2.0f);
+  const float edge = frame.units(6.0f);
+  const ImVec2 low(view.right() - width - frame.units(18.0f),
+                   view.bottom() - line - height - frame.units(12.0f));
+  const float top = low.y - 2.0f * line;
+  list.AddRectFilled(ImVec2(low.x - edge, top - edge),
+                     ImVec2(low.x + width + edge, low.y + height + line + edge),
+                     style::packed(theme().background, 215), frame.units(4.0f));
+  text_at(ImVec2(low.x, top), 0.0f, theme().text, "Length of an edge");
+  text_at(ImVec2(low.x, top + line), 0.0f, theme().faint_text, "wale in h, course in w");
+  const auto stretch_at = [](float share) {
+    return std::pow(full_stretch, 2.0 * static_cast<double>(share) - 1.0);
+  };
+  for (int i = 0; i < parts; ++i) {
+    const float from = low.x + width * static_cast<float>(i) / parts;
+    const float to = low.x + width * static_cast<float>(i + 1) / parts;
+    const Colour colour = stretch_colour(theme(), stretch_at((static_cast<float>(i) + 0.5f) / parts));
+    list.AddRectFilled(ImVec2(from, low.y), ImVec2(to, low.y + height), style::packed(colour));
+  }
+  struct Tick {
+    const char* words;
+    float share;
+  };
+  for (const Tick& tick : {Tick{"2/3", 0.0f}, Tick{"1", 0.5f}, Tick{"3/2", 1.0f}}) {
+    const float wide = ImGui::CalcTextSize(tick.words).x;
+    text_at(ImVec2(low.x + tick.share * (width - wide), low.y + height + frame.units(1.0f)), 0.0f,
+            theme().faint_text, tick.words);
+  }
+  frame.memory.controls.insert_or_assign("legend/stretch",
+                                         Box{low.x, top, width, low.y + height + line - top});
+}
+
 // Nothing is left out in silence.
 void draw_coarse_note(const PanelFrame& frame) {
   if (frame.scene.coarse <= 1) return;
@@ -99,6 +140,7 @@ void draw_view_legend(PanelFrame& frame) {
   draw_coarse_note(frame);
   const knit::Timeline* timeline = frame.timeline();
   if (timeline == nullptr || frame.session.view->gaze.knit_along) return;
+  if (stretch_shown(frame.session)) return draw_stretch_ramp(frame);
   const bool labelled = !timeline->state().fabric.joins().empty();
   const bool seen = frame.session.view->shows(Layer::faces) || frame.session.view->shows(Layer::stitches);
   if (labelled && seen) return draw_labels(frame);

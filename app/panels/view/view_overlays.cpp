@@ -163,6 +163,7 @@ void draw_waiting(PanelFrame& frame) {
 void draw_view_overlays(PanelFrame& frame) {
   draw_welcome(frame);
   draw_picking(frame);
+  draw_positions(frame);
   draw_waiting(frame);
   draw_rescue(frame);
   draw_repair_offer(frame);

@@ -1,0 +1,91 @@
+#include "app/describe/describe_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/scene/palette.h"
+#include "app/session/document.h"
+#include "app/session/shown.h"
+#include "app/session/view.h"
+
+namespace app {
+
+namespace {
+
+constexpr float even_px = 1.6F;       // wide, of an edge at ease
+constexpr float stretched_px = 2.2F;  // and so much more of one that is not
+constexpr float move_px = 1.8F;
+constexpr double least_move = 0.03;  // in w
+
+// -1 as short as is told, 0 at ease, 1 as long.
+double strain_of(double stretch) {
+  if (!(stretch > 0.0)) return -1.0;
+  return std::clamp(std::log(stretch) / std::log(full_stretch), -1.0, 1.0);
+}
+
+std::uint8_t between(std::uint8_t from, std::uint8_t to, double share) {
+  return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
+}
+
+Colour mixed(Colour from, Colour to, double share) {
+  return {between(from.r, to.r, share), between(from.g, to.g, share), between(from.b, to.b, share)};
+}
+
+Colour strain_colour(const Theme& theme, double strain) {
+  return mixed(theme.stretch_even, strain < 0.0 ? theme.stretch_short : theme.stretch_long, std::abs(strain));
+}
+
+// Whether the place shown is within the stage settle; its last step is, too.
+bool settles_here(const Session& session) {
+  const knit::State& state = session.document->timeline.state();
+  if (!state.placed) return false;
+  const knit::Step* step = last_step(session);
+  return state.stage() == knit::Stage::settle ||
+         (step != nullptr && step->place.stage == knit::Stage::settle);
+}
+
+bool may_show(const Session& session) {
+  return has_settled(session) && (settles_here(session) || !session.view->shows(Layer::faces));
+}
+
+}  // namespace
+
+Colour stretch_colour(const Theme& theme, double stretch) { return strain_colour(theme, strain_of(stretch)); }
+
+std::optional<StretchScale> stretch_shown(const Session& session) {
+  if (!session.view->shows(Layer::stretch) || !may_show(session)) return std::nullopt;
+  const knit::StitchSize& stitch = session.document->timeline.parameters().stitch;
+  return StretchScale{stitch.width, stitch.height};
+}
+
+bool moves_shown(const Session& session) { return session.view->shows(Layer::moves) && may_show(session); }
+
+void colour_by_stretch(const Theme& theme, double length, std::vector<Line>& lines) {
+  for (Line& line : lines) {
+    const double strain = strain_of(static_cast<double>(glm::distance(line.from, line.to)) / length);
+    line.colour = strain_colour(theme, strain);
+    line.width_px = even_px + stretched_px * static_cast<float>(std::abs(strain));
+  }
+}
+
+void make_plain(const Theme& theme, FaceShape& shape) {
+  for (FaceShape::Face& face : shape.faces) face.colour = theme.ground;
+}
+
+void describe_moves(const Session& session, Scene& scene) {
+  if (!moves_shown(session)) return;
+  const knit::State& state = session.document->timeline.state();
+  const std::vector<glm::dvec3>& from = *state.placed;
+  const std::vector<glm::dvec3> to = knit::knitting_path(state.fabric);
+  const double least = least_move * session.document->timeline.parameters().stitch.width;
+  const auto every = static_cast<std::size_t>(scene.coarse);
+  const Colour colour = scene.theme->accepted;
+  for (std::size_t i = 0; i < std::min(from.size(), to.size()); i += every) {
+    if (glm::distance(from[i], to[i]) < least) continue;
+    scene.lines.push_back({glm::vec3(from[i]), glm::vec3(to[i]), colour, move_px});
+    scene.points.push_back({glm::vec3(from[i]), colour, 1.7F * move_px});
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,52 @@
+// Where stitches that have settled are shown: a switch at the right of the view, while it matters.
+#include <array>
+
+#include "app/describe/describe_stretch.h"
+#include "app/panels/kit/widgets.h"
+#include "app/panels/view/overlays.h"
+#include "app/session/shown.h"
+
+namespace app {
+
+namespace {
+
+constexpr float above_legend = 158.0f;  // plain units: as high as the longest legend
+
+struct PositionsChoice {
+  Positions positions;
+  const char* words;
+  const char* about;
+};
+constexpr std::array positions_choices{
+    PositionsChoice{Positions::placed, "As placed", "Each stitch where its row was placed, on a level set."},
+    PositionsChoice{Positions::settled, "As settled",
+                    "Each stitch where it is at ease, as far as it has settled."}};
+
+}  // namespace
+
+// Never hidden where another than the usual is shown.
+void draw_positions(PanelFrame& frame) {
+  const bool placed = frame.session.view->positions == Positions::placed;
+  if (!has_settled(frame.session)) return;
+  if (!placed && !stretch_shown(frame.session) && !moves_shown(frame.session)) return;
+  const Box& view = frame.layout.view;
+  ImGui::SetNextWindowPos(
+      ImVec2(view.right() - frame.units(12.0f), view.bottom() - frame.units(above_legend)), ImGuiCond_Always,
+      ImVec2(1.0f, 1.0f));
+  push_raised_look(frame);
+  ImGui::Begin("Positions", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  pop_raised_look();
+  faint_text("Stitches");
+  for (const PositionsChoice& choice : positions_choices) {
+    const bool on = frame.session.view->positions == choice.positions;
+    if (ImGui::RadioButton(choice.words, on) && !on) frame.wish(SetPositions{choice.positions});
+    frame.mark("positions/" + std::string(positions_keys.at(static_cast<std::size_t>(choice.positions))));
+    tooltip(frame, choice.about);
+  }
+  ImGui::End();
+}
+
+}  // namespace app

@@ -1,0 +1,25 @@
+// What stands round the instructions of a pattern with limbs: size, materials, notes, finishing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knit/limbs/limb_plan.h"
+#include "knit/pattern/limb_words.h"
+#include "knit/pattern/written_parts.h"
+
+namespace knit {
+
+// Nothing is left open but what is drawn in, and nothing is pushed inside.
+bool is_stuffed(const LimbPlan& plan);
+
+std::string size_of_limbs(const PatternSizes& sizes, std::optional<double> height_cm);
+std::vector<std::string> materials_of_limbs(const LimbPlan& plan, const PatternSizes& sizes,
+                                            const PatternOptions& options, const Used& used);
+std::vector<std::string> notes_of_limbs(const LimbPlan& plan, const LimbNames& names, const Used& used);
+std::vector<std::string> finishing_of_limbs(const LimbPlan& plan, const LimbNames& names);
+// "9 pieces, one after the other, from A to I"
+std::string worked_in(const LimbPlan& plan);
+
+}  // namespace knit
