@@ -240,7 +240,7 @@ TEST_CASE("cases: a ledge of one polygon gets the triangles of a strip", "[cases
   for (const Triangle& t : ring.triangles) {
     if (!std::all_of(t.begin(), t.end(), [](VertexId v) { return v >= 16 && v < 48; })) continue;
     ++on_ledge;
-    for (const std::size_t k : {0, 1, 2})  // none is longer than a diagonal of the strip's quads
+    for (std::size_t k = 0; k < 3; ++k)  // none is longer than a diagonal of the strip's quads
       CHECK(glm::distance(ring.positions[t[k]], ring.positions[t[(k + 1) % 3]]) < 0.62);
   }
   CHECK(on_ledge == 32);
