@@ -195,7 +195,7 @@ struct RingsMet {
     const auto& deals = state.fabric.deals();
     for (const auto& deal : deals) {
       if (deal->kind == DealKind::ring_cast_on) {
-        const auto [less, more] = std::minmax(deal->taken[0].size(), deal->taken[1].size());
+        const auto [less, more] = std::minmax({deal->taken[0].size(), deal->taken[1].size()});
         ++cast_on;
         steep += more > 2 * less ? 1 : 0;
       }
