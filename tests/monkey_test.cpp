@@ -290,10 +290,10 @@ constexpr int actions_between_looks = 250;
 int actions_in_all() {
   if (const char* wish = std::getenv("KNIT_MONKEY_ACTIONS")) return std::atoi(wish);
 #if defined(__SANITIZE_ADDRESS__)
-  return 1500;
+  return 700;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
-  return 1500;
+  return 700;
 #endif
 #endif
   return 10000;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Takes the program's pictures by its own command line: eight scenes, in both themes, at two sizes, and one at 4K.
+# Takes the program's pictures by its own command line: eleven scenes, in both themes, at two sizes, and one at 4K.
 #   tools/pictures.sh FOLDER          all of them, FOLDER/SCENE-THEME-WIDTHxHEIGHT.png
 #   tools/pictures.sh --docs          those of README and docs, into docs/pictures
 # KNIT_MESH: the program, else build/dev/knit-mesh.
@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${KNIT_MESH:-$root/build/dev/knit-mesh}
 
-scenes=(empty start row stall labels finished lesson chart)
+scenes=(empty start row stall labels finished lesson chart split hold limbs)
 
 options_of() {
   case $1 in
@@ -18,6 +18,9 @@ options_of() {
     labels) echo "--example vase --at stitches:15:14" ;;
     finished) echo "--example thesis-sphere" ;;
     lesson) echo "--lesson what-it-does --lesson-page 4" ;;
+    split) echo "--example torus --axis x --rows contours --placement nearest --at rows:13:2 --side tubes" ;;
+    hold) echo "--example octopus --at rows:57 --side tubes" ;;
+    limbs) echo "--example octopus --settle on --side report" ;;
     chart) echo "--example vase --preset best-rows --centre chart --side pattern" ;;
     *) return 1 ;;
   esac

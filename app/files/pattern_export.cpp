@@ -43,6 +43,7 @@ std::string title_of(const Session& session) {
 // The charts of pieces with their names; `charts` holds them.
 std::vector<NamedChart> named(const std::vector<knit::PieceChart>& charts, const knit::LimbNames& names) {
   std::vector<NamedChart> all;
+  all.reserve(charts.size());
   for (const knit::PieceChart& piece : charts) all.push_back({names.together(piece.pieces), &piece.chart});
   return all;
 }

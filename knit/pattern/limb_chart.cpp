@@ -101,6 +101,7 @@ bool any_slips(const std::vector<PieceChart>& charts) {
 
 std::string key_of_all(const std::vector<PieceChart>& charts) {
   std::vector<const Chart*> all;
+  all.reserve(charts.size());
   for (const PieceChart& piece : charts) all.push_back(&piece.chart);
   return chart_key(all) + (any_slips(charts) ? how_it_slips : "");
 }

@@ -144,9 +144,19 @@ class NeedleHands {
     Needle last;
     for (std::int32_t i = 0; i < piece.last_count(); ++i) last.push_back({NeedleUse::kept, now_, 0, i, -1});
     needle_.clear();
-    if (piece.end.kind == LimbEndKind::goes_on) needle_ = std::move(last);
-    if (piece.end.kind == LimbEndKind::held) put({now_, 0}, std::move(last));
-    if (piece.end.kind == LimbEndKind::grafted) holders_.erase({piece.end.piece, 0});
+    switch (piece.end.kind) {
+      case LimbEndKind::goes_on:
+        needle_ = std::move(last);
+        break;
+      case LimbEndKind::held:
+        put({now_, 0}, std::move(last));
+        break;
+      case LimbEndKind::grafted:
+        holders_.erase({piece.end.piece, 0});
+        break;
+      case LimbEndKind::closed:
+        break;
+    }
   }
 
   const LimbPlan& plan_;

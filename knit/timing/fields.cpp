@@ -206,10 +206,9 @@ struct FieldSmoother::Kept {
 
 FieldSmoother::FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic) {
   Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
-  Matrix laplacian = make_laplacian(intrinsic, unknowns);
+  const Matrix laplacian = make_laplacian(intrinsic, unknowns);
   Vector masses = lumped_masses(intrinsic, unknowns);
-  kept_ = std::make_shared<const Kept>(
-      Kept{std::move(unknowns.of_vertex), std::move(laplacian), std::move(masses)});
+  kept_ = std::make_shared<const Kept>(Kept{std::move(unknowns.of_vertex), laplacian, std::move(masses)});
 }
 
 std::vector<double> FieldSmoother::smooth(const Input& input, const std::vector<double>& field,

@@ -39,7 +39,7 @@ class ChartCache {
   }
 
  private:
-  void make_pieces(const Session& session, std::uint64_t run);
+  void make_pieces(const Session& session, std::uint64_t planned);
 
   std::uint64_t key_ = 0;
   std::uint64_t planned_ = 0;  // the run and the order that `pieces_` is of: other words need no other plan
