@@ -48,7 +48,7 @@ for target in "${targets[@]}"; do
   [ "$target" = pipeline ] && asked=$((runs / 10))
   say "== fuzz_$target: $asked executions"
   "build/${preset[$target]}/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" "${dictionary[@]}" \
-    -runs="$asked" -seed="${KNIT_FUZZ_SEED:-0}" -max_len="${longest[$target]}" -timeout=10 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \
+    -runs="$asked" -seed="${KNIT_FUZZ_SEED:-0}" -max_len="${longest[$target]}" -timeout=60 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \
     -artifact_prefix="build/fuzz/found/$target-" -print_final_stats=1 -verbosity=0 -print_funcs=0
 done
 say "Nothing found."
