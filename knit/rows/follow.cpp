@@ -137,10 +137,10 @@ double off_height(std::span<const glm::dvec3> below, std::span<const glm::dvec3>
 
 // A wider window finds nothing else on sound curves and costs its share.
 constexpr std::int32_t most_turns = 12;
-constexpr std::int32_t most_turns_tried = 96;     // where any will do
-constexpr std::int32_t most_phases = 8;           // of a stitch, where a row may be set down anywhere
-constexpr std::int32_t stitches_set_down = 2000;  // of all phases, so that long rounds stay cheap
-constexpr double better_phase = 0.95;             // another phase must be better by this much: less is noise
+constexpr std::int32_t most_turns_tried = 96;    // where any will do
+constexpr std::int32_t most_phases = 8;          // of a stitch, where a row may be set down anywhere
+constexpr std::int32_t stitches_set_down = 800;  // of all phases, so that long rounds stay cheap
+constexpr double better_phase = 0.95;            // another phase must be better by this much: less is noise
 constexpr std::int32_t passes = 3;
 
 // A row of `count` stitches on a curve, set down above live stitches.
