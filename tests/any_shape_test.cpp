@@ -5,6 +5,7 @@
 #include <string>
 
 #include "knit/import/obj.h"
+#include "knit/limbs/limb_plan.h"
 #include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
 #include "knit/quality/quality.h"
@@ -62,6 +63,20 @@ std::shared_ptr<const Input> mesh_named(const std::filesystem::path& file) {
   return make_input(std::get<Mesh>(std::move(read)));
 }
 
+// Rows are made as the pieces are written, with as many yarns and holders.
+void check_order(const State& state) {
+  if (!has_limbs(state)) return;
+  const LimbPlan pieces = plan_limbs(state);
+  RowId row = 0;
+  bool same = true;
+  for (const LimbPiece& piece : pieces.pieces) {
+    for (const RowId of_piece : piece.rows) same = same && of_piece == ++row;
+  }
+  CHECK(same);
+  CHECK(pieces.yarns == state.tubes->yarns);
+  CHECK(pieces.held_most == state.tubes->held_most);
+}
+
 void check_case(const Case& wanted, const std::filesystem::path& folder) {
   INFO(wanted.mesh << ", timing " << static_cast<int>(wanted.timing) << ", w " << wanted.width_percent
                    << " %");
@@ -77,6 +92,7 @@ void check_case(const Case& wanted, const std::filesystem::path& folder) {
   REQUIRE(timeline.stop() == nullptr);
   const State& state = timeline.furthest();
   CHECK(test_support::broken_promise(state) == "");
+  check_order(state);
   CHECK(genus_of(*state.tubes) == wanted.genus);
   CHECK(euler_characteristic(state) == 2 - 2 * wanted.genus - wanted.openings);
   CHECK(state.fabric.row_count() == Approx(wanted.rows).epsilon(0.04));

@@ -49,10 +49,15 @@ TubeNumber number_named(const knit::TubePlan& plan, const std::string& word) {
     return {worked, tubes_words(plan)};
   }
   if (word == "yarns") {
+    const std::int64_t at_places =
+        count_of(plan, EventKind::cast_on) + splits + count_of(plan, EventKind::ring_cast_on);
     return {plan.yarns,
             knit::plural(plan.yarns, "yarn is", "yarns are") +
                 " begun: one at each cast on, and one more wherever two tubes begin at the same place, "
-                "as only one of them can go on with the yarn."};
+                "as only one of them can go on with the yarn" +
+                (plan.yarns == at_places
+                     ? "."
+                     : "; but none where a tube has no round, and another where the yarn hangs elsewhere.")};
   }
   if (word == "holders") {
     return {plan.held_most, "At most " + knit::plural(plan.held_most, "loop waits", "loops wait") +
@@ -172,26 +177,13 @@ Truth waiting_tube(const Session& session, const JudgeCall& /*call*/) {
   return truth;
 }
 
-namespace {
-
-// In the order of the run's rows, whatever order the pattern is written in.
-knit::LimbPlan limbs_in_order_of_rows(const knit::State& run) {
-  knit::LimbOptions options;
-  for (const auto& row : run.fabric.rows()) {
-    if (options.order.empty() || options.order.back() != row->tube) options.order.push_back(row->tube);
-  }
-  return knit::plan_limbs(run, options);
-}
-
-}  // namespace
-
 Truth yarn_broken(const Session& session, const JudgeCall& call) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::State& run = timeline.furthest();
   if (!timeline.complete() || !knit::limbs_are_known(run)) return not_yet();
   if (!knit::has_limbs(run))
     return {{"row:" + str(run.fabric.row_count())}, "One yarn goes through all rows, to the last one.", 0.0};
-  const knit::LimbPlan limbs = limbs_in_order_of_rows(run);
+  const knit::LimbPlan limbs = knit::plan_limbs(run);
   Truth truth;
   for (std::int32_t i = 0; i < limbs.count(); ++i) {
     if (limbs.piece(i).end.kind == knit::LimbEndKind::goes_on) continue;

@@ -5,9 +5,9 @@
 
 #include "app/session/document.h"
 #include "app/session/view.h"
-#include "knit/limbs/limb_runs.h"
-#include "knit/limbs/limb_tubes.h"
 #include "knit/model/words.h"
+#include "knit/order/limb_runs.h"
+#include "knit/order/limb_tubes.h"
 #include "knit/pattern/limb_words.h"
 
 namespace app {
@@ -40,7 +40,7 @@ std::vector<knit::TubeId> tubes_in_order(const PlannedPieces& planned,
 }
 
 void find_what_stands_on_what(const knit::State& state, PlannedPieces& planned) {
-  const knit::LimbTubes tubes(state);
+  const knit::LimbTubes tubes(state.fabric, state.tubes.pointer().get());
   const std::vector<knit::TubeId> ids = tubes_of(planned.plan);
   const auto piece_of = [&](std::int32_t tube) {
     return static_cast<std::int32_t>(std::find(ids.begin(), ids.end(), tubes.tube(tube).id) - ids.begin());

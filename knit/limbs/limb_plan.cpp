@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "knit/limbs/limb_order.h"
-#include "knit/model/bug.h"
+#include "knit/order/limb_order.h"
 
 namespace knit {
 
@@ -21,6 +20,18 @@ std::vector<std::int32_t> numbers_of(const LimbTubes& tubes, const std::vector<T
   for (std::int32_t i = 0; i < tubes.count(); ++i) with_rows += tubes.tube(i).has_rows() ? 1 : 0;
   if (static_cast<std::int32_t>(numbers.size()) != with_rows || numbers.size() != ids.size()) numbers.clear();
   return numbers;
+}
+
+LimbTubes limb_tubes_of(const State& state) { return {state.fabric, state.tubes.pointer().get()}; }
+
+// Rows were made in the order that was cheapest when they were planned (knit/run/knitters_order.h). Another is looked for only
+// where it cannot be worked: a fabric that was not planned so, or links of another placement.
+OrderedLimbs limbs_in_order(const LimbTubes& tubes, const std::vector<std::int32_t>& wanted) {
+  for (const auto& order : {wanted, order_of_rows(tubes)}) {
+    if (order.empty()) continue;
+    if (std::optional<OrderedLimbs> limbs = in_order(tubes, order)) return std::move(*limbs);
+  }
+  return cheapest_order(tubes);
 }
 
 std::int64_t stitches_in(const LimbPiece& piece) {
@@ -104,19 +115,18 @@ bool limbs_are_known(const State& state) {
 }
 
 LimbPlan plan_limbs(const State& state, const LimbOptions& options) {
-  const LimbTubes tubes(state);
-  OrderedLimbs limbs = cheapest_order(tubes, numbers_of(tubes, options.order));
+  const LimbTubes tubes = limb_tubes_of(state);
+  OrderedLimbs limbs = limbs_in_order(tubes, numbers_of(tubes, options.order));
   LimbPlan plan = std::move(limbs.layout.plan);
   add_rounds(tubes, limbs.runs, limbs.markers, plan);
   give_roles(plan);
   if (options.twins_alike) shape_twins_alike(plan);
   plan.cost = limbs.cost;
-  plan.orders_tried = limbs.tried;
   return plan;
 }
 
 std::optional<LimbOrderCost> cost_of_order(const State& state, const std::vector<TubeId>& order) {
-  const LimbTubes tubes(state);
+  const LimbTubes tubes = limb_tubes_of(state);
   const std::vector<std::int32_t> numbers = numbers_of(tubes, order);
   if (numbers.empty()) return std::nullopt;
   const std::optional<OrderedLimbs> found = in_order(tubes, numbers);

@@ -38,10 +38,20 @@ bool is_deal(const TubeEvent& event) {
   return event.kind != EventKind::cast_on && event.kind != EventKind::bind_off;
 }
 
+// Whether the next tube to be taken up is worked on what the event gives.
+bool is_needed(const ContourAt& at, const ContourWork& work, const TubeEvent& event) {
+  if (work.taken == static_cast<std::int32_t>(at.plan.order.size())) return false;
+  const bool between = work.taken == 0 || work.row == at.plan.tube(current_tube(at.plan, work)).rows();
+  const TubeId next = at.plan.order[static_cast<std::size_t>(work.taken)];
+  return between && std::find(event.above.begin(), event.above.end(), next) != event.above.end();
+}
+
+// Edges of rings as soon as both sides are there; loops part and meet when a tube is worked on what comes of it.
 bool can_be_dealt(const ContourAt& at, const ContourWork& work, const TubeEvent& event) {
   if (event.kind == EventKind::ring_cast_on)
     return std::all_of(event.above.begin(), event.above.end(),
                        [&](TubeId tube) { return has_row(at.fabric, tube); });
+  if (event.kind != EventKind::ring_bind_off && !is_needed(at, work, event)) return false;
   return std::all_of(event.below.begin(), event.below.end(),
                      [&](TubeId tube) { return is_done(at, work, tube); });
 }

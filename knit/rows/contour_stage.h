@@ -1,8 +1,8 @@
 // Stages 2 and 3 with contours, one smallest step at a time: tube after tube in working order, a row for each of its curves,
 // and between tubes the deals that their events make.
 //
-// A deal is done as soon as all loops that it takes are live, before the next tube is taken up; its steps count towards the
-// row to come.
+// A deal is done right before the first tube that is worked on what it gives is taken up, as a knitter does it: until then the
+// loops that it takes wait as they are. Its steps count towards the row to come. A ring's strip is there with its second side.
 #pragma once
 
 #include <cstdint>

@@ -164,7 +164,8 @@ constexpr std::array contour_lines{
     CodeLine{"for each tube, in working order",
              {},
              &var::tube,
-             "A tube comes after those that it grows out of; of all orders the one with the fewest holders.",
+             "A tube comes after those that it grows out of; of the orders tried the one that costs a "
+             "knitter least.",
              "docs/algorithm.md, Order",
              lit_by<TubeTaken>,
              true},

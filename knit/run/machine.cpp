@@ -5,6 +5,7 @@
 
 #include "knit/model/bug.h"
 #include "knit/model/settings_table.h"
+#include "knit/run/knitters_order.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/nearest.h"
 
@@ -150,6 +151,14 @@ Taken take_choice(const Input& input, State& state) {
   return Advanced<ChoiceEvent>(chosen, Ended::stage);
 }
 
+Taken take_tubes(const Input& input, const Parameters& parameters, State& state) {
+  const auto reorder = [&](const TubeGraph& graph, const TubePlan& plan) {
+    return in_knitters_order({input, *state.timing, graph, parameters.stitch}, plan);
+  };
+  return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
+                       std::get<TubesWork>(state.work), {state.graph, state.tubes}, reorder);
+}
+
 Taken take(const Input& input, const Parameters& parameters, State& state) {
   switch (state.next.stage) {
     case Stage::timing:
@@ -157,8 +166,7 @@ Taken take(const Input& input, const Parameters& parameters, State& state) {
       return advance_timing(input, as_chosen(parameters, state).timing, std::get<TimingWork>(state.work),
                             state.timing);
     case Stage::tubes:
-      return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
-                           std::get<TubesWork>(state.work), {state.graph, state.tubes});
+      return take_tubes(input, parameters, state);
     case Stage::cast_on:
       return take_first_row(input, parameters, state);
     case Stage::rows:
@@ -261,7 +269,7 @@ constexpr std::size_t many_triangles = 20000;
 constexpr std::size_t many_settled = 1500;  // stitches: an iteration takes some milliseconds
 // Microseconds.
 constexpr double of_a_triangle = 1.0, of_a_stitch = 2.0;
-constexpr double part_of_a_frame = 2000.0, a_blink = 100000.0;
+constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0;
 
 }  // namespace
 
@@ -274,6 +282,10 @@ bool step_sweeps(const Input& input, const Parameters& parameters, const State& 
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
+  const auto* tubes = std::get_if<TubesWork>(&state.work);
+  if (tubes != nullptr && tubes->phase == TubesPhase::plan && !tubes->plan &&
+      microseconds_to_order(*tubes->graph, parameters.stitch) > a_frame)
+    return true;
   return input.mesh.triangles.size() >= many_triangles && step_sweeps(input, parameters, state);
 }
 
@@ -286,7 +298,8 @@ bool change_takes_a_moment(const Input& input, const Parameters& before, const P
   const double smaller =
       (before.stitch.width * before.stitch.height) / (after.stitch.width * after.stitch.height);
   const double stitches = static_cast<double>(end.fabric.stitch_count()) * smaller;
-  const double time = of_a_triangle * static_cast<double>(triangles) + of_a_stitch * stitches;
+  const double time = of_a_triangle * static_cast<double>(triangles) + of_a_stitch * stitches +
+                      microseconds_to_order(*end.graph, after.stitch);
   return time > part_of_a_frame && time < a_blink;
 }
 

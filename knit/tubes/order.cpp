@@ -211,4 +211,71 @@ TubeOrder order_tubes(const std::vector<Tube>& tubes, const std::vector<TubeEven
   return OrderSearch(tubes, events).run();
 }
 
+namespace {
+
+class RowlessPlacer {
+ public:
+  explicit RowlessPlacer(const TubePlan& plan) : plan_(plan), done_(plan.tubes.size()) {}
+
+  std::vector<TubeId> run(const std::vector<TubeId>& worked) {
+    for (const TubeId id : worked) {
+      take_up(id);
+      const TubeEvent& top = plan_.event(plan_.tube(id).top);
+      if (top.kind == EventKind::ring_bind_off && done_.has_all(top.below)) take_up(top.above.front());
+    }
+    if (order_.size() != plan_.tubes.size()) throw Bug("an order leaves a tube out");
+    return std::move(order_);
+  }
+
+ private:
+  void take_up(TubeId id) {
+    if (done_.has(id)) return;
+    for (const TubeId below : plan_.event(plan_.tube(id).bottom).below) {
+      if (!done_.has(below) && plan_.tube(below).rows() > 0) throw Bug("a tube before one it stands on");
+      take_up(below);
+    }
+    done_.add(id);
+    order_.push_back(id);
+  }
+  const TubePlan& plan_;
+  TubeSet done_;
+  std::vector<TubeId> order_;
+};
+
+}  // namespace
+
+std::vector<TubeId> with_rowless(const TubePlan& plan, const std::vector<TubeId>& worked) {
+  return RowlessPlacer(plan).run(worked);
+}
+
+TubePlan renumbered(const TubePlan& plan, TubeOrder order) {
+  std::vector<TubeId> number(plan.tubes.size(), -1);
+  TubeId next = 0;
+  for (const bool with_rows : {true, false}) {
+    for (const TubeId id : order.order) {
+      if ((plan.tube(id).rows() > 0) == with_rows) number[static_cast<std::size_t>(id)] = next++;
+    }
+  }
+  const auto renumber = [&](std::vector<TubeId>& ids) {
+    for (TubeId& id : ids) id = number[static_cast<std::size_t>(id)];
+  };
+  TubePlan numbered = plan;
+  for (std::size_t id = 0; id < plan.tubes.size(); ++id) {
+    Tube& tube = numbered.tubes[static_cast<std::size_t>(number[id])];
+    tube = plan.tubes[id];
+    renumber(tube.twins);
+    std::sort(tube.twins.begin(), tube.twins.end());
+  }
+  for (TubeEvent& event : numbered.events) {
+    renumber(event.below);
+    renumber(event.above);
+  }
+  renumber(order.order);
+  numbered.order = std::move(order.order);
+  numbered.held_most = order.held_most;
+  numbered.yarns = order.yarns;
+  numbered.order_is_exact = order.exact;
+  return numbered;
+}
+
 }  // namespace knit

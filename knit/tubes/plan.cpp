@@ -83,33 +83,6 @@ bool is_inner(const TubeGraph& graph, const Tube& tube) {
   return clearly_less(sum, 0.0, scale);
 }
 
-// Tubes get the numbers, and so the letters, by which they are worked; those without a row come last.
-TubePlan numbered_in_order(const TubePlan& plan) {
-  std::vector<TubeId> number(plan.tubes.size(), -1);
-  TubeId next = 0;
-  for (const bool with_rows : {true, false}) {
-    for (const TubeId id : plan.order) {
-      if ((plan.tube(id).rows() > 0) == with_rows) number[static_cast<std::size_t>(id)] = next++;
-    }
-  }
-  const auto renumber = [&](std::vector<TubeId>& ids) {
-    for (TubeId& id : ids) id = number[static_cast<std::size_t>(id)];
-  };
-  TubePlan numbered = plan;
-  for (std::size_t id = 0; id < plan.tubes.size(); ++id) {
-    Tube& tube = numbered.tubes[static_cast<std::size_t>(number[id])];
-    tube = plan.tubes[id];
-    renumber(tube.twins);
-    std::sort(tube.twins.begin(), tube.twins.end());
-  }
-  for (TubeEvent& event : numbered.events) {
-    renumber(event.below);
-    renumber(event.above);
-  }
-  renumber(numbered.order);
-  return numbered;
-}
-
 class TubePlanner {
  public:
   TubePlanner(const TubeGraph& graph, const TubeSettingsNow& settings) : graph_(graph), settings_(settings) {
@@ -145,12 +118,7 @@ class TubePlanner {
       plan_.tubes.push_back(std::move(tube));
     }
     for (Tube& tube : plan_.tubes) share_lengths(tube);
-    TubeOrder order = order_tubes(plan_.tubes, plan_.events);
-    plan_.order = std::move(order.order);
-    plan_.held_most = order.held_most;
-    plan_.yarns = order.yarns;
-    plan_.order_is_exact = order.exact;
-    return numbered_in_order(plan_);
+    return renumbered(plan_, order_tubes(plan_.tubes, plan_.events));
   }
 
  private:

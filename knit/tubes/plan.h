@@ -78,13 +78,15 @@ struct TubePlan {
   std::vector<TubeId> order;      // in which they are worked, rowless ones too
   std::int32_t held_most = 0;     // holders at once
   std::int32_t yarns = 0;
-  bool order_is_exact = true;                      // no order has fewer holders, and then fewer yarns
+  bool order_is_exact = true;  // no order has fewer holders, and none with as few has fewer yarns
+  std::int32_t orders_tried =
+      0;  // stitch by stitch, for the knitter's order; 0: holders and yarns alone decided
   double stitch_width = 0.0, stitch_height = 0.0;  // that it was made for
   [[nodiscard]] const Tube& tube(TubeId id) const { return tubes[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const TubeEvent& event(std::int32_t id) const { return events[static_cast<std::size_t>(id)]; }
   [[nodiscard]] auto fields() const {
-    return std::tie(tubes, events, left_out, order, held_most, yarns, order_is_exact, stitch_width,
-                    stitch_height);
+    return std::tie(tubes, events, left_out, order, held_most, yarns, order_is_exact, orders_tried,
+                    stitch_width, stitch_height);
   }
   friend bool operator==(const TubePlan&, const TubePlan&) = default;
 };
@@ -115,5 +117,12 @@ struct TubeOrder {
 // over (tubes done, the last of them); at most 2,000 states a level are kept, the best. Every order that goes on with the
 // yarn where it can takes cast ons + splits yarns.
 TubeOrder order_tubes(const std::vector<Tube>& tubes, const std::vector<TubeEvent>& events);
+
+// Of an order of the tubes with rows that order of all: those without are taken up right before the first that needs them, the
+// edge of a graft after the tubes that it ends. Requires that each comes after those that it stands on.
+std::vector<TubeId> with_rowless(const TubePlan& plan, const std::vector<TubeId>& worked);
+
+// The same tubes, worked in another order and numbered by it, and so lettered; those without a row have the last numbers.
+TubePlan renumbered(const TubePlan& plan, TubeOrder order);
 
 }  // namespace knit

@@ -49,15 +49,16 @@ constexpr std::array tubes_lines{
     CodeLine{"give rows to tubes; order them",
              {},
              &var::planned_rows,
-             "Each tube gets rows at equal heights of its own, twins the same; then the order that needs the "
-             "fewest holders.",
+             "Each tube gets rows at equal heights of its own, twins the same. Then all rows are worked once "
+             "unseen, and of the orders tried the one is taken that costs a knitter least: its yarns, "
+             "holders and markers.",
              "docs/algorithm.md, Order",
              lit_or<lit_by<TubesPlanned>, lit_by_stop<StopReason::no_row_levels, StopReason::too_fine>>}};
 
-constexpr std::array tubes_aside{&var::together,    &var::left_share, &var::raw_tubes,   &var::nodes,
-                                 &var::graph_loops, &var::unfolded,   &var::field_value, &var::closed,
-                                 &var::opened,      &var::leaf_girth, &var::keeps,       &var::events,
-                                 &var::held,        &var::yarns,      &var::exact,       &var::handle};
+constexpr std::array tubes_aside{
+    &var::together,    &var::left_share, &var::raw_tubes, &var::nodes,      &var::graph_loops, &var::unfolded,
+    &var::field_value, &var::closed,     &var::opened,    &var::leaf_girth, &var::keeps,       &var::events,
+    &var::held,        &var::yarns,      &var::exact,     &var::handle,     &var::orders_tried};
 
 bool with_contours(const Parameters& parameters) { return parameters.rows.source == RowSource::contours; }
 

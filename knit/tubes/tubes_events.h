@@ -55,6 +55,7 @@ struct TubeLeftOut {
 struct TubesPlanned {
   static constexpr std::string_view kind = "tubes-planned";
   std::int32_t tubes, rows, events, held, yarns;
+  std::int32_t tried;  // orders
   bool exact;
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;

@@ -126,13 +126,13 @@ std::optional<Stopped> too_fine_for(const TubeGraph& graph, const StitchSize& st
 }
 
 Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch, TubesWork& work,
-                          TubesMade made) {
+                          TubesMade made, const ReorderTubes& reorder) {
   if (!work.plan) {
     if (const auto stop = too_fine_for(*work.graph, stitch)) return *stop;
     TubePlan planned = plan_tubes(*work.graph, {stitch.width, stitch.height, settings.smallest_limb});
     if (planned.tubes.size() == 1 && planned.tubes.front().rows() <= 1)
       return stop_for(StopReason::no_row_levels, planned.tubes.front().rows(), 0, stitch.width);
-    work.plan = Shared(std::move(planned));
+    work.plan = Shared(reorder ? reorder(*work.graph, planned) : std::move(planned));
     work.shown = 0;
   }
   if (const auto left = next_left_out(stitch, work)) return *left;
@@ -142,6 +142,7 @@ Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch
                     static_cast<std::int32_t>(planned.events.size()),
                     planned.held_most,
                     planned.yarns,
+                    planned.orders_tried,
                     planned.order_is_exact};
   for (const Tube& tube : planned.tubes) step.rows += tube.rows();
   made.graph = work.graph;
@@ -152,7 +153,8 @@ Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch
 }  // namespace
 
 Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, const TubeSettings& settings,
-                                   const StitchSize& stitch, TubesWork& work, TubesMade made) {
+                                   const StitchSize& stitch, TubesWork& work, TubesMade made,
+                                   const ReorderTubes& reorder) {
   switch (work.phase) {
     case TubesPhase::graph:
       return find_graph(input, timing, settings, work);
@@ -169,7 +171,7 @@ Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, con
     case TubesPhase::plan:
       break;
   }
-  return plan(settings, stitch, work, made);
+  return plan(settings, stitch, work, made, reorder);
 }
 
 bool next_sweeps_surface(const TubesWork& work) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -32,8 +33,12 @@ struct TubesMade {
   Shared<TubeGraph>& graph;
   Shared<TubePlan>& plan;
 };
+// What becomes of a plan where somebody who knows stitches has a better order for it.
+using ReorderTubes = std::function<TubePlan(const TubeGraph&, const TubePlan&)>;
+// Without `reorder` the order stays that of fewest holders (order_tubes).
 Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, const TubeSettings& settings,
-                                   const StitchSize& stitch, TubesWork& work, TubesMade made);
+                                   const StitchSize& stitch, TubesWork& work, TubesMade made,
+                                   const ReorderTubes& reorder = {});
 
 // Whether the step to come works through the whole surface.
 bool next_sweeps_surface(const TubesWork& work);

@@ -34,6 +34,8 @@ inline constexpr CodeVariable events{"events", "events",
                                      "How many cast ons, splits, joins and bind offs there are."};
 inline constexpr CodeVariable held{"held", "held", "How many loops wait on holders at once, at most."};
 inline constexpr CodeVariable exact{"exact", "exact", "Whether no other order needs fewer holders."};
+inline constexpr CodeVariable orders_tried{"orders_tried", "orders",
+                                           "How many orders were tried, stitch by stitch."};
 inline constexpr CodeVariable yarns{"yarns", "yarns", "How many yarns are begun."};
 
 }  // namespace knit::var

@@ -43,6 +43,15 @@ std::string together_sentence(const TubeLeftOut& left, const std::string& size) 
          of + "; the highest, at " + vertex_text(left.vertex) + ", is " + size + ".";
 }
 
+// What is counted is told by knit/order/limb_order.h.
+std::string decided_by(std::int32_t tried) {
+  if (tried == 0) return "";
+  if (tried == 1) return "; there is no other order";
+  return "; of " + plural(tried, "order", "orders") +
+         " tried it costs a knitter least: in yarns above all, in holders, in twins that are torn apart "
+         "and in stitches slipped for the marker";
+}
+
 }  // namespace
 
 std::string FieldSmoothed::sentence(const Telling& /*at*/) const {
@@ -98,12 +107,12 @@ std::string TubesPlanned::sentence(const Telling& /*at*/) const {
   if (tubes == 1) return "One tube from end to end: " + plural(rows, "round", "rounds") + ".";
   return plural(tubes, "tube", "tubes") + " with " + plural(rows, "round", "rounds") +
          " in all, worked with " + plural(yarns, "yarn", "yarns") + " and " +
-         (held == 0 ? "no holder" : plural(held, "holder at once", "holders at once")) + ".";
+         (held == 0 ? "no holder" : plural(held, "holder at once", "holders at once")) + decided_by(tried) +
+         ".";
 }
 StepFields TubesPlanned::numbers() const {
-  return {{var::tubes, tubes},   {"rows", &var::planned_rows, rows},
-          {var::events, events}, {var::held, held},
-          {var::yarns, yarns},   {var::exact, exact}};
+  return {{var::tubes, tubes}, {"rows", &var::planned_rows, rows}, {var::events, events}, {var::held, held},
+          {var::yarns, yarns}, {var::orders_tried, tried},         {var::exact, exact}};
 }
 
 std::string tubes_stop_sentence(const Stopped& stop) {

@@ -74,7 +74,7 @@ std::string broken_graph(const knit::Input& input, const knit::State& state) {
   const std::int64_t yarns = count_of(plan.events, knit::EventKind::cast_on) +
                              count_of(plan.events, knit::EventKind::split) +
                              count_of(plan.events, knit::EventKind::ring_cast_on);
-  return plan.yarns == yarns ? "" : "yarns are cast ons and splits";
+  return knit::order_tubes(plan.tubes, plan.events).yarns == yarns ? "" : "yarns are cast ons and splits";
 }
 
 // A position and its state's hash when the run had come just so far.
@@ -148,6 +148,14 @@ std::string broken_by_settling(const RandomRun& run, const knit::State& settled)
 std::string broken_pattern(const RandomRun& run, const knit::State& state) {
   if (!knit::has_limbs(state)) return {};
   const knit::LimbPlan plan = knit::plan_limbs(state);
+  knit::RowId row = 0;
+  for (const knit::LimbPiece& piece : plan.pieces) {
+    for (const knit::RowId of_piece : piece.rows) {
+      if (of_piece != ++row) return "rows are made in the order in which pieces are written";
+    }
+  }
+  if (state.tubes && plan.held_most != state.tubes->held_most)
+    return "as many holders are planned as the pattern needs";
   const auto written = knit::write_pattern(plan, run.parameters.stitch.gauge, {}, "shape");
   const knit::ReadLimbs read = knit::read_limbs(knit::pattern_as_text(written));
   return read.mistakes.empty() ? std::string() : "a pattern reads back: " + read.mistakes.front().sentence;

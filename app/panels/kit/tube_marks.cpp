@@ -10,9 +10,13 @@ namespace app {
 
 namespace {
 
-bool is_edge_at_ring(const knit::TubePlan& plan, const knit::Tube& tube) {
-  return plan.event(tube.top).kind == knit::EventKind::ring_cast_on ||
-         plan.event(tube.bottom).kind == knit::EventKind::ring_bind_off;
+// Whether a tube is worked on stitches of that one, through tubes without rows too.
+bool stands_on(const knit::TubePlan& plan, knit::TubeId id, knit::TubeId other) {
+  const knit::TubeEvent& bottom = plan.event(plan.tube(id).bottom);
+  if (bottom.kind == knit::EventKind::ring_cast_on) return false;
+  return std::any_of(bottom.below.begin(), bottom.below.end(), [&](knit::TubeId below) {
+    return below == other || (plan.tube(below).rows() == 0 && stands_on(plan, below, other));
+  });
 }
 
 }  // namespace
@@ -22,11 +26,8 @@ std::vector<std::int32_t> yarns_of(const knit::TubePlan& plan) {
   std::int32_t taken_up = 0;
   knit::TubeId before = -1;
   for (const knit::TubeId id : plan.order) {
-    const knit::Tube& tube = plan.tube(id);
-    if (is_edge_at_ring(plan, tube)) continue;
-    const knit::TubeEvent& bottom = plan.event(tube.bottom);
-    const bool goes_on = bottom.kind != knit::EventKind::ring_cast_on &&
-                         std::find(bottom.below.begin(), bottom.below.end(), before) != bottom.below.end();
+    if (plan.tube(id).rows() == 0) continue;
+    const bool goes_on = before >= 0 && stands_on(plan, id, before);
     yarns[static_cast<std::size_t>(id)] = goes_on ? yarns[static_cast<std::size_t>(before)] : taken_up++;
     before = id;
   }

@@ -1,7 +1,9 @@
-#include "knit/limbs/limb_order.h"
+#include "knit/order/limb_order.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "knit/model/bug.h"
 
@@ -18,36 +20,61 @@ bool is_limb(const LimbPiece& piece) {
   return piece.deals.size() == 1 && piece.deals.front().kind == LimbDealKind::cast_on;
 }
 
-bool is_twin(const LimbPiece& piece, std::int32_t other) {
-  return std::find(piece.twins.begin(), piece.twins.end(), other) != piece.twins.end();
+bool is_cast_on(const std::vector<LimbStep>& steps) {
+  return steps.size() == 1 && steps.front().kind == LimbStepKind::cast_on;
 }
 
-double cost_of(const LimbLayout& layout, const LimbMarkers& markers) {
-  const LimbPlan& plan = layout.plan;
-  std::int32_t apart = 0, lines = 0;
-  for (std::int32_t i = 0; i < plan.count(); ++i) {
-    const LimbPiece& piece = plan.piece(i);
-    if (piece.twins.size() > 1 && piece.twins.front() == i)
-      apart += piece.twins.back() - i - static_cast<std::int32_t>(piece.twins.size()) + 1;
-    const bool together = i > 0 && is_twin(piece, i - 1) && is_limb(piece) && is_limb(plan.piece(i - 1));
-    lines += static_cast<std::int32_t>(piece.deals.size()) + (together ? 0 : 3);
+// What an order costs wherever its rounds begin: each yarn that is moved, each line for it, each entry and slip adds to it.
+double least_cost(const LimbTubes& tubes, const LimbRuns& runs) {
+  const auto pieces = static_cast<std::int32_t>(runs.order.size());
+  std::vector<std::int32_t> piece_of(static_cast<std::size_t>(tubes.count()), -1);
+  for (std::int32_t i = 0; i < pieces; ++i)
+    piece_of[static_cast<std::size_t>(runs.order[static_cast<std::size_t>(i)])] = i;
+  std::int32_t apart = 0, lines = 0, yarns = 0;
+  for (std::int32_t i = 0; i < pieces; ++i) {
+    const std::int32_t tube = runs.order[static_cast<std::size_t>(i)];
+    std::int32_t twins = 0, first = pieces, last = -1;
+    bool follows_twin = false;
+    for (const std::int32_t twin : tubes.tube(tube).twins) {
+      const std::int32_t other = piece_of[static_cast<std::size_t>(twin)];
+      if (other < 0) continue;
+      ++twins;
+      first = std::min(first, other);
+      last = std::max(last, other);
+      follows_twin = follows_twin || other == i - 1;
+    }
+    if (twins > 1 && first == i) apart += last - i - twins + 1;
+    const auto& steps = runs.steps[static_cast<std::size_t>(i)];
+    const bool together =
+        follows_twin && is_cast_on(steps) && is_cast_on(runs.steps[static_cast<std::size_t>(i) - 1]);
+    lines += static_cast<std::int32_t>(steps.size()) + (together ? 0 : 3);
+    yarns += static_cast<std::int32_t>(std::count_if(
+        steps.begin(), steps.end(), [](const LimbStep& step) { return begins_yarn(step.kind); }));
   }
-  return 4.0 * plan.held_most + 10.0 * plan.yarns + 2.0 * apart + 1.5 * layout.offsets + markers.slips +
-         0.3 * lines;
+  return 4.0 * runs.held_most + 10.0 * yarns + 2.0 * apart + 0.3 * lines;
+}
+
+double cost_of(const LimbTubes& tubes, const LimbRuns& runs, const LimbMarkers& markers,
+               const LimbLayout& layout) {
+  return least_cost(tubes, runs) + (10.0 + 0.3) * markers.moves + 1.5 * layout.offsets + markers.slips;
+}
+
+std::optional<OrderedLimbs> with_markers(const LimbTubes& tubes, LimbRuns runs) {
+  std::optional<LimbMarkers> markers = markers_of(tubes, runs);
+  if (!markers) return std::nullopt;
+  std::optional<LimbLayout> layout = lay_out(tubes, runs, *markers);
+  if (!layout) return std::nullopt;
+  const double cost = cost_of(tubes, runs, *markers, *layout);
+  return OrderedLimbs{std::move(runs), std::move(*markers), std::move(*layout), cost, 1};
 }
 
 class OrderSearch {
  public:
-  explicit OrderSearch(const LimbTubes& tubes) : tubes_(tubes) {
+  explicit OrderSearch(const LimbTubes& tubes) : tubes_(tubes), own_(order_of_rows(tubes)) {
     std::int32_t stitches = 1;
-    for (std::int32_t i = 0; i < tubes.count(); ++i) {
+    for (std::int32_t i = 0; i < tubes.count(); ++i)
       stitches += static_cast<std::int32_t>(tubes.tube(i).base.size());
-      if (tubes.tube(i).has_rows()) own_.push_back(i);
-    }
     most_orders_ = std::clamp(1000000 / stitches, 60, 1500);
-    std::sort(own_.begin(), own_.end(), [&](std::int32_t a, std::int32_t b) {
-      return tubes.tube(a).rows.front() < tubes.tube(b).rows.front();
-    });
   }
 
   OrderedLimbs run() {
@@ -62,11 +89,13 @@ class OrderSearch {
   }
 
  private:
-  // What it costs, if it is new and can be worked; the best is kept.
-  std::optional<double> try_order(const Order& order, bool equal_will_do = false) {
+  // What it costs, if it is new, can be worked and may cost no more than this; the best is kept.
+  std::optional<double> try_order(const Order& order, double at_most, bool equal_will_do = false) {
     if (!seen_.insert(order).second) return std::nullopt;
     ++tried_;
-    std::optional<OrderedLimbs> found = in_order(tubes_, order);
+    std::optional<LimbRuns> runs = runs_of(tubes_, order);
+    if (!runs || least_cost(tubes_, *runs) > at_most + clearly) return std::nullopt;
+    std::optional<OrderedLimbs> found = with_markers(tubes_, std::move(*runs));
     if (!found) return std::nullopt;
     const double cost = found->cost;
     const double most = best_ ? best_->cost + (equal_will_do ? clearly : -clearly) : cost;
@@ -105,7 +134,7 @@ class OrderSearch {
   }
 
   void climb(Order order) {
-    std::optional<double> cost = try_order(order);
+    std::optional<double> cost = try_order(order, std::numeric_limits<double>::infinity());
     while (cost) cost = improve(order, *cost);
   }
 
@@ -122,7 +151,7 @@ class OrderSearch {
           const Order block(begin, begin + static_cast<std::ptrdiff_t>(length));
           moved.erase(begin, begin + static_cast<std::ptrdiff_t>(length));
           moved.insert(moved.begin() + static_cast<std::ptrdiff_t>(to), block.begin(), block.end());
-          const std::optional<double> changed = stands(moved) ? try_order(moved) : std::nullopt;
+          const std::optional<double> changed = stands(moved) ? try_order(moved, cost) : std::nullopt;
           if (!changed || *changed > cost - clearly) continue;
           order = std::move(moved);
           return changed;
@@ -155,7 +184,7 @@ class OrderSearch {
         if (fits && std::find(feet.begin(), feet.end(), item.piece) == feet.end()) feet.push_back(item.piece);
       }
       if (feet.size() < 2) continue;
-      const std::optional<double> cost = try_order(with_feet(now, feet, yarn), true);
+      const std::optional<double> cost = try_order(with_feet(now, feet, yarn), now.cost, true);
       if (cost && *cost <= now.cost + clearly) return true;
     }
     return false;
@@ -187,20 +216,20 @@ class OrderSearch {
 
 std::optional<OrderedLimbs> in_order(const LimbTubes& tubes, const std::vector<std::int32_t>& order) {
   std::optional<LimbRuns> runs = runs_of(tubes, order);
-  if (!runs) return std::nullopt;
-  std::optional<LimbMarkers> markers = markers_of(tubes, *runs);
-  if (!markers) return std::nullopt;
-  std::optional<LimbLayout> layout = lay_out(tubes, *runs, *markers);
-  if (!layout) return std::nullopt;
-  const double cost = cost_of(*layout, *markers);
-  return OrderedLimbs{std::move(*runs), std::move(*markers), std::move(*layout), cost, 1};
+  return runs ? with_markers(tubes, std::move(*runs)) : std::nullopt;
 }
 
-OrderedLimbs cheapest_order(const LimbTubes& tubes, const std::vector<std::int32_t>& wanted) {
-  if (!wanted.empty()) {
-    if (std::optional<OrderedLimbs> chosen = in_order(tubes, wanted)) return std::move(*chosen);
+std::vector<std::int32_t> order_of_rows(const LimbTubes& tubes) {
+  std::vector<std::int32_t> order;
+  for (std::int32_t i = 0; i < tubes.count(); ++i) {
+    if (tubes.tube(i).has_rows()) order.push_back(i);
   }
-  return OrderSearch(tubes).run();
+  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return tubes.tube(a).rows.front() < tubes.tube(b).rows.front();
+  });
+  return order;
 }
+
+OrderedLimbs cheapest_order(const LimbTubes& tubes) { return OrderSearch(tubes).run(); }
 
 }  // namespace knit

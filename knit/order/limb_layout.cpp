@@ -1,4 +1,4 @@
-#include "knit/limbs/limb_layout.h"
+#include "knit/order/limb_layout.h"
 
 #include <algorithm>
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "knit/limbs/limb_runs.h"
+#include "knit/order/limb_runs.h"
 
 namespace knit {
 

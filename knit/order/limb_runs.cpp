@@ -1,4 +1,4 @@
-#include "knit/limbs/limb_runs.h"
+#include "knit/order/limb_runs.h"
 
 #include <algorithm>
 #include <set>
@@ -23,6 +23,7 @@ class Needle {
       runs_.steps.push_back(steps_);
       on_ = tube;
       done_.insert(tube);
+      runs_.held_most = std::max(runs_.held_most, static_cast<std::int32_t>(held_.size()));
       end(tube);
     }
     runs_.goes_on.push_back(0);

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "knit/limbs/limb_markers.h"
-#include "knit/limbs/limb_plan.h"
+#include "knit/order/limb_markers.h"
+#include "knit/order/limb_pieces.h"
 
 namespace knit {
 

@@ -11,8 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "knit/run/state.h"
+#include "knit/fabric/fabric.h"
 #include "knit/stitches/operations.h"
+#include "knit/tubes/plan.h"
 
 namespace knit {
 
@@ -53,7 +54,8 @@ struct LimbFork {
 
 class LimbTubes {
  public:
-  explicit LimbTubes(const State& state);
+  // Requires all rows, joins and deals. Twins and inner tubes as the plan says, if there is one.
+  LimbTubes(const Fabric& fabric, const TubePlan* plan);
   [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(tubes_.size()); }
   [[nodiscard]] const LimbTube& tube(std::int32_t i) const { return tubes_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const LimbFork& fork(std::int32_t i) const { return forks_[static_cast<std::size_t>(i)]; }
@@ -92,7 +94,7 @@ class LimbTubes {
   [[nodiscard]] Places joined_places(const LimbFork& fork, const std::vector<std::int32_t>& given,
                                      const Places& there, const Places& back) const;
   std::int32_t add_places(std::int32_t count, std::int32_t bridge, bool two_sides);
-  void add_twins(const State& state);
+  void add_twins(const TubePlan* plan);
   std::vector<LimbTube> tubes_;
   std::vector<LimbFork> forks_;
   std::vector<Places> live_;  // of each tube, now

@@ -1,4 +1,4 @@
-#include "knit/limbs/limb_tubes.h"
+#include "knit/order/limb_tubes.h"
 
 #include <algorithm>
 
@@ -289,27 +289,26 @@ void LimbTubes::add_ring(const Fabric& fabric, const Deal& deal, LimbFork& fork)
   }
 }
 
-void LimbTubes::add_twins(const State& state) {
+void LimbTubes::add_twins(const TubePlan* plan) {
   for (std::int32_t i = 0; i < count(); ++i) {
     LimbTube& tube = tubes_[static_cast<std::size_t>(i)];
     tube.twins = {i};
-    if (!state.tubes || tube.id >= static_cast<TubeId>(state.tubes->tubes.size())) continue;
-    tube.inner = state.tubes->tube(tube.id).inner;
+    if (plan == nullptr || tube.id >= static_cast<TubeId>(plan->tubes.size())) continue;
+    tube.inner = plan->tube(tube.id).inner;
     tube.twins.clear();
-    for (const TubeId twin : state.tubes->tube(tube.id).twins) tube.twins.push_back(index_of(twin));
+    for (const TubeId twin : plan->tube(tube.id).twins) tube.twins.push_back(index_of(twin));
     if (tube.twins.empty()) tube.twins = {i};
   }
 }
 
-LimbTubes::LimbTubes(const State& state) {
-  const Fabric& fabric = state.fabric;
+LimbTubes::LimbTubes(const Fabric& fabric, const TubePlan* plan) {
   std::size_t deal = 0;
   for (const auto& row : fabric.rows()) {
     add_row(fabric, *row);
     for (; deal < fabric.deals().size() && fabric.deals()[deal]->after == row->id; ++deal)
       add_deal(fabric, *fabric.deals()[deal], static_cast<std::int32_t>(deal));
   }
-  add_twins(state);
+  add_twins(plan);
   for (LimbTube& tube : tubes_) {
     if (!tube.has_rows()) continue;
     climb(tube.hands, 0, tube.base.empty() ? 0 : size_of(tube.base), tube.last_of_base, tube.slips_of_base);

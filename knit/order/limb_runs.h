@@ -9,11 +9,16 @@
 #include <optional>
 #include <vector>
 
-#include "knit/limbs/limb_tubes.h"
+#include "knit/order/limb_tubes.h"
 
 namespace knit {
 
 enum class LimbStepKind : std::uint8_t { cast_on, provisional, loops, rejoin, set_aside, divide, join };
+
+constexpr bool begins_yarn(LimbStepKind kind) {
+  return kind == LimbStepKind::cast_on || kind == LimbStepKind::provisional || kind == LimbStepKind::loops ||
+         kind == LimbStepKind::rejoin;
+}
 
 struct LimbStep {
   LimbStepKind kind = LimbStepKind::cast_on;
@@ -28,6 +33,7 @@ struct LimbRuns {
   std::vector<std::vector<LimbStep>> steps;  // of each of them
   std::vector<std::uint8_t> goes_on;         // of each of them: the next one goes on with its yarn
   std::vector<std::uint8_t> grafted;         // of each: to a loop on a holder
+  std::int32_t held_most = 0;                // holders while rounds are worked
   // Whether a piece begins a yarn.
   [[nodiscard]] bool begins_yarn(std::size_t piece) const;
 };

@@ -6,13 +6,14 @@
 // way to choose among children at the first forks, blocks of pieces are moved and the first change for the better is taken,
 // until there is none or enough were tried. Then limbs that one join takes are put in the order in which it takes them, odd
 // ones first, if that costs no more.
-// Each order tried: markers and layout, O(stitches of all loops + starts x deals x stitches).
+// Each order tried: what it costs without its markers, O(tubes); where that is not dearer already than the order it changes,
+// markers and layout, O(stitches of all loops + starts x deals x stitches).
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "knit/limbs/limb_layout.h"
+#include "knit/order/limb_layout.h"
 
 namespace knit {
 
@@ -27,7 +28,9 @@ struct OrderedLimbs {
 // Nothing where it cannot be worked.
 std::optional<OrderedLimbs> in_order(const LimbTubes& tubes, const std::vector<std::int32_t>& order);
 
-// A `wanted` order that can be worked is taken as it is.
-OrderedLimbs cheapest_order(const LimbTubes& tubes, const std::vector<std::int32_t>& wanted = {});
+// The tubes with rows as the fabric has them, one after the other.
+std::vector<std::int32_t> order_of_rows(const LimbTubes& tubes);
+
+OrderedLimbs cheapest_order(const LimbTubes& tubes);
 
 }  // namespace knit

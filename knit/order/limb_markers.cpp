@@ -1,4 +1,4 @@
-#include "knit/limbs/limb_markers.h"
+#include "knit/order/limb_markers.h"
 
 #include <algorithm>
 
@@ -14,11 +14,6 @@ struct Happening {
   std::int32_t step = -1;
 };
 using Run = std::vector<Happening>;
-
-bool begins_yarn(LimbStepKind kind) {
-  return kind == LimbStepKind::cast_on || kind == LimbStepKind::provisional || kind == LimbStepKind::loops ||
-         kind == LimbStepKind::rejoin;
-}
 
 std::vector<Run> yarns_of(const LimbRuns& runs) {
   std::vector<Run> all;

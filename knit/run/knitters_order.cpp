@@ -1,0 +1,110 @@
+#include "knit/run/knitters_order.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+#include "knit/order/limb_order.h"
+#include "knit/rows/contour_stage.h"
+#include "knit/stitches/nearest.h"
+
+namespace knit {
+
+namespace {
+
+void add_rows_and_deals(const UnorderedTubes& at, const TubePlan& plan, Fabric& fabric) {
+  ContourWork work;
+  for (Ended ended = Ended::step; ended != Ended::stage;) {
+    std::optional<Row> row;
+    std::optional<Deal> deal;
+    std::optional<TubePlan> other_plan;  // never made: the stitch stays
+    const ContourAt now{at.input, at.timing, at.graph, plan, fabric};
+    ended = advance_contours({}, at.stitch, now, work, {row, deal, other_plan}).ended;
+    if (row) fabric.add(std::move(*row));
+    if (deal) fabric.add(std::move(*deal));
+  }
+}
+
+// Links alone; how shaping leans is nothing to an order.
+void add_joins(Fabric& fabric) {
+  for (RowId id = fabric.next_worked(0); id > 0; id = fabric.next_worked(id)) {
+    const Row& row = fabric.row(id);
+    const std::vector<Stitch> below = fabric.stitches_of(row.on);
+    Join join = plan_nearest({below, row.stitches, {}, {}, true}, {}, id);
+    join.from = row.on;
+    fabric.add(Shared(std::move(join)));
+  }
+}
+
+LimbTubes knitted(const UnorderedTubes& at, const TubePlan& plan) {
+  Fabric fabric;
+  add_rows_and_deals(at, plan, fabric);
+  add_joins(fabric);
+  return {fabric, &plan};
+}
+
+TubePlan with_cost_of(const TubePlan& plan, const TubeOrder& least, const OrderedLimbs& limbs,
+                      std::int32_t tried) {
+  TubePlan counted = plan;
+  counted.held_most = limbs.layout.plan.held_most;
+  counted.yarns = limbs.layout.plan.yarns;
+  counted.order_is_exact =
+      least.exact && counted.held_most <= least.held_most && counted.yarns <= least.yarns;
+  counted.orders_tried = tried;
+  return counted;
+}
+
+// Whether two orders make the same rows but for their numbers: of each join the same loop brings the yarn, of each ring the same
+// side is cast on first.
+bool make_the_same_rows(const TubePlan& plan, const std::vector<TubeId>& one,
+                        const std::vector<TubeId>& two) {
+  const auto comes_first = [](const std::vector<TubeId>& order, const std::vector<TubeId>& pair) {
+    return std::find(order.begin(), order.end(), pair[0]) < std::find(order.begin(), order.end(), pair[1]);
+  };
+  return std::all_of(plan.events.begin(), plan.events.end(), [&](const TubeEvent& event) {
+    if (event.kind != EventKind::join && event.kind != EventKind::ring_cast_on) return true;
+    const std::vector<TubeId>& pair = event.kind == EventKind::join ? event.below : event.above;
+    return comes_first(one, pair) == comes_first(two, pair);
+  });
+}
+
+}  // namespace
+
+TubePlan in_knitters_order(const UnorderedTubes& at, const TubePlan& plan) {
+  const auto with_rows =
+      std::count_if(plan.tubes.begin(), plan.tubes.end(), [](const Tube& tube) { return tube.rows() > 0; });
+  if (with_rows < 2) return plan;
+  const TubeOrder least{plan.order, plan.held_most, plan.yarns, plan.order_is_exact};
+  const LimbTubes tubes = knitted(at, plan);
+  const OrderedLimbs best = cheapest_order(tubes);
+  std::vector<TubeId> worked;
+  for (const std::int32_t tube : best.runs.order) worked.push_back(tubes.tube(tube).id);
+  TubeOrder order = least;
+  order.order = with_rowless(plan, worked);
+  const bool same_rows = make_the_same_rows(plan, plan.order, order.order);
+  const TubePlan ordered = renumbered(plan, std::move(order));
+  if (same_rows) return with_cost_of(ordered, least, best, best.tried);
+  const LimbTubes again = knitted(at, ordered);
+  if (const auto limbs = in_order(again, order_of_rows(again)))
+    return with_cost_of(ordered, least, *limbs, best.tried);
+  const auto limbs = in_order(tubes, order_of_rows(tubes));
+  return limbs ? with_cost_of(plan, least, *limbs, best.tried) : plan;
+}
+
+// Rows after deals take longest, and there are as many as tubes; of many tubes fewer orders are tried.
+double microseconds_to_order(const TubeGraph& graph, const StitchSize& stitch) {
+  constexpr double of_a_stitch = 0.5, of_a_search = 0.25, longest_search = 150000.0;
+  const auto tubes = static_cast<double>(graph.tubes.size());
+  if (tubes < 2.0) return 0.0;
+  double area = 0.0;
+  for (const auto& [a, b, c] : graph.surface.triangles) {
+    const auto& p = graph.surface.positions;
+    area += 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
+  }
+  const double stitches = area / (stitch.width * stitch.height);
+  return of_a_stitch * stitches * tubes +
+         std::min(of_a_search * tubes * tubes * tubes * tubes, longest_search);
+}
+
+}  // namespace knit
