@@ -51,6 +51,23 @@ TEST_CASE("dissection: every used vertex comes once, and the factor stays sparse
   CHECK(fill_of(spokes, order) * 5 < fill_of(spokes, all));
 }
 
+TEST_CASE("dissection: it is heard, in the same order, and broken off", "[dissection]") {
+  const Mesh mesh = rough_sphere(4, 1);
+  const Spokes spokes = spokes_of(make_intrinsic(*make_input(mesh)), mesh.positions.size());
+  std::vector<double> shares;
+  const std::vector<VertexId> order =
+      order_by_dissection(spokes, mesh.positions, [&](double share) { shares.push_back(share); });
+  CHECK(order == order_by_dissection(spokes, mesh.positions));
+  CHECK(shares.size() >= 4);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.front() < 0.3);
+  CHECK(shares.back() > 0.4);
+  CHECK(shares.back() <= 1.0);
+  struct BrokenOff {};
+  CHECK_THROWS_AS(order_by_dissection(spokes, mesh.positions, [](double /*share*/) { throw BrokenOff{}; }),
+                  BrokenOff);
+}
+
 TEST_CASE("dissection: a pole with every other vertex around it can be ordered", "[dissection]") {
   const Mesh mesh = sphere(500, 2);
   const Spokes spokes = spokes_of(make_intrinsic(*make_input(mesh)), mesh.positions.size());

@@ -22,7 +22,8 @@ constexpr std::size_t narrow = 3;
 // --- the pattern
 // --------------------------------------------------------------------------------------------------------
 
-std::vector<std::uint32_t> places_of(Pairs coupled, std::span<const glm::dvec3> positions) {
+std::vector<std::uint32_t> places_of(Pairs coupled, std::span<const glm::dvec3> positions,
+                                     const Heard& heard) {
   Spokes spokes;
   spokes.first.assign(positions.size() + 1, 0);
   for (const auto& [a, b] : coupled) {
@@ -38,7 +39,7 @@ std::vector<std::uint32_t> places_of(Pairs coupled, std::span<const glm::dvec3> 
   }
   std::vector<std::uint32_t> place(positions.size(), none);
   std::uint32_t count = 0;
-  for (const VertexId stitch : order_by_dissection(spokes, positions)) place[stitch] = count++;
+  for (const VertexId stitch : order_by_dissection(spokes, positions, heard)) place[stitch] = count++;
   for (std::uint32_t& at : place) {
     if (at == none) at = count++;  // coupled with nothing
   }
@@ -243,11 +244,10 @@ std::uint32_t BlockPattern::slot(std::uint32_t a, std::uint32_t b) const {
 
 BlockPattern make_block_pattern(Pairs coupled, std::span<const glm::dvec3> positions, const Heard& heard) {
   BlockPattern pattern;
-  if (heard) heard(0.0);
-  pattern.place = places_of(coupled, positions);
-  if (heard) heard(0.6);
+  pattern.place = places_of(coupled, positions, part_of(heard, 0.0, 0.6));
+  hear(heard, 0.6);
   const Rows columns = columns_of(pattern.place, coupled);
-  if (heard) heard(0.7);
+  hear(heard, 0.7);
   pattern.first.push_back(0);
   for (const auto& column : columns) {
     pattern.row.insert(pattern.row.end(), column.begin(), column.end());

@@ -11,18 +11,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <tuple>
 #include <vector>
 
-namespace knit {
+#include "knit/model/heard.h"
 
-// Told how far long work has come, from 0 to 1, so often that a twentieth of a second never lies between; what it throws
-// breaks the work off, which leaves everything as it was. Empty: nobody listens.
-using Heard = std::function<void(double share)>;
+namespace knit {
 
 // Row by row: {a, b, c, d} is a b over c d.
 using Block = std::array<double, 4>;

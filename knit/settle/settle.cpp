@@ -27,10 +27,6 @@ void find_normals(const Input& input, const SettlePlan& plan, const Settled& at,
     normals.push_back(normal_at(input, plan.normals, at.triangles[i], at.positions[i], {0.0, 1.0, 0.0}));
 }
 
-void hear(const Heard& heard, double share) {
-  if (heard) heard(share);
-}
-
 Settled onto_surface(const Input& input, const std::vector<glm::dvec3>& path, const Heard& heard) {
   const TriangleTree tree(input.mesh.positions, input.mesh.triangles);
   Settled start;
@@ -42,12 +38,6 @@ Settled onto_surface(const Input& input, const std::vector<glm::dvec3>& path, co
     start.triangles.push_back(place.triangle);
   }
   return start;
-}
-
-// A part of what is heard: its own 0 to 1 is `from` to `to` of the whole.
-Heard part_of(const Heard& heard, double from, double to) {
-  if (!heard) return {};
-  return [&heard, from, to](double share) { heard(from + (to - from) * share); };
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 namespace knit {
 
 Advanced<SettleEvent> advance_settle(const Input& input, const SettleSettings& settings,
-                                     const StitchSize& stitch, SettleWork& work, Fabric& fabric) {
+                                     const StitchSize& stitch, SettleWork& work, Fabric& fabric,
+                                     const Heard& heard) {
   if (!work.plan) {
-    begin_settling(input, fabric, stitch, settings, work);
+    begin_settling(input, fabric, stitch, settings, work, heard);
     const SettleGraph& graph = work.plan->terms.graph;
     return SettlingBegun{static_cast<std::int32_t>(work.at->positions.size()),
                          static_cast<std::int32_t>(graph.wales.size()),
                          static_cast<std::int32_t>(graph.courses.size()), work.sum};
   }
-  const SettleIteration told = advance_settling(input, settings, work);
+  const SettleIteration told = advance_settling(input, settings, work, heard);
   if (told.taken) fabric = fabric.moved_to(work.at->positions);
   const StitchesSettled step{told.iteration,
                              told.tries,

@@ -9,6 +9,7 @@ namespace knit {
 
 // The fabric's stitches are moved with each iteration; it needs faces.
 Advanced<SettleEvent> advance_settle(const Input& input, const SettleSettings& settings,
-                                     const StitchSize& stitch, SettleWork& work, Fabric& fabric);
+                                     const StitchSize& stitch, SettleWork& work, Fabric& fabric,
+                                     const Heard& heard = {});
 
 }  // namespace knit

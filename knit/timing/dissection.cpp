@@ -29,8 +29,14 @@ struct Cut {
 
 class Dissection {
  public:
-  Dissection(const Spokes& spokes, std::span<const glm::dvec3> positions)
-      : spokes_(spokes), positions_(positions), side_(positions.size(), 0) {}
+  // Of so many vertices, that are halved again and again.
+  Dissection(const Spokes& spokes, std::span<const glm::dvec3> positions, std::size_t vertices,
+             const Heard& heard)
+      : spokes_(spokes), positions_(positions), side_(positions.size(), 0), heard_(heard) {
+    std::size_t levels = 0;
+    for (std::size_t part = vertices; part > smallest_part; part /= 2) ++levels;
+    expected_ = directions.size() * vertices * levels;
+  }
 
   // Appends the order of these vertices. As deep as the vertices can be halved.
   void append_order(const Vertices& vertices, Vertices& order) {
@@ -68,6 +74,15 @@ class Dissection {
     return halves;
   }
 
+  // Before so many vertices are looked at.
+  void say(std::size_t vertices) {
+    constexpr std::size_t rarely = 1 << 15;
+    seen_ += vertices;
+    if (seen_ - said_ < rarely) return;
+    hear(heard_, std::min(1.0, static_cast<double>(said_) / static_cast<double>(expected_)));
+    said_ = seen_;
+  }
+
   void mark(const Halves& halves) {
     for (const auto& key : halves.keyed)
       side_[key.second] = halves.is_low(key) ? halves.low_side : halves.high_side;
@@ -88,6 +103,7 @@ class Dissection {
     Halves best;
     std::array<std::size_t, 2> fewest{vertices.size() + 1, vertices.size() + 1};
     for (const glm::dvec3& direction : directions) {
+      say(vertices.size());
       Halves halves = halve(vertices, direction);
       const std::array<std::size_t, 2> counts = beside_each_other(halves);
       if (std::min(counts[0], counts[1]) >= std::min(fewest[0], fewest[1])) continue;
@@ -120,17 +136,20 @@ class Dissection {
   std::vector<std::uint32_t> side_;
   std::uint32_t sides_ = 0;
   Keyed ranked_;  // kept for its memory
+  const Heard& heard_;
+  std::size_t expected_ = 0, seen_ = 0, said_ = 0;  // vertices, once for each direction
 };
 
 }  // namespace
 
-std::vector<VertexId> order_by_dissection(const Spokes& spokes, std::span<const glm::dvec3> positions) {
+std::vector<VertexId> order_by_dissection(const Spokes& spokes, std::span<const glm::dvec3> positions,
+                                          const Heard& heard) {
   Vertices vertices;
   for (VertexId v = 0; v < positions.size(); ++v)
     if (!spokes.at(v).empty()) vertices.push_back(v);
   Vertices order;
   order.reserve(vertices.size());
-  Dissection(spokes, positions).append_order(vertices, order);
+  Dissection(spokes, positions, vertices.size(), heard).append_order(vertices, order);
   return order;
 }
 

@@ -9,11 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "knit/model/heard.h"
 #include "knit/timing/intrinsic.h"
 
 namespace knit {
 
 // Every vertex that has spokes, once.
-std::vector<VertexId> order_by_dissection(const Spokes& spokes, std::span<const glm::dvec3> positions);
+std::vector<VertexId> order_by_dissection(const Spokes& spokes, std::span<const glm::dvec3> positions,
+                                          const Heard& heard = {});
 
 }  // namespace knit

@@ -1,6 +1,5 @@
 #include "knit/timing/fields.h"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "knit/mesh/elementary.h"
 #include "knit/model/bug.h"
 #include "knit/timing/dissection.h"
+#include "knit/timing/elimination.h"
 #include "knit/timing/intrinsic.h"
 
 namespace knit {
@@ -28,15 +28,19 @@ constexpr double least_weight = 1e-12;
 // the masses must not drown in the Laplacian's rounding.
 constexpr double most_smoothing = 100.0;
 
+// Of what is heard: until the order is there, until the matrix is.
+constexpr double share_of_order = 0.3, share_of_matrix = 0.35;
+
 // The places that the net uses, numbered in the order of elimination; -1 for all other vertices.
 struct Unknowns {
   std::vector<int> of_vertex;
   int count = 0;
 };
 
-Unknowns number_unknowns(const Input& input, const Spokes& spokes) {
+Unknowns number_unknowns(const Input& input, const Spokes& spokes, const Heard& heard) {
   Unknowns unknowns{std::vector<int>(input.twin.size(), -1), 0};
-  for (const VertexId v : order_by_dissection(spokes, input.mesh.positions))
+  for (const VertexId v :
+       order_by_dissection(spokes, input.mesh.positions, part_of(heard, 0.0, share_of_order)))
     unknowns.of_vertex[v] = unknowns.count++;
   return unknowns;
 }
@@ -99,15 +103,22 @@ struct Pin {
   double value;
 };
 
-Vector solve(const Matrix& lower_half, const Vector& right) {
-  const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factored(lower_half);
-  if (factored.info() != Eigen::Success) throw Bug("the Laplacian of the mesh could not be factored");
-  return factored.solve(right);
+// Of a compressed matrix.
+Vector solve(const Matrix& lower_half, Vector right, const Heard& heard) {
+  const auto size = static_cast<std::size_t>(lower_half.cols()),
+             entries = static_cast<std::size_t>(lower_half.nonZeros());
+  const Elimination factors({{lower_half.outerIndexPtr(), size + 1},
+                             {lower_half.innerIndexPtr(), entries},
+                             {lower_half.valuePtr(), entries}},
+                            part_of(heard, share_of_matrix, 0.95));
+  if (!factors.factored()) throw Bug("the Laplacian of the mesh could not be factored");
+  factors.solve({right.data(), size}, part_of(heard, 0.95, 1.0));
+  return right;
 }
 
 // Solves L u = right with some values given. Their columns move to the right side.
 Vector solve_pinned(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, Vector right,
-                    std::span<const Pin> pins) {
+                    std::span<const Pin> pins, const Heard& heard) {
   Matrix matrix = make_laplacian(intrinsic, unknowns);
   std::vector<const Pin*> pin_at(static_cast<std::size_t>(matrix.cols()), nullptr);
   for (const Pin& pin : pins) pin_at[static_cast<std::size_t>(pin.unknown)] = &pin;
@@ -122,7 +133,7 @@ Vector solve_pinned(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, Ve
     }
   }
   for (const Pin& pin : pins) right[pin.unknown] = matrix.coeff(pin.unknown, pin.unknown) * pin.value;
-  Vector values = solve(matrix, right);
+  Vector values = solve(matrix, right, heard);
   for (const Pin& pin : pins) values[pin.unknown] = pin.value;
   return values;
 }
@@ -146,9 +157,10 @@ std::array<double, 3> unit_slopes_in(const SideLengths& lengths, const std::arra
 
 }  // namespace
 
-std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start) {
+std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
+                                const Heard& heard) {
   const Spokes spokes = spokes_of(intrinsic, input.twin.size());
-  const Unknowns unknowns = number_unknowns(input, spokes);
+  const Unknowns unknowns = number_unknowns(input, spokes, heard);
   const int source = unknown_at(input, unknowns, start);
   const double reach = reach_along_edges(spokes, input.twin[start]);
   const double spread = std::max(intrinsic.mean_edge, reach / farthest_reach);
@@ -157,7 +169,7 @@ std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrins
   matrix.diagonal() += lumped_masses(intrinsic, unknowns) / (spread * spread);
   Vector unit = Vector::Zero(unknowns.count);
   unit[source] = 1.0;
-  const Vector heat = solve(matrix, unit);
+  const Vector heat = solve(matrix, unit, heard);
   return to_vertices(input, unknowns.of_vertex, heat / heat[source]);
 }
 
@@ -172,8 +184,8 @@ EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>
 }
 
 std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intrinsic,
-                                  const EdgeSlopes& slopes, VertexId start) {
-  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+                                  const EdgeSlopes& slopes, VertexId start, const Heard& heard) {
+  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
   const Pin pin{unknown_at(input, unknowns, start), 0.0};
   Vector rise = Vector::Zero(unknowns.count);  // minus the slopes' divergence
   for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
@@ -184,18 +196,19 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
       rise[unknowns.of_vertex[intrinsic.triangles[t][(k + 1) % 3]]] += flow;
     }
   }
-  const Vector distance = solve_pinned(intrinsic, unknowns, rise, {&pin, 1});
+  const Vector distance = solve_pinned(intrinsic, unknowns, rise, {&pin, 1}, heard);
   return to_vertices(input, unknowns.of_vertex, distance.cwiseMax(0.0));
 }
 
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
-                                   VertexId end) {
-  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+                                   VertexId end, const Heard& heard) {
+  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
   const std::array<Pin, 2> pins{Pin{unknown_at(input, unknowns, start), 0.0},
                                 Pin{unknown_at(input, unknowns, end), 1.0}};
   if (pins[0].unknown == pins[1].unknown) throw Bug("a harmonic field begins and ends at one place");
   const Vector zero = Vector::Zero(unknowns.count);
-  return to_vertices(input, unknowns.of_vertex, solve_pinned(intrinsic, unknowns, zero, pins).cwiseMin(1.0));
+  return to_vertices(input, unknowns.of_vertex,
+                     solve_pinned(intrinsic, unknowns, zero, pins, heard).cwiseMin(1.0));
 }
 
 struct FieldSmoother::Kept {
@@ -204,15 +217,16 @@ struct FieldSmoother::Kept {
   Vector masses;
 };
 
-FieldSmoother::FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic) {
-  Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()));
+FieldSmoother::FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic, const Heard& heard) {
+  Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
+  hear(heard, share_of_order);
   const Matrix laplacian = make_laplacian(intrinsic, unknowns);
   Vector masses = lumped_masses(intrinsic, unknowns);
   kept_ = std::make_shared<const Kept>(Kept{std::move(unknowns.of_vertex), laplacian, std::move(masses)});
 }
 
-std::vector<double> FieldSmoother::smooth(const Input& input, const std::vector<double>& field,
-                                          double length) const {
+std::vector<double> FieldSmoother::smooth(const Input& input, const std::vector<double>& field, double length,
+                                          const Heard& heard) const {
   const auto& [unknown_of, laplacian, masses] = *kept_;
   Vector rough = Vector::Zero(masses.size());
   for (std::size_t v = 0; v < field.size(); ++v)
@@ -221,7 +235,7 @@ std::vector<double> FieldSmoother::smooth(const Input& input, const std::vector<
   const double reach = std::min(length, longest);
   Matrix matrix = laplacian * (reach * reach);
   matrix.diagonal() += masses;
-  const Vector smooth = solve(matrix, masses.cwiseProduct(rough));
+  const Vector smooth = solve(matrix, masses.cwiseProduct(rough), heard);
   // But for rounding the extremes are never passed, as no weight is negative.
   return to_vertices(input, unknown_of, smooth.cwiseMax(rough.minCoeff()).cwiseMin(rough.maxCoeff()));
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 #include "knit/timing/intrinsic.h"
 
 namespace knit {
@@ -23,7 +24,8 @@ namespace knit {
 // The heat method's three steps. Heat after a short time, at each vertex, as a share of that at `start`, from
 // where it flows: in (0, 1]. The time is the square of the mean edge; more where the surface reaches so far
 // that the heat would fall below the smallest double.
-std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start);
+std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
+                                const Heard& heard = {});
 
 // How steep the heat falls along each edge of each triangle once every slope is made 1: the unit field
 // -grad u / |grad u|, as its dot product with edge k -> k + 1 of triangle t. 0 where the heat is level.
@@ -33,23 +35,23 @@ EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>
 // The function whose slopes come nearest to these, 0 at `start` and nowhere negative: the distance from
 // `start` along the surface.
 std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intrinsic,
-                                  const EdgeSlopes& slopes, VertexId start);
+                                  const EdgeSlopes& slopes, VertexId start, const Heard& heard = {});
 
 // 0 at `start`, 1 at `end`, and in between at every vertex the weighted mean of its neighbours.
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
-                                   VertexId end);
+                                   VertexId end, const Heard& heard = {});
 
 // Smooths fields on one surface. What does not depend on the field and the length is worked out once: the order of
 // elimination, Laplacian and masses. Copies share it.
 class FieldSmoother {
  public:
-  FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic);
+  FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic, const Heard& heard = {});
 
   // The field with its level sets smoothed over about `length`: solves (M + length^2 L) f' = M f with the lumped masses M.
   // Between the least and the greatest of the field everywhere. More than 100 times the square root of the area counts as
   // that.
   [[nodiscard]] std::vector<double> smooth(const Input& input, const std::vector<double>& field,
-                                           double length) const;
+                                           double length, const Heard& heard = {}) const;
 
  private:
   struct Kept;

@@ -39,8 +39,9 @@ TimingChosen choose_kind(const Input& input, TimingWork& work) {
 }
 
 // Distances from the start become a field; without a picked end the farthest vertex is the end.
-Advanced<TimingEvent> take_distances(const Input& input, const TimingSettings& settings, TimingWork& work) {
-  std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start);
+Advanced<TimingEvent> take_distances(const Input& input, const TimingSettings& settings, TimingWork& work,
+                                     const Heard& heard) {
+  std::vector<double> field = distance_from(input, *work.net, *work.slopes, work.ends->start, heard);
   if (settings.end == no_vertex) {
     const double reach = *std::max_element(field.begin(), field.end());
     const auto farthest = std::find_if(field.begin(), field.end(),
@@ -55,7 +56,8 @@ Advanced<TimingEvent> take_distances(const Input& input, const TimingSettings& s
   return step;
 }
 
-Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& settings, TimingWork& work) {
+Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& settings, TimingWork& work,
+                                 const Heard& heard) {
   const VertexId start = work.ends->start;
   const auto vertices = static_cast<std::int64_t>(input.mesh.positions.size());
   if (!work.net) {
@@ -63,18 +65,18 @@ Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& setti
     return FieldSolved{FieldStep::net, start, static_cast<std::int64_t>(work.net->triangles.size()), 0.0};
   }
   if (work.kind == TimingKind::harmonic) {
-    work.field = Shared(solve_harmonic(input, *work.net, start, work.ends->end));
+    work.field = Shared(solve_harmonic(input, *work.net, start, work.ends->end, heard));
     return FieldSolved{FieldStep::harmonic, start, vertices, 1.0};
   }
   if (!work.heat) {
-    work.heat = Shared(spread_heat(input, *work.net, start));
+    work.heat = Shared(spread_heat(input, *work.net, start, heard));
     return FieldSolved{FieldStep::heat, start, vertices, 0.0};
   }
   if (!work.slopes) {
     work.slopes = Shared(unit_slopes(*work.net, *work.heat));
     return FieldSolved{FieldStep::slopes, start, static_cast<std::int64_t>(work.slopes->size()), 1.0};
   }
-  return take_distances(input, settings, work);
+  return take_distances(input, settings, work, heard);
 }
 
 // How far a vertex stands from the start to the end along the line, within [0, 1].
@@ -134,11 +136,11 @@ Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, 
 }  // namespace
 
 Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& settings, TimingWork& work,
-                                     Shared<Timing>& timing) {
+                                     Shared<Timing>& timing, const Heard& heard) {
   if (!work.ends) return find_ends_of_knitting(input, settings, work);
   if (work.kind == TimingKind::by_itself) return choose_kind(input, work);
   const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
-  if (solved_for && !work.field) return solve_next(input, settings, work);
+  if (solved_for && !work.field) return solve_next(input, settings, work, heard);
   if (is_retimed(work.kind) && !work.scale) return measure(input, work);
   if (work.times.size() < input.mesh.positions.size()) return time_next_vertex(input, work);
   if (!work.criticals) return find_critical_points(input, work);

@@ -10,6 +10,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/growing.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 #include "knit/timing/fields.h"
 #include "knit/timing/timing_events.h"
@@ -38,7 +39,7 @@ struct TimingWork {
 
 // `timing`: the product, once the stage has ended.
 Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& settings, TimingWork& work,
-                                     Shared<Timing>& timing);
+                                     Shared<Timing>& timing, const Heard& heard = {});
 
 // Whether the step to come solves something over the whole surface.
 bool next_is_a_solve(const Input& input, const TimingSettings& settings, const TimingWork& work);

@@ -47,25 +47,25 @@ bool branches(const TubeGraph& graph) {
 
 // The times' own graph; where it is one tube there is nothing to smooth.
 Advanced<TubesEvent> find_graph(const Input& input, const Timing& timing, const TubeSettings& settings,
-                                TubesWork& work) {
-  work.graph = Shared(find_tubes(make_morse(input, timing.cut_field())));
-  const bool smooth = settings.smoothing == Smoothing::on ||
-                      (settings.smoothing == Smoothing::by_itself && branches(*work.graph));
-  if (!smooth && work.graph->tubes.size() > most_raw_tubes) {
-    const auto tubes = static_cast<std::int32_t>(work.graph->tubes.size());
-    work = TubesWork{};
+                                TubesWork& work, const Heard& heard) {
+  Shared<TubeGraph> graph(find_tubes(make_morse(input, timing.cut_field())));
+  const bool smooth =
+      settings.smoothing == Smoothing::on || (settings.smoothing == Smoothing::by_itself && branches(*graph));
+  if (!smooth && graph->tubes.size() > most_raw_tubes) {
+    const auto tubes = static_cast<std::int32_t>(graph->tubes.size());
     return stop_for(StopReason::too_many_tubes, tubes, static_cast<std::int32_t>(most_raw_tubes), 0.0);
   }
+  if (smooth) work.smoother.emplace(input, make_intrinsic(input), heard);
+  work.graph = std::move(graph);
   work.phase = smooth ? TubesPhase::smooth : TubesPhase::nodes;
-  if (smooth) work.smoother.emplace(input, make_intrinsic(input));
   return found(*work.graph);
 }
 
 FieldSmoothed smooth(const Input& input, const Timing& timing, const TubeSettings& settings,
-                     const StitchSize& stitch, TubesWork& work) {
+                     const StitchSize& stitch, TubesWork& work, const Heard& heard) {
   const FieldSmoothed step{static_cast<std::int32_t>(work.graph->tubes.size()),
                            settings.smoothing_length * stitch.height};
-  const std::vector<double> field = work.smoother->smooth(input, timing.cut_field(), step.length);
+  const std::vector<double> field = work.smoother->smooth(input, timing.cut_field(), step.length, heard);
   work.smoother.reset();
   work.graph = Shared(find_tubes(make_morse(input, field)));
   work.phase = TubesPhase::found;
@@ -154,12 +154,12 @@ Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch
 
 Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, const TubeSettings& settings,
                                    const StitchSize& stitch, TubesWork& work, TubesMade made,
-                                   const ReorderTubes& reorder) {
+                                   const ReorderTubes& reorder, const Heard& heard) {
   switch (work.phase) {
     case TubesPhase::graph:
-      return find_graph(input, timing, settings, work);
+      return find_graph(input, timing, settings, work, heard);
     case TubesPhase::smooth:
-      return smooth(input, timing, settings, stitch, work);
+      return smooth(input, timing, settings, stitch, work, heard);
     case TubesPhase::found:
       if (work.graph->tubes.size() > most_raw_tubes)
         return stop_for(StopReason::too_many_tubes, static_cast<std::int32_t>(work.graph->tubes.size()),

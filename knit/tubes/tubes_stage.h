@@ -10,6 +10,7 @@
 
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 #include "knit/timing/fields.h"
 #include "knit/tubes/tubes_events.h"
@@ -38,7 +39,7 @@ using ReorderTubes = std::function<TubePlan(const TubeGraph&, const TubePlan&)>;
 // Without `reorder` the order stays that of fewest holders (order_tubes).
 Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, const TubeSettings& settings,
                                    const StitchSize& stitch, TubesWork& work, TubesMade made,
-                                   const ReorderTubes& reorder = {});
+                                   const ReorderTubes& reorder = {}, const Heard& heard = {});
 
 // Whether the step to come works through the whole surface.
 bool next_sweeps_surface(const TubesWork& work);
