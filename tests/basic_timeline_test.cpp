@@ -32,7 +32,9 @@ struct Counter {
     friend bool operator==(const Step&, const Step&) = default;
   };
 
-  static Step advance(const Input& input, const Parameters& parameters, State& state) {
+  static Step advance(const Input& input, const Parameters& parameters, State& state,
+                      const knit::Heard& heard) {
+    knit::hear(heard, 0.5);
     const Place place = state.next;
     if (parameters.rise == 0 && place.stage == 0) return {place, -1};
     state.count += place.stage == 0 ? parameters.rise : -parameters.fall;
@@ -42,6 +44,8 @@ struct Counter {
     return {place, state.count};
   }
   static bool finished(const State& state) { return state.next.stage == 2; }
+  // Once it has fallen ten times.
+  static bool is_whole(const State& state) { return state.next >= Place{1, 10}; }
   static Place next(const State& state) { return state.next; }
   static Place place_of(const Step& step) { return step.place; }
   static bool is_stop(const Step& step) { return step.count == -1 && step.place.stage == 0; }
@@ -241,4 +245,79 @@ TEST_CASE("what else changes parameters, or works the run out, makes the wish th
     CHECK(run.steps() == fresh.steps());
     CHECK(run.edits() == fresh.edits());
   }
+}
+
+TEST_CASE("another machine's run is heard while it is worked out, and broken off between two steps") {
+  struct BrokenOff {};
+  Recorder run = recorder({1, 3});
+  run.extend_to({1, 4});
+  CHECK(run.known() == 400 + 4);
+  CHECK_FALSE(run.whole());
+  run.extend_to({1, 2});  // behind it already
+  CHECK(run.known() == 400 + 4);
+  std::size_t calls = 0;
+  const knit::Heard stopping = [&](double /*share*/) {
+    if (++calls == 12) throw BrokenOff{};
+  };
+  CHECK_THROWS_AS(run.extend_to({2, 0}, stopping), BrokenOff);
+  CHECK(run.known() > 400 + 4);
+  CHECK(run.known() < 400 + 4 + 12);
+  CHECK_THROWS_AS(Recorder::work(run.next_job(), [](double /*share*/) { throw BrokenOff{}; }), BrokenOff);
+  Recorder fresh = recorder({1, 3});
+  const std::vector<Counter::State> states = states_of(fresh);
+  run.extend_to({2, 0});
+  run.extend_to_end();
+  check_scrubbing(run, states);
+}
+
+TEST_CASE(
+    "another machine's run that is whole but not complete waits too, and takes over as soon as it is whole") {
+  Recorder run = recorder({1, 3});
+  run.extend_to({1, 20});
+  run.await({2, 0});
+  REQUIRE(run.position() == 420);
+  run.tune_beside({1, 5});
+  CHECK(run.is_waiting());
+  CHECK(run.extend_briefly(1000));  // it does not go on
+  CHECK(run.known() == 420);
+  CHECK_FALSE(run.next_is_long());
+  CHECK_FALSE(run.forward());
+  run.await({2, 0});
+
+  Recorder other = run.awaited_run();
+  other.extend_to({1, 9});
+  CHECK_FALSE(run.take_over(other));  // not whole yet
+  other.extend_to({1, 10});
+  CHECK(run.take_over(other));
+  CHECK_FALSE(run.is_waiting());
+  CHECK_FALSE(run.complete());
+  CHECK(run.position() == 410);
+  CHECK(run.sought() == Counter::Place{2, 0});
+  run.extend_to_end();
+  CHECK(run.position() == 480);
+  Recorder fresh = recorder({1, 5});
+  const std::vector<Counter::State> states = states_of(fresh);
+  check_scrubbing(run, states);
+
+  Recorder rising = recorder({1, 3});
+  rising.extend_to({1, 5});
+  rising.tune_beside({1, 5});  // nothing that could stay
+  CHECK_FALSE(rising.is_waiting());
+  CHECK(rising.known() == 400);
+}
+
+TEST_CASE("while a place is sought, what another machine's long steps come to is shown") {
+  Recorder run = recorder({1, 3});
+  run.extend_briefly(1000);
+  run.await({1, 5});
+  REQUIRE(run.position() == 400);
+  run.accept(run.next_job(), Recorder::work(run.next_job()));
+  CHECK(run.position() == 401);
+  CHECK(run.state() == run.furthest());
+  CHECK(run.sought() == Counter::Place{1, 5});
+  run.extend(10);
+  CHECK(run.place() == Counter::Place{1, 5});
+  run.seek(100);  // nothing is sought: the place stays
+  run.extend_to_end();
+  CHECK(run.position() == 100);
 }

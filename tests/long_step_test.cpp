@@ -1,7 +1,10 @@
 // Steps that take long: where they are, that they can be taken elsewhere, and that they are taken once.
+#include <algorithm>
 #include <set>
+#include <vector>
 
 #include "knit/insight/narrate.h"
+#include "knit/mesh/branching_shapes.h"
 #include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
@@ -44,7 +47,80 @@ std::vector<std::shared_ptr<const void>> long_products(const State& state) {
   return all;
 }
 
+// Trousers, some thousand stitches, where they begin to settle.
+Timeline settling_run() {
+  Parameters parameters;
+  parameters.timing.axis = {AxisKind::y, {0.0, 1.0, 0.0}};
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters.settle.settling = Settling::by_itself;
+  give_width(parameters, 0.07);
+  Timeline timeline(make_input(trousers(0.08)), parameters);
+  timeline.extend_to({Stage::settle, 0, 0});
+  return timeline;
+}
+
+struct BrokenOff {};
+
+// How often the step is heard. Whenever it is broken off, the state is as before.
+std::size_t times_heard(const Timeline::Job& job, const Timeline::Outcome& whole) {
+  std::vector<double> shares;
+  const Timeline::Outcome heard = Timeline::work(job, [&](double share) { shares.push_back(share); });
+  CHECK(heard.step == whole.step);
+  CHECK(heard.state == whole.state);
+  if (shares.empty()) return 0;
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.front() >= 0.0);
+  CHECK(shares.back() <= 1.0);
+  for (const std::size_t stop_at : {std::size_t{1}, (shares.size() + 1) / 2, shares.size()}) {
+    State state = job.state;
+    std::size_t calls = 0;
+    const Heard stopping = [&](double /*share*/) {
+      if (++calls == stop_at) throw BrokenOff{};
+    };
+    CHECK_THROWS_AS(advance(*job.input, job.parameters, state, stopping), BrokenOff);
+    CHECK(calls == stop_at);
+    CHECK(state == job.state);
+    CHECK(static_cast<bool>(state.placed) == static_cast<bool>(job.state.placed));
+  }
+  return shares.size();
+}
+
 }  // namespace
+
+TEST_CASE("settling is heard, and broken off without a trace") {
+  Timeline timeline = settling_run();
+  REQUIRE(timeline.whole());
+  for (int step = 0; step < 3; ++step) {  // the beginning, two iterations
+    REQUIRE(timeline.next_is_long());
+    const Timeline::Job job = timeline.next_job();
+    const Timeline::Outcome whole = Timeline::work(job);
+    CHECK(times_heard(job, whole) >= 8);
+    timeline.accept(job, whole);
+  }
+  CHECK(timeline.furthest().placed);
+}
+
+TEST_CASE("what is solved for on a large mesh is heard, and broken off without a trace") {
+  const TimingKind timing = GENERATE(TimingKind::geodesic, TimingKind::harmonic);
+  Timeline timeline = large_run(timing);
+  timeline.extend_briefly(10);
+  std::size_t solved = 0;
+  while (timeline.next_is_long() && !timeline.furthest().timing) {
+    const Timeline::Job job = timeline.next_job();
+    const Timeline::Outcome whole = Timeline::work(job);
+    const auto* step = get_if<FieldSolved>(whole.step);
+    const bool is_solve =
+        step != nullptr && step->which != FieldStep::net && step->which != FieldStep::slopes;
+    const std::size_t times = times_heard(job, whole);
+    CHECK((times >= 8) == is_solve);
+    solved += is_solve ? 1U : 0U;
+    timeline.accept(job, whole);
+    if (timeline.furthest().stage() != Stage::timing) break;
+    timeline.extend_briefly(20000);
+  }
+  CHECK(solved == (timing == TimingKind::geodesic ? 2 : 1));
+}
 
 TEST_CASE("what takes long on a large mesh is not taken by the way") {
   const TimingKind timing =

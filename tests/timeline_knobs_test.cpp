@@ -1,5 +1,9 @@
 // Setting a run's parameters and edits exactly: what undo, redo and opened sessions stand on.
+#include <utility>
+
+#include "knit/mesh/branching_shapes.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
 #include "tests/support/scrub.h"
 
 using namespace test_support;
@@ -117,4 +121,30 @@ TEST_CASE("set knobs on the welded mesh is the run on the welded mesh") {
   timeline.set_knobs(with(small_parameters(), "weld", "on"), {}, welded);
   check_equals_fresh(timeline, with(small_parameters(), "weld", "on"));
   CHECK(timeline.input_pointer() == welded);
+}
+
+TEST_CASE("stitches settle, or do not, as the knob says, wherever the run has come to") {
+  using knit::Settling;
+  const auto input = knit::make_input(knit::trousers(0.12));
+  knit::Parameters parameters;
+  parameters.timing.axis = {knit::AxisKind::y, {0.0, 1.0, 0.0}};
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
+  knit::give_width(parameters, 0.2);
+  for (const auto& [from, to] :
+       {std::pair{Settling::off, Settling::on}, {Settling::by_itself, Settling::off}}) {
+    for (const knit::Stage stage : {knit::Stage::settle, knit::Stage::done}) {
+      CAPTURE(stage, from);
+      parameters.settle.settling = from;
+      knit::Timeline timeline(input, parameters);
+      timeline.extend_to({stage, 0, 0});
+      parameters.settle.settling = to;
+      timeline.tune(parameters);
+      knit::Timeline other(input, parameters);
+      timeline.extend_to_end();
+      other.extend_to_end();
+      CHECK(timeline.steps() == other.steps());
+      CHECK(timeline.furthest() == other.furthest());
+    }
+  }
 }

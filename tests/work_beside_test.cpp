@@ -48,14 +48,20 @@ std::uint64_t trousers_hash(const knit::Parameters& parameters) {
   return knit::hash_of(timeline.furthest());
 }
 
-Session finished_trousers() {
+knit::Parameters settling_trousers(double width) {
+  knit::Parameters parameters = trousers_parameters(width);
+  parameters.settle.settling = knit::Settling::by_itself;
+  return parameters;
+}
+
+Session finished_trousers(const knit::Parameters& parameters = trousers_parameters(0.1)) {
   Session session;
   session.program->assets = KNIT_ASSETS_DIR;
   session.jobs->beside = true;
   const auto mesh = std::make_shared<const knit::Mesh>(knit::trousers(0.06));
-  session.document = Document(knit::Timeline(knit::make_input(*mesh), trousers_parameters(0.1)));
+  session.document = Document(knit::Timeline(knit::make_input(*mesh), parameters));
   session.document->original = mesh;
-  session.document->defaults = trousers_parameters(0.1);
+  session.document->defaults = parameters;
   apply(session, ToLast{});
   tick_until(session, run_is_complete);
   REQUIRE(session.document->timeline.state().finished());
@@ -278,6 +284,84 @@ TEST_CASE("a knob that is dragged on is followed by the picture of a moment ago"
   tick_until(session, run_is_complete);
   CHECK(knit::hash_of(timeline.furthest()) == trousers_hash(trousers_parameters(0.13)));
   CHECK(session.document->changes.undo.size() == 1);  // one drag
+}
+
+TEST_CASE(
+    "where stitches settle, the picture of before stays until all are placed anew, and then they settle") {
+  Session session = finished_trousers(settling_trousers(0.1));
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::Place end = timeline.place();
+  const std::uint64_t before = knit::hash_of(timeline.state());
+  const std::uint64_t after = trousers_hash(settling_trousers(0.12));
+  apply(session, Tune{settling_trousers(0.12)});
+  std::size_t early = 0, unsettled = 0, iterations = 0;
+  tick_until(session, [&](Session&) {
+    const bool is_of_before = timeline.is_waiting();
+    if (is_of_before) early += knit::hash_of(timeline.state()) == before ? 0U : 1U;
+    const bool has_all =
+        timeline.state().fabric.strips().size() == timeline.furthest().fabric.strips().size();
+    unsettled += timeline.state().stage() >= Stage::settle && has_all ? 0U : 1U;
+    const auto* work = std::get_if<knit::SettleWork>(&timeline.state().work);
+    if (work != nullptr && !is_of_before)
+      iterations = std::max<std::size_t>(iterations, static_cast<std::size_t>(work->iteration));
+    return timeline.complete();
+  });
+  CHECK(early == 0);
+  CHECK(unsettled == 0);
+  CHECK(iterations >= 3);  // it is seen to settle, though the end is what is wanted
+  CHECK(timeline.place() <= end);
+  CHECK(timeline.state().finished());
+  CHECK(knit::hash_of(timeline.furthest()) == after);
+}
+
+TEST_CASE("a knob that is dragged on while stitches settle makes them settle no further") {
+  Session session = finished_trousers(settling_trousers(0.1));
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::Parameters before = timeline.parameters();
+  apply(session, Tune{settling_trousers(0.12), true});
+  tick_until(session, is_working);
+  REQUIRE(std::holds_alternative<knit::SettleWork>(timeline.furthest().work));
+  const std::size_t known = timeline.known();
+  apply(session, Tune{settling_trousers(0.13), true});
+  CHECK(timeline.is_waiting());
+  apply(session, PassTime{0.01});
+  CHECK_FALSE(is_working(session));  // given up
+  CHECK(session.jobs->run.awaited);
+  CHECK(timeline.known() == known);
+  CHECK(timeline.base_parameters().stitch.width == 0.12);  // shown, as far as it had settled
+  tick_until(session, [&](Session&) { return !timeline.is_waiting(); });
+  apply(session, CancelWork{});  // all of the drag
+  CHECK(timeline.parameters() == before);
+  apply(session, Redo{});
+  CHECK(timeline.parameters() == before);
+
+  apply(session, Tune{settling_trousers(0.13), true});
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(timeline.furthest()) == trousers_hash(settling_trousers(0.13)));
+}
+
+TEST_CASE("settling that nobody asked for otherwise is cancelled to stitches as they are placed") {
+  Session session = finished_trousers(settling_trousers(0.1));
+  session.document->timeline.tune(settling_trousers(0.11));
+  session.document->before_change.reset();
+  tick_until(session, is_working);
+  REQUIRE(session.document->timeline.whole());
+  apply(session, CancelWork{});
+  CHECK_FALSE(is_working(session));
+  CHECK(session.document->timeline.parameters().settle.settling == knit::Settling::off);
+  tick_until(session, run_is_complete);
+  CHECK(knit::hash_of(session.document->timeline.furthest()) == trousers_hash(trousers_parameters(0.11)));
+}
+
+TEST_CASE("what is worked out beside says how far it is") {
+  Session session = beside_session(large_parameters(TimingKind::geodesic));
+  double greatest = 0.0;
+  tick_until(session, [&](Session& s) {
+    if (s.jobs->run.long_step) greatest = std::max(greatest, s.jobs->run.long_step->work.share());
+    return s.document->timeline.complete();
+  });
+  CHECK(greatest > 0.0);
+  CHECK(greatest <= 1.0);
 }
 
 TEST_CASE("a run that is waited for is given up with what asked for it") {

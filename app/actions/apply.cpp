@@ -155,7 +155,7 @@ struct Apply {
     if (!open()) return;
     if (refuse(a.parameters)) return;
     remember_knobs(session);
-    if (!session.jobs->run.long_step) session.document->before_change = timeline().parameters();
+    note_before_change(session);
     if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
       reload(a);
     } else {
@@ -186,7 +186,7 @@ struct Apply {
       return;
     }
     remember_knobs(session);
-    if (!session.jobs->run.long_step) session.document->before_change = timeline().parameters();
+    note_before_change(session);
     timeline().edit_from_here(a.parameters);
   }
   void operator()(const ApplyPreset& a) {
@@ -201,9 +201,13 @@ struct Apply {
   void operator()(const CancelWork& /*a*/) {
     if (session.jobs->opening) return cancel_opening(session);
     if (!open() || !session.jobs->run.long_step) return;
-    knit::Parameters linear = timeline().parameters();
-    linear.timing.kind = knit::TimingKind::linear;
-    const knit::Parameters back = session.document->before_change.value_or(linear);
+    knit::Parameters without = timeline().parameters();
+    if (timeline().whole()) {
+      without.settle.settling = knit::Settling::off;
+    } else {
+      without.timing.kind = knit::TimingKind::linear;
+    }
+    const knit::Parameters back = session.document->before_change.value_or(without);
     session.jobs->run.long_step.reset();
     remember_knobs(session);
     timeline().tune(back);

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "app/actions/apply_parts.h"
+#include "app/actions/background_work.h"
 #include "app/actions/hosting.h"
 #include "app/actions/opening.h"
 #include "app/actions/parameters_text.h"
@@ -26,7 +27,7 @@ bool restore(Session& session, const Action& action, const Knobs& knobs) {
     }
     input = std::get<Loaded>(*loaded).input;
   }
-  if (!session.jobs->run.long_step) session.document->before_change = timeline.parameters();
+  note_before_change(session);
   timeline.set_knobs(knobs.base, knobs.edits, std::move(input));
   return true;
 }
@@ -104,7 +105,7 @@ void take(Session& session, const SwapPinned& /*action*/) {
   knit::Timeline& timeline = session.document->timeline;
   if (!session.jobs->beside) timeline.extend_to_end();
   Pin other = pin_of(session);
-  if (!session.jobs->run.long_step) session.document->before_change = timeline.parameters();
+  note_before_change(session);
   // Welded or not is of the mesh as it is run.
   if (session.document->pinned->input != timeline.input_pointer())
     timeline.change_input(session.document->pinned->input, timeline.parameters());

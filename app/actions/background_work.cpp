@@ -27,7 +27,8 @@ void tend_long_step(Session& session, double seconds) {
   }
   if (session.jobs->run.long_step || !timeline.next_is_long()) return;
   LongStep step{timeline.next_job(), {}, 0.0};
-  step.work = Work<knit::Timeline::Outcome>([job = step.job] { return knit::Timeline::work(job); });
+  step.work = Work<knit::Timeline::Outcome>(
+      [job = step.job](const knit::Heard& heard) { return knit::Timeline::work(job, heard); });
   session.jobs->run.long_step.emplace(std::move(step));
 }
 
@@ -44,8 +45,10 @@ void tend_awaited_run(Session& session, double seconds) {
   }
   if (!timeline.is_waiting()) return;
   awaited.emplace();
-  awaited->work = Work<knit::Timeline>([run = timeline.awaited_run()]() mutable {
-    run.extend_to_end();
+  // Where stitches settle it is shown as they are placed, and settles step by step.
+  awaited->work = Work<knit::Timeline>([run = timeline.awaited_run()](const knit::Heard& heard) mutable {
+    run.extend_to({knit::Stage::settle, 0, 0}, heard);
+    if (run.furthest().stage() != knit::Stage::settle) run.extend_to_end();
     run.seek(run.known());
     return std::move(run);
   });
@@ -100,12 +103,17 @@ void tend_pin(Session& session) {
 
 void tune_run(Session& session, const knit::Parameters& parameters) {
   knit::Timeline& timeline = session.document->timeline;
-  const bool whole = timeline.complete() || timeline.is_waiting();
-  if (session.jobs->beside && whole &&
+  if (session.jobs->beside && timeline.whole() &&
       knit::change_takes_a_moment(timeline.input(), timeline.base_parameters(),
                                   knit::resolved(parameters, timeline.input()), timeline.furthest()))
     return timeline.tune_beside(parameters);
   timeline.tune(parameters);
+}
+
+void note_before_change(Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
+  if (session.jobs->run.long_step || timeline.is_waiting()) return;
+  session.document->before_change = timeline.parameters();
 }
 
 void finish_pin(Session& session) {
@@ -116,8 +124,8 @@ void finish_pin(Session& session) {
 
 void work_beside(Session& session, double seconds) {
   if (!session.jobs->beside || !session.document) return;
-  tend_long_step(session, seconds);
   tend_awaited_run(session, seconds);
+  tend_long_step(session, seconds);
   tend_measuring(session);
   tend_pin(session);
 }

@@ -11,8 +11,12 @@ namespace app {
 void work_beside(Session& session, double seconds);
 
 // The run with other parameters. In a window, where that takes longer than a part of a frame, the picture of before stays
-// until a worker brings it; while a knob is dragged that is the run of a knob a frame ago.
+// until a worker brings it, with all faces; while a knob is dragged that is the run of a knob a frame ago, and it settles
+// once the knob rests.
 void tune_run(Session& session, const knit::Parameters& parameters);
+
+// Before a change: cancelling goes back to here, unless it goes back further, as what came before is still worked out.
+void note_before_change(Session& session);
 
 // Without a window: the end of the pinned run, at once.
 void finish_pin(Session& session);

@@ -1,7 +1,8 @@
 // Long work beside the window: a pure function of values, run on a thread of its own.
 //
-// Whoever starts work asks `ready` every frame. Dropping a Work lets it finish unheard: a solve inside a
-// library cannot be broken off, but nobody waits for it and nothing of it is kept.
+// Whoever starts work asks `ready` every frame. Work that takes a knit::Heard says how far it has come, and ends where it
+// says so once the last Work for it is gone. Other work then finishes unheard: nobody waits for it, and nothing of it is
+// kept.
 #pragma once
 
 #include <atomic>
@@ -9,9 +10,15 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
+#include "knit/model/heard.h"
+
 namespace app {
+
+// Thrown through work that nobody waits for any more.
+struct NobodyWaits {};
 
 template <class Result>
 class Work {
@@ -19,18 +26,32 @@ class Work {
   Work() = default;
   template <class Function>
   explicit Work(Function function) : shared_(std::make_shared<Box>()) {
-    std::thread([box = shared_, function = std::move(function)]() mutable {
+    std::thread([waiting = std::weak_ptr(shared_), function = std::move(function)]() mutable {
+      std::optional<Result> result;
+      std::exception_ptr error;
       try {
-        box->result.emplace(function());
+        if constexpr (std::is_invocable_v<Function&, const knit::Heard&>) {
+          result.emplace(function(heard_by(waiting)));
+        } else {
+          result.emplace(function());
+        }
       } catch (...) {
-        box->error = std::current_exception();
+        error = std::current_exception();
       }
+      const auto box = waiting.lock();
+      if (!box) return;
+      box->result = std::move(result);
+      box->error = error;
       box->done.store(true, std::memory_order_release);
     }).detach();
   }
 
   [[nodiscard]] bool running() const { return shared_ != nullptr; }
   [[nodiscard]] bool ready() const { return shared_ && shared_->done.load(std::memory_order_acquire); }
+  // How much of it is done, from 0 to 1, as far as it has said.
+  [[nodiscard]] double share() const {
+    return shared_ ? shared_->share.load(std::memory_order_relaxed) : 0.0;
+  }
   // The result, once; requires ready(). An exception of the work's comes out here.
   Result take() {
     const std::shared_ptr<Box> box = std::move(shared_);
@@ -45,7 +66,15 @@ class Work {
     std::optional<Result> result;
     std::exception_ptr error;
     std::atomic<bool> done{false};
+    std::atomic<double> share{0.0};
   };
+  static knit::Heard heard_by(std::weak_ptr<Box> waiting) {
+    return [waiting = std::move(waiting)](double share) {
+      const auto box = waiting.lock();
+      if (!box) throw NobodyWaits{};
+      box->share.store(share, std::memory_order_relaxed);
+    };
+  }
   std::shared_ptr<Box> shared_;
 };
 

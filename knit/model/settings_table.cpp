@@ -217,7 +217,8 @@ constexpr std::array table{
         "and courses w "
         "long as well as can be. No word of the pattern changes. auto: where rows come from contours; the "
         "mesh's own rings stay, as in the thesis.",
-        "Settling", Stage::settle, choice<&Settings::settle, &SettleSettings::settling>(settling_names)},
+        "Settling", Stage::faces,  // its last step leads to settling or past it
+        choice<&Settings::settle, &SettleSettings::settling>(settling_names)},
     ParameterInfo{"settle-wale", "Wales", "weight", "How much it counts that wales are h long.", "Settling",
                   Stage::settle, settle_weight<&SettleSettings::wale>(), is_settled},
     ParameterInfo{"settle-course", "Courses", "weight", "How much it counts that stitches are w wide.",

@@ -10,12 +10,14 @@
 // parameters kept here agree with themselves.
 //
 // `tune_beside` tunes for whoever has a worker: the run of before stays, whole, until the worker brings the other one.
-// Whatever else changes parameters meanwhile, or works the run out, makes what is wished the run first.
+// A run is whole when it is complete, or when what is still to come only refines what is there. Whatever else changes
+// parameters meanwhile, or works the run out, makes what is wished the run first.
 //
 // It knows no pipeline. A `Machine` has the types Input, Parameters (regular), State (regular), Step (comparable) and
 // Place (ordered; Place{} is the first step's), and as static functions
-//   Step advance(input, parameters, State&)      one smallest step, deterministic
+//   Step advance(input, parameters, State&, heard)  one smallest step, deterministic; broken off, the state is as before
 //   bool finished(state), Place next(state), Place place_of(step), bool is_stop(step)
+//   bool is_whole(state)                         what is to come only refines what is there; so it stays to the end
 //   bool sweeps(input, parameters, state)        the step to come works through all there is: a keyframe stands after it
 //   bool is_long(input, parameters, state)       it may take longer than a frame besides
 //   Place first_reader(before, after)            no step before this place reads what differs between the two
@@ -33,6 +35,8 @@
 #include <memory>
 #include <optional>
 #include <vector>
+
+#include "knit/model/heard.h"
 
 namespace knit {
 
@@ -63,8 +67,10 @@ class BasicTimeline {
   // The same, but stops before a step that may take long.
   bool extend_briefly(std::size_t steps);
   void extend_to_end();
+  // Until the step to come is at the place or behind it. Heard all the time, though not how far it has come.
+  void extend_to(const Place& place, const Heard& heard = {});
   // The step to come may take long (a solve on a large mesh). Whoever must stay responsive takes it elsewhere,
-  // on copies of next_job(), and hands the outcome to `accept`; `extend` takes it itself.
+  // on copies of next_job(), and hands the outcome to `accept`; `extend` takes it itself. None while a run is waited for.
   struct Job {
     std::shared_ptr<const Input> input;
     Parameters parameters;
@@ -76,10 +82,12 @@ class BasicTimeline {
   };
   [[nodiscard]] bool next_is_long() const;
   [[nodiscard]] Job next_job() const;
-  static Outcome work(Job job);
-  // Nothing happens when the run has been changed since the job was given out.
+  static Outcome work(Job job, const Heard& heard = {});
+  // Nothing happens when the run has been changed since the job was given out. While a place is sought, as far as the run
+  // has come is shown.
   void accept(const Job& job, const Outcome& outcome);
   [[nodiscard]] bool complete() const { return complete_ && !wish_; }
+  [[nodiscard]] bool whole() const { return complete_ || Machine::is_whole(frontier_); }
   [[nodiscard]] std::size_t known() const { return steps_.size(); }
   [[nodiscard]] const Step& step(std::size_t index) const { return steps_[index]; }
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
@@ -118,13 +126,13 @@ class BasicTimeline {
 
   void tune(const Parameters& parameters);
   // As tune, later: until `take_over` brings the run that is waited for, all but the wish is of the run of before, and
-  // that is not complete. Where that has not been worked out yet, as tune.
+  // that is neither complete nor goes on. Where that is not whole yet, as tune.
   void tune_beside(const Parameters& parameters);
   [[nodiscard]] bool is_waiting() const { return wish_.has_value(); }
   // The run that is waited for, as far as it equals this one. Requires is_waiting().
   [[nodiscard]] BasicTimeline awaited_run() const;
   // Shows the same place of it. One of an earlier wish is shown too, and the wish stays. Nothing happens, and false, when
-  // none is waited for, or it is of another mesh or not complete.
+  // none is waited for, or it is of another mesh or not whole.
   bool take_over(BasicTimeline run);
   void edit_from_here(const Parameters& parameters);
   void remove_edit(std::size_t index);
@@ -151,7 +159,7 @@ class BasicTimeline {
     friend bool operator==(const Wish&, const Wish&) = default;
   };
   void take_wish();
-  bool extend_while(std::size_t steps, bool take_long);
+  bool extend_while(std::size_t steps, bool take_long, const Heard& heard);
   void take_frontier_step(const Step& step, const Place& from, bool swept);
   [[nodiscard]] std::size_t first_step_to_differ(const Parameters& base,
                                                  const std::vector<Edit>& edits) const;
@@ -176,7 +184,7 @@ class BasicTimeline {
   std::size_t position_ = 0;
   State state_;
   std::optional<Place> sought_;
-  std::optional<Wish> wish_;  // other than the run's; only of a complete one
+  std::optional<Wish> wish_;  // other than the run's; only of a whole one
 
   std::size_t budget_bytes_;
   std::size_t spacing_;

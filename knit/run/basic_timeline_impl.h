@@ -35,15 +35,15 @@ BasicTimeline<Machine>::BasicTimeline(std::shared_ptr<const Input> input, const 
 
 template <class Machine>
 bool BasicTimeline<Machine>::extend(std::size_t steps) {
-  return extend_while(steps, true);
+  return extend_while(steps, true, {});
 }
 template <class Machine>
 bool BasicTimeline<Machine>::extend_briefly(std::size_t steps) {
-  return extend_while(steps, false);
+  return extend_while(steps, false, {});
 }
 
 template <class Machine>
-bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long) {
+bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long, const Heard& heard) {
   if (wish_ && !take_long) return true;
   take_wish();
   for (; steps > 0 && !complete_; --steps) {
@@ -55,7 +55,7 @@ bool BasicTimeline<Machine>::extend_while(std::size_t steps, bool take_long) {
     if (!take_long && next_is_long()) break;
     const Parameters& parameters = parameters_at(from);
     const bool swept = Machine::sweeps(*input_, parameters, frontier_);
-    const Step step = Machine::advance(*input_, parameters, frontier_);
+    const Step step = Machine::advance(*input_, parameters, frontier_, heard);
     take_frontier_step(step, from, swept);
   }
   if (complete_ && sought_) return_to(*sought_);
@@ -79,7 +79,7 @@ void BasicTimeline<Machine>::take_frontier_step(const Step& step, const Place& f
 
 template <class Machine>
 bool BasicTimeline<Machine>::next_is_long() const {
-  return !complete_ && !Machine::finished(frontier_) &&
+  return !complete_ && !wish_ && !Machine::finished(frontier_) &&
          Machine::is_long(*input_, parameters_at(Machine::next(frontier_)), frontier_);
 }
 
@@ -89,25 +89,37 @@ auto BasicTimeline<Machine>::next_job() const -> Job {
 }
 
 template <class Machine>
-auto BasicTimeline<Machine>::work(Job job) -> Outcome {
-  const Step step = Machine::advance(*job.input, job.parameters, job.state);
+auto BasicTimeline<Machine>::work(Job job, const Heard& heard) -> Outcome {
+  const Step step = Machine::advance(*job.input, job.parameters, job.state, heard);
   return {step, std::move(job.state)};
 }
 
 template <class Machine>
 void BasicTimeline<Machine>::accept(const Job& job, const Outcome& outcome) {
-  const bool current = job.input == input_ && !complete_ && job.state == frontier_ &&
+  const bool current = job.input == input_ && !complete_ && !wish_ && job.state == frontier_ &&
                        job.parameters == parameters_at(Machine::next(frontier_));
   if (!current) return;
   const Place from = Machine::next(frontier_);
   frontier_ = outcome.state;
   take_frontier_step(outcome.step, from, true);
-  if (complete_ && sought_) return_to(*sought_);
+  if (!sought_) return;
+  if (complete_) return return_to(*sought_);
+  state_ = frontier_;
+  position_ = known();
 }
 
 template <class Machine>
 void BasicTimeline<Machine>::extend_to_end() {
   extend(std::numeric_limits<std::size_t>::max());
+}
+
+template <class Machine>
+void BasicTimeline<Machine>::extend_to(const Place& place, const Heard& heard) {
+  const Heard any = part_of(heard, 0.0, 0.0);
+  while (!complete_ && Machine::next(frontier_) < place) {
+    hear(any, 0.0);
+    extend_while(1, true, any);
+  }
 }
 
 template <class Machine>
@@ -118,7 +130,7 @@ void BasicTimeline<Machine>::step_state() {
     ++position_;
     return;
   }
-  const Step step = Machine::advance(*input_, parameters_at(Machine::next(state_)), state_);
+  const Step step = Machine::advance(*input_, parameters_at(Machine::next(state_)), state_, {});
   if (step != steps_[position_]) throw Bug("a replayed step differs from the recorded one");
   ++position_;
 }
@@ -126,7 +138,7 @@ void BasicTimeline<Machine>::step_state() {
 template <class Machine>
 bool BasicTimeline<Machine>::forward() {
   sought_.reset();
-  if (position_ == known() && (complete_ || (!extend(1) && position_ == known()))) return false;
+  if (position_ == known() && (complete_ || wish_ || (!extend(1) && position_ == known()))) return false;
   step_state();
   return true;
 }
@@ -234,7 +246,7 @@ void BasicTimeline<Machine>::tune(const Parameters& parameters) {
 
 template <class Machine>
 void BasicTimeline<Machine>::tune_beside(const Parameters& parameters) {
-  if (!complete_) return tune(parameters);
+  if (!whole()) return tune(parameters);
   Wish knobs{wished_parameters(), wished_edits()};
   change_everywhere(this->parameters(), parameters, knobs);
   wish_.reset();
@@ -257,9 +269,9 @@ auto BasicTimeline<Machine>::awaited_run() const -> BasicTimeline {
 
 template <class Machine>
 bool BasicTimeline<Machine>::take_over(BasicTimeline run) {
-  if (!wish_ || run.input_ != input_ || !run.complete()) return false;
-  const Place here = place();
-  const bool at_start = position_ == 0;
+  if (!wish_ || run.input_ != input_ || !run.whole()) return false;
+  const Place here = sought_.value_or(place());
+  const bool at_start = position_ == 0 && !sought_;
   Wish wish = std::move(*wish_);
   *this = std::move(run);
   if (wish != Wish{base_, edits_}) wish_ = std::move(wish);
@@ -374,7 +386,7 @@ void BasicTimeline<Machine>::rerun_from(std::size_t position) {
     position_ = nearest;
   }
   for (std::size_t i = nearest; i < position; ++i)
-    Machine::advance(*input_, parameters_at(Machine::next(frontier_)), frontier_);
+    Machine::advance(*input_, parameters_at(Machine::next(frontier_)), frontier_, {});
   steps_.resize(position);
   complete_ = false;
   stop_.reset();

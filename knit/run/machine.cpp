@@ -128,10 +128,12 @@ Taken take_strip(State& state) {
   return taken;
 }
 
-Taken take_settling(const Input& input, const Parameters& parameters, State& state) {
+// The first step moves nobody.
+Taken take_settling(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+  Taken taken = advance_settle(input, parameters.settle, parameters.stitch, std::get<SettleWork>(state.work),
+                               state.fabric, heard);
   if (!state.placed) state.placed = Shared(knitting_path(state.fabric));
-  return advance_settle(input, parameters.settle, parameters.stitch, std::get<SettleWork>(state.work),
-                        state.fabric);
+  return taken;
 }
 
 Taken take_line(State& state) {
@@ -151,22 +153,22 @@ Taken take_choice(const Input& input, State& state) {
   return Advanced<ChoiceEvent>(chosen, Ended::stage);
 }
 
-Taken take_tubes(const Input& input, const Parameters& parameters, State& state) {
+Taken take_tubes(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const auto reorder = [&](const TubeGraph& graph, const TubePlan& plan) {
     return in_knitters_order({input, *state.timing, graph, parameters.stitch}, plan);
   };
   return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
-                       std::get<TubesWork>(state.work), {state.graph, state.tubes}, reorder);
+                       std::get<TubesWork>(state.work), {state.graph, state.tubes}, reorder, heard);
 }
 
-Taken take(const Input& input, const Parameters& parameters, State& state) {
+Taken take(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   switch (state.next.stage) {
     case Stage::timing:
       if (state.timing) return take_choice(input, state);
       return advance_timing(input, as_chosen(parameters, state).timing, std::get<TimingWork>(state.work),
-                            state.timing);
+                            state.timing, heard);
     case Stage::tubes:
-      return take_tubes(input, parameters, state);
+      return take_tubes(input, parameters, state, heard);
     case Stage::cast_on:
       return take_first_row(input, parameters, state);
     case Stage::rows:
@@ -176,7 +178,7 @@ Taken take(const Input& input, const Parameters& parameters, State& state) {
     case Stage::faces:
       return take_strip(state);
     case Stage::settle:
-      return take_settling(input, parameters, state);
+      return take_settling(input, parameters, state, heard);
     case Stage::pattern:
       return take_line(state);
     case Stage::import:
@@ -256,9 +258,9 @@ void hand_on(const Parameters& parameters, State& state, Ended ended) {
 
 }  // namespace
 
-Step advance(const Input& input, const Parameters& parameters, State& state) {
+Step advance(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const Place place = state.next;
-  Taken taken = take(input, parameters, state);
+  Taken taken = take(input, parameters, state, heard);
   if (!is<Stopped>(taken.what)) hand_on(parameters, state, taken.ended);
   return {place, taken.what};
 }
@@ -266,7 +268,7 @@ Step advance(const Input& input, const Parameters& parameters, State& state) {
 namespace {
 
 constexpr std::size_t many_triangles = 20000;
-constexpr std::size_t many_settled = 1500;  // stitches: an iteration takes some milliseconds
+constexpr std::size_t many_settled = 50;  // stitches: all iterations together take some milliseconds
 // Microseconds.
 constexpr double of_a_triangle = 1.0, of_a_stitch = 2.0;
 constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0;
@@ -292,8 +294,7 @@ bool step_is_long(const Input& input, const Parameters& parameters, const State&
 bool change_takes_a_moment(const Input& input, const Parameters& before, const Parameters& after,
                            const State& end) {
   const std::size_t triangles = input.mesh.triangles.size();
-  if (!end.tubes || triangles >= many_triangles || first_reader_of_change(before, after) != Stage::tubes ||
-      as_chosen(after, end).settle.settling == Settling::on)
+  if (!end.tubes || triangles >= many_triangles || first_reader_of_change(before, after) != Stage::tubes)
     return false;
   const double smaller =
       (before.stitch.width * before.stitch.height) / (after.stitch.width * after.stitch.height);

@@ -8,8 +8,9 @@ namespace knit {
 
 template class BasicTimeline<KnitMachine>;
 
-Step KnitMachine::advance(const Input& input, const Parameters& parameters, State& state) {
-  return knit::advance(input, parameters, state);
+Step KnitMachine::advance(const Input& input, const Parameters& parameters, State& state,
+                          const Heard& heard) {
+  return knit::advance(input, parameters, state, heard);
 }
 
 bool KnitMachine::sweeps(const Input& input, const Parameters& parameters, const State& state) {

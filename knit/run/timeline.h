@@ -13,8 +13,10 @@ struct KnitMachine {
   using Step = knit::Step;
   using Place = knit::Place;
 
-  static Step advance(const Input& input, const Parameters& parameters, State& state);
+  static Step advance(const Input& input, const Parameters& parameters, State& state, const Heard& heard);
   static bool finished(const State& state) { return state.finished(); }
+  // All faces are there: from now on stitches only move, and are written down.
+  static bool is_whole(const State& state) { return state.stage() >= Stage::settle; }
   static Place next(const State& state) { return state.next; }
   static Place place_of(const Step& step) { return step.place; }
   static bool is_stop(const Step& step) { return knit::is_stop(step); }

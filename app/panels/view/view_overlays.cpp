@@ -125,17 +125,21 @@ void begin_waiting(const PanelFrame& frame) {
   pop_raised_look();
 }
 
-void draw_opening(PanelFrame& frame) {
-  const Opening& opening = *frame.session.jobs->opening;
-  if (opening.seconds < worth_a_word_s) return;
-  begin_waiting(frame);
-  const double share = opening.progress->share();
+// "settling the stitches ... 40 %", with a bar.
+void draw_share(const PanelFrame& frame, const std::string& words, double share) {
   const float width = frame.units(300.0f);
-  text(cut_to_width(words_of(opening), width - frame.units(60.0f)) + " ... " +
+  text(cut_to_width(words, width - frame.units(60.0f)) + " ... " +
        std::to_string(static_cast<int>(100.0 * share)) + " %");
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, style::vector(theme().accent));
   ImGui::ProgressBar(static_cast<float>(share), ImVec2(width, frame.units(6.0f)), "");
   ImGui::PopStyleColor();
+}
+
+void draw_opening(PanelFrame& frame) {
+  const Opening& opening = *frame.session.jobs->opening;
+  if (opening.seconds < worth_a_word_s) return;
+  begin_waiting(frame);
+  draw_share(frame, words_of(opening), opening.progress->share());
   faint_text(std::to_string(static_cast<int>(opening.seconds)) + " s so far");
   if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
   frame.mark("waiting/cancel");
@@ -149,7 +153,12 @@ void draw_waiting(PanelFrame& frame) {
   if (!step || step->seconds < worth_a_word_s) return;
   begin_waiting(frame);
   const knit::Timeline& timeline = *frame.timeline();
-  text(capitalised(knit::work_ahead(timeline.furthest())) + "...");
+  const std::string words = capitalised(knit::work_ahead(timeline.furthest()));
+  if (const double share = step->work.share(); share > 0.0) {
+    draw_share(frame, words, share);
+  } else {
+    text(words + "...");  // it does not say
+  }
   const std::string triangles = with_commas(timeline.input().mesh.triangles.size());
   faint_text(triangles + " triangles, " + std::to_string(static_cast<int>(step->seconds)) + " s so far");
   if (ImGui::Button("Cancel")) frame.wish(CancelWork{});
