@@ -67,42 +67,73 @@ double rest_over_solve(const Json& stage_ms) {
   return rest / stage_ms[solve].get<double>();
 }
 
-// As a hand drags a knob in a window, sixty frames a second there and back: what the window's own thread does in a frame,
-// without drawing; and how many frames ago the knob stood where the picture shows it. `set`: the parameters for a factor
-// from 0.9 to 1.1.
+// What the window's own thread does in a frame, without drawing.
+struct Frames {
+  std::vector<Cost> act, described, panels;
+  std::chrono::steady_clock::time_point due = std::chrono::steady_clock::now();
+
+  void begin(Desk& desk) {
+    act.push_back(cost_of([&] { desk.act(app::PassTime{1.0 / 60.0}); }));
+    described.push_back(cost_of([&] { desk.describe(); }));
+    panels.push_back(cost_of([&] { desk.panels(); }));
+  }
+  // Sixty a second.
+  void wait() {
+    due += std::chrono::microseconds(16667);
+    std::this_thread::sleep_until(due);
+  }
+  [[nodiscard]] Json json() const {
+    return {{"own_ms", sums_of({act, described, panels}, &Cost::thread_ms)},
+            {"act_ms", summary_of(act, &Cost::thread_ms)},
+            {"describe_ms", summary_of(described, &Cost::thread_ms)},
+            {"panels_ms", summary_of(panels, &Cost::thread_ms)}};
+  }
+};
+
+// As a hand drags a knob in a window, sixty frames a second there and back; and how many frames ago the knob stood where
+// the picture shows it. `set`: the parameters for a factor from 0.9 to 1.1.
 using Knob = std::function<void(knit::Parameters& parameters, double factor)>;
 Json measure_dragging(Desk& desk, const Knob& set) {
   const knit::Parameters first = desk.session.document->timeline.parameters();
-  std::vector<Cost> act, described, panels;
+  Frames frames;
   std::vector<double> behind;
   std::vector<knit::Parameters> wished{first};
-  constexpr int frames = 240;
-  auto due = std::chrono::steady_clock::now();
-  for (int i = 0; i < frames; ++i) {
+  constexpr int dragged = 240;
+  for (int i = 0; i < dragged; ++i) {
     const knit::Timeline& timeline = desk.session.document->timeline;
-    Cost cost = cost_of([&] { desk.act(app::PassTime{1.0 / 60.0}); });
-    described.push_back(cost_of([&] { desk.describe(); }));
-    panels.push_back(cost_of([&] { desk.panels(); }));
+    frames.begin(desk);
     const auto shown = std::find(wished.rbegin(), wished.rend(), timeline.base_parameters());
     behind.push_back(static_cast<double>(shown - wished.rbegin()));
     knit::Parameters tuned = first;
     set(tuned, 1.0 + 0.1 * std::sin(0.05 * i));
     const Cost tuning = cost_of([&] { desk.act(app::Tune{tuned, true}); });
-    cost.thread_ms += tuning.thread_ms;
-    act.push_back(cost);
+    frames.act.back().thread_ms += tuning.thread_ms;
     wished.push_back(timeline.parameters());
-    due += std::chrono::microseconds(16667);
-    std::this_thread::sleep_until(due);
+    frames.wait();
   }
   desk.act(app::Tune{first, true});
   desk.finish();
-  return {
-      {"own_ms", sums_of({act, described, panels}, &Cost::thread_ms)},
-      {"act_ms", summary_of(act, &Cost::thread_ms)},
-      {"describe_ms", summary_of(described, &Cost::thread_ms)},
-      {"panels_ms", summary_of(panels, &Cost::thread_ms)},
-      {"frames_behind",
-       {{"median", quantile(behind, 0.5)}, {"p99", quantile(behind, 0.99)}, {"max", quantile(behind, 1.0)}}}};
+  Json json = frames.json();
+  json["frames_behind"] = {
+      {"median", quantile(behind, 0.5)}, {"p99", quantile(behind, 0.99)}, {"max", quantile(behind, 1.0)}};
+  return json;
+}
+
+// What follows when the knob is let go: frames until the run is complete, in which stitches settle.
+Json measure_settling(Desk& desk) {
+  knit::Parameters tuned = desk.session.document->timeline.parameters();
+  knit::give_width(tuned, 1.05 * tuned.stitch.width);
+  desk.act(app::Tune{tuned, true});
+  Frames frames;
+  while (!desk.session.document->timeline.complete()) {
+    frames.begin(desk);
+    frames.wait();
+  }
+  const knit::State& end = desk.session.document->timeline.furthest();
+  Json json = frames.json();
+  json["frames"] = frames.act.size();
+  json["stitches"] = end.fabric.stitch_count();
+  return json;
 }
 
 Json measure_knobs(const fs::path& assets, const fs::path& file) {
@@ -117,6 +148,7 @@ Json measure_knobs(const fs::path& assets, const fs::path& file) {
   json["third_of_a_frame_ms"] = 1000.0 / 60.0 / 3.0;
   json["stitch_width"] = measure_dragging(
       desk, [](knit::Parameters& p, double factor) { knit::give_width(p, factor * p.stitch.width); });
+  json["settling"] = measure_settling(desk);
   json["epsilon"] = measure_dragging(
       desk, [](knit::Parameters& p, double factor) { knit::give_epsilon(p, factor * p.epsilon()); });
   return json;

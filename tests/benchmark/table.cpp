@@ -144,6 +144,12 @@ std::string branches(const Json& suite) {
     text += cells({"how many frames its picture is behind, median / most",
                    number(behind["median"]) + " / " + number(behind["max"])});
   }
+  const Json& settling = shape["drag"]["settling"];
+  const Json& own = settling["own_ms"];
+  text += cells({"a frame while " + grouped(settling["stitches"]) +
+                     " stitches settle after a change, median / 99th percentile / most, ms",
+                 number(own["median"]) + " / " + number(own["p99"]) + " / " + number(own["max"])});
+  text += cells({"frames until they have settled", grouped(settling["frames"])});
   return text + "\n";
 }
 
