@@ -157,10 +157,11 @@ TEST_CASE("sweep: the table has a header and a line a run, whatever is in the ce
   REQUIRE(lines.size() == 5);
   CHECK(
       lines[0] ==
-      "epsilon,outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why");
+      "epsilon,outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why,"
+      "tubes,splits,joins,genus,yarns,holders,left_out,uncovered");
   CHECK(lines[1].rfind("0.1,finished,", 0) == 0);
   CHECK(lines[4].rfind("0.4,refused,,,,,,,,,,\"", 0) == 0);
-  CHECK(std::count(lines[1].begin(), lines[1].end(), ',') == 11);
+  CHECK(std::count(lines[1].begin(), lines[1].end(), ',') == 19);
   const auto grid = lines_of(sweep_answer(session, {"epsilon=0.1:0.2:3", "cast-on=4:7:4"}).out);
   REQUIRE(grid.size() == 13);
   CHECK(grid[0].rfind("epsilon,cast-on,outcome,", 0) == 0);

@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -33,6 +34,35 @@ FigureLine spread_line(const char* key, const char* name, const knit::LengthFigu
   return line;
 }
 
+// Of one tube from end to end nothing is to be said, if it is so in both.
+void add_tube_lines(std::vector<FigureLine>& lines, const RunEnd& a, const RunEnd& b) {
+  const TubeFigures fa = tube_figures_of(a.state);
+  const TubeFigures fb = tube_figures_of(b.state);
+  const auto count = [&](const char* key, const char* name, std::int32_t TubeFigures::*field) {
+    lines.push_back(count_line(key, name, fa.*field, fb.*field));
+  };
+  if (std::max(fa.tubes, fb.tubes) > 1) {
+    count("tubes", "Tubes", &TubeFigures::tubes);
+    count("splits", "Splits", &TubeFigures::splits);
+    count("joins", "Joins", &TubeFigures::joins);
+    count("genus", "Genus", &TubeFigures::genus);
+    count("yarns", "Yarns", &TubeFigures::yarns);
+    count("holders", "Holders at once", &TubeFigures::holders);
+  }
+  if (fa.left_out > 0 || fb.left_out > 0) count("left-out", "Left out", &TubeFigures::left_out);
+  if (!a.uncovered && !b.uncovered) return;
+  const auto share = [](const RunEnd& run) {
+    return run.uncovered ? knit::percent_text(*run.uncovered) : std::string("\xE2\x80\x93");
+  };
+  FigureLine line{"uncovered", "Uncovered", share(a), share(b), ""};
+  if (a.uncovered && b.uncovered && *a.uncovered != *b.uncovered) {
+    const double difference = *b.uncovered - *a.uncovered;
+    line.difference =
+        line.a == line.b ? "~0" : (difference > 0.0 ? "+" : "") + fixed_text(100.0 * difference, 1);
+  }
+  lines.push_back(std::move(line));
+}
+
 std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
   const auto count = [&](const char* key, const char* name, auto RunFigures::*field) {
     return count_line(key, name, static_cast<double>(a.figures.*field),
@@ -42,19 +72,22 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
   const knit::Parameters& pb = parameters_at(b.knobs, b.state.next);
   const RunFigures& fa = a.figures;
   const RunFigures& fb = b.figures;
-  return {count("rows", "Rows", &RunFigures::rows),
-          count("stitches", "Stitches", &RunFigures::stitches),
-          count("increases", "Increases", &RunFigures::increases),
-          count("decreases", "Decreases", &RunFigures::decreases),
-          count("most", "Most in a row", &RunFigures::most_in_a_row),
-          count("problems", "Problems", &RunFigures::problems),
-          spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,
-                      pa.stitch.width, pb.stitch.width),
-          spread_line("course-cv", "Course CV", fa.course, fb.course, &knit::LengthFigures::cv, 3),
-          spread_line("wale-mean", "Wale / h", fa.wale, fb.wale, &knit::LengthFigures::mean, 3,
-                      pa.stitch.height, pb.stitch.height),
-          spread_line("wale-cv", "Wale CV", fa.wale, fb.wale, &knit::LengthFigures::cv, 3),
-          count("steps", "Steps", &RunFigures::steps)};
+  std::vector<FigureLine> lines{
+      count("rows", "Rows", &RunFigures::rows),
+      count("stitches", "Stitches", &RunFigures::stitches),
+      count("increases", "Increases", &RunFigures::increases),
+      count("decreases", "Decreases", &RunFigures::decreases),
+      count("most", "Most in a row", &RunFigures::most_in_a_row),
+      count("problems", "Problems", &RunFigures::problems),
+      spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,
+                  pa.stitch.width, pb.stitch.width),
+      spread_line("course-cv", "Course CV", fa.course, fb.course, &knit::LengthFigures::cv, 3),
+      spread_line("wale-mean", "Wale / h", fa.wale, fb.wale, &knit::LengthFigures::mean, 3, pa.stitch.height,
+                  pb.stitch.height),
+      spread_line("wale-cv", "Wale CV", fa.wale, fb.wale, &knit::LengthFigures::cv, 3),
+      count("steps", "Steps", &RunFigures::steps)};
+  add_tube_lines(lines, a, b);
+  return lines;
 }
 
 std::optional<FirstRow> first_row_of(const knit::Fabric& a, const knit::Fabric& b) {
@@ -117,6 +150,7 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
   result.edits_differ = a.knobs.edits != b.knobs.edits;
   result.first_row = first_row_of(a.state.fabric, b.state.fabric);
   result.figures = figure_lines(a, b);
+  result.tubes = tube_lines(a.state, b.state, result.same_mesh);
   result.stop_a = a.figures.stop;
   result.stop_b = b.figures.stop;
   return result;
@@ -128,11 +162,11 @@ std::string words_of(const std::optional<FirstRow>& row) {
   const std::string first = number + " is the first that differs: ";
   switch (row->how) {
     case RowDiffers::size:
-      return first + std::to_string(row->a) + " stitches and " + std::to_string(row->b) + ".";
+      return first + knit::stitch_count_text(row->a) + " and " + std::to_string(row->b) + ".";
     case RowDiffers::places:
-      return first + std::to_string(row->a) + " stitches in both, in other places.";
+      return first + knit::stitch_count_text(row->a) + " in both, in other places.";
     case RowDiffers::shaping:
-      return first + std::to_string(row->a) + " stitches in both, made by other increases or decreases.";
+      return first + knit::stitch_count_text(row->a) + " in both, made by other increases or decreases.";
     case RowDiffers::missing:
       break;
   }
@@ -144,6 +178,9 @@ std::string text_of(const RunDifference& difference, std::string_view a_name, st
   std::string text;
   if (!difference.same_mesh) text += "The meshes differ.\n";
   text += words_of(difference.first_row) + "\n";
+  for (const TubeLine& line : difference.tubes) {
+    if (line.differs()) text += words_of(line) + "\n";
+  }
   if (difference.edits_differ) text += "The changes on the way differ.\n";
   if (!difference.stop_a.empty()) text += std::string(a_name) + " stopped: " + difference.stop_a + "\n";
   if (!difference.stop_b.empty()) text += std::string(b_name) + " stopped: " + difference.stop_b + "\n";

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/compare/tube_figures.h"
 #include "app/session/run_figures.h"
 
 namespace app {
@@ -17,6 +18,7 @@ struct RunEnd {
   const Knobs& knobs;
   const knit::State& state;
   const RunFigures& figures;
+  std::optional<double> uncovered = std::nullopt;  // share of the surface; none: not measured
 };
 
 struct FigureLine {
@@ -41,7 +43,8 @@ struct RunDifference {
   std::vector<ParameterLine> parameters;  // those that differ from the start
   bool edits_differ = false;
   std::optional<FirstRow> first_row;
-  std::vector<FigureLine> figures;  // all of them, equal or not
+  std::vector<FigureLine> figures;  // all of them, equal or not; those of tubes where a run has more than one
+  std::vector<TubeLine> tubes;      // likewise
   std::string stop_a, stop_b;       // why they stopped; empty: finished
   [[nodiscard]] bool any() const;
 };

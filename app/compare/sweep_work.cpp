@@ -60,6 +60,9 @@ struct SweepWork::Shared {
     RunTally tally = prefix;
     if (!go_on_while_wanted(tally, std::get<Knobs>(knobs), knit::Stage::done)) return false;
     run.figures = figures_of(tally, std::get<Knobs>(knobs));
+    run.tubes = tube_figures_of(tally.state);
+    const knit::StitchSize& stitch = parameters_at(std::get<Knobs>(knobs), tally.state.next).stitch;
+    run.uncovered = uncovered_share(*base.input, tally.state, stitch);
     return true;
   }
 

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "app/compare/tube_figures.h"
 #include "app/session/sweep.h"
 
 namespace app {
@@ -15,6 +17,8 @@ struct SweepRun {
   std::vector<double> values;  // one an axis
   std::string refused;         // why these parameters cannot be, in one sentence; else empty
   RunFigures figures;
+  TubeFigures tubes;
+  std::optional<double> uncovered;  // share of the surface; of a finished run
 };
 
 class SweepWork {

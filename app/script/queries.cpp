@@ -76,9 +76,13 @@ Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const RunTally here = tally_of(session.document->timeline);
   const Knobs here_knobs = knobs_of(session.document->timeline);
   const RunFigures here_figures = figures_of(here, here_knobs);
-  const RunDifference difference =
-      difference_of({input, knobs, run.state, figures},
-                    {session.document->timeline.input(), here_knobs, here.state, here_figures});
+  const auto uncovered = [](const knit::Input& mesh, const Knobs& of, const knit::State& state) {
+    return uncovered_share(mesh, state, parameters_at(of, state.next).stitch);
+  };
+  const knit::Input& here_input = session.document->timeline.input();
+  const RunDifference difference = difference_of(
+      {input, knobs, run.state, figures, uncovered(input, knobs, run.state)},
+      {here_input, here_knobs, here.state, here_figures, uncovered(here_input, here_knobs, here.state)});
   Pin pin;
   pin.input = std::get<Loaded>(loaded).input;
   pin.knobs = knobs;
@@ -161,14 +165,18 @@ std::string cv_cell(const knit::LengthFigures& figures) {
 std::string line_of(const SweepRun& run) {
   std::string line;
   for (const double value : run.values) line += knit::number_text(value) + ",";
-  if (!run.refused.empty()) return line + "refused,,,,,,,,,," + cell(run.refused) + "\n";
+  if (!run.refused.empty()) return line + "refused,,,,,,,,,," + cell(run.refused) + ",,,,,,,,\n";
   const RunFigures& f = run.figures;
   line += f.finished ? "finished" : "stopped";
   for (const std::size_t count : {f.steps, f.rows, f.stitches}) line += "," + std::to_string(count);
   for (const std::int32_t count : {f.increases, f.decreases, f.most_in_a_row})
     line += "," + std::to_string(count);
-  return line + "," + std::to_string(f.problems) + "," + cv_cell(f.course) + "," + cv_cell(f.wale) + "," +
-         cell(f.stop) + "\n";
+  line +=
+      "," + std::to_string(f.problems) + "," + cv_cell(f.course) + "," + cv_cell(f.wale) + "," + cell(f.stop);
+  const TubeFigures& t = run.tubes;
+  for (const std::int32_t count : {t.tubes, t.splits, t.joins, t.genus, t.yarns, t.holders, t.left_out})
+    line += "," + std::to_string(count);
+  return line + "," + (run.uncovered ? knit::number_text(*run.uncovered) : "") + "\n";
 }
 
 }  // namespace
@@ -188,7 +196,8 @@ Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
   const SweepWork& work = *session.document->sweep->work;
   std::string text = work.plan().axis.key + ",";
   if (work.plan().second) text += work.plan().second->key + ",";
-  text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why\n";
+  text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why,";
+  text += "tubes,splits,joins,genus,yarns,holders,left_out,uncovered\n";
   for (std::size_t i = 0; i < work.total(); ++i) text += line_of(*work.run(i));
   return {exit_done, text, ""};
 }

@@ -130,6 +130,50 @@ void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
   if (!difference.stop_b.empty()) wrapped_text("Now it stops: " + difference.stop_b, theme().problem);
 }
 
+// "D / C": the name now, then the pinned one where it is another.
+std::string tube_line_name(const TubeLine& line) {
+  if (line.name_a.empty() || line.name_b.empty() || line.name_a == line.name_b)
+    return "Tube " + (line.name_b.empty() ? line.name_a : line.name_b);
+  return "Tube " + line.name_b + " (" + line.name_a + ")";
+}
+
+std::string change_text(std::int64_t a, std::int64_t b) {
+  if (a == b) return "=";
+  return b > a ? "+" + std::to_string(b - a) : "\xE2\x88\x92" + std::to_string(a - b);
+}
+
+// Rounds / stitches of the tubes that differ.
+void draw_tubes_that_differ(PanelFrame& frame, const RunDifference& difference) {
+  if (difference.tubes.empty()) return;
+  heading(frame, "Tubes: rounds / stitches");
+  const Table table(frame);
+  const auto alike = [](const TubeLine& line) { return !line.differs(); };
+  if (std::all_of(difference.tubes.begin(), difference.tubes.end(), alike)) return faint_text("all the same");
+  draw_head(frame, table, 3);
+  const auto sizes = [](const std::string& name, std::int32_t rounds, std::int64_t stitches) {
+    return name.empty() ? std::string("\xE2\x80\x93")
+                        : std::to_string(rounds) + "/" + std::to_string(stitches);
+  };
+  for (const TubeLine& line : difference.tubes) {
+    if (!line.differs()) continue;
+    const float y = ImGui::GetCursorScreenPos().y;
+    text_at(ImVec2(table.left(), y), 0.0f, theme().text, tube_line_name(line));
+    push_font(frame.fonts.mono);
+    text_at(ImVec2(table.end_of(0), y), 1.0f, pinned_colour(),
+            sizes(line.name_a, line.rounds_a, line.stitches_a));
+    text_at(ImVec2(table.end_of(1), y), 1.0f, theme().text,
+            sizes(line.name_b, line.rounds_b, line.stitches_b));
+    if (!line.name_a.empty() && !line.name_b.empty())
+      text_at(
+          ImVec2(table.end_of(2), y), 1.0f, theme().text,
+          change_text(line.rounds_a, line.rounds_b) + "/" + change_text(line.stitches_a, line.stitches_b));
+    pop_font();
+    table.end_line();
+    frame.mark("compare/tube/" + (line.name_b.empty() ? line.name_a : line.name_b));
+    tooltip(frame, words_of(line));
+  }
+}
+
 RowPlot plot_of(const PanelFrame& frame, const std::vector<double>& values,
                 const std::vector<double>& pinned) {
   RowPlot plot;
@@ -197,6 +241,9 @@ void draw_side<SidePanel::compare>(PanelFrame& frame) {
   draw_figures_that_differ(frame, *difference);
   ImGui::PopStyleVar();
   ImGui::Dummy(ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(across, 0.0f));
+  draw_tubes_that_differ(frame, *difference);
+  ImGui::PopStyleVar();
   draw_plots(frame);
 }
 

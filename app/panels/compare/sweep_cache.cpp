@@ -16,7 +16,8 @@ double rounded(double value) {
   return std::round(value / unit) * unit;
 }
 
-std::optional<double> figure_of(SweepFigure figure, const RunFigures& f) {
+std::optional<double> figure_of(SweepFigure figure, const SweepRun& run) {
+  const RunFigures& f = run.figures;
   switch (figure) {
     case SweepFigure::problems:
       return static_cast<double>(f.problems);
@@ -30,6 +31,16 @@ std::optional<double> figure_of(SweepFigure figure, const RunFigures& f) {
       return static_cast<double>(f.rows);
     case SweepFigure::most_in_a_row:
       return static_cast<double>(f.most_in_a_row);
+    case SweepFigure::tubes:
+      return static_cast<double>(run.tubes.tubes);
+    case SweepFigure::yarns:
+      return static_cast<double>(run.tubes.yarns);
+    case SweepFigure::holders:
+      return static_cast<double>(run.tubes.holders);
+    case SweepFigure::left_out:
+      return static_cast<double>(run.tubes.left_out);
+    case SweepFigure::uncovered:
+      return run.uncovered ? std::optional(100.0 * *run.uncovered) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -65,12 +76,21 @@ SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& pa
 }
 
 std::string_view name_of(SweepFigure figure) {
-  constexpr std::array<std::string_view, sweep_figures> names{"Problems", "Stitches", "Course CV",
-                                                              "Wale CV",  "Rows",     "Most in a row"};
+  constexpr std::array<std::string_view, sweep_figures> names{
+      "Problems", "Stitches", "Course CV",       "Wale CV",  "Rows",        "Most in a row",
+      "Tubes",    "Yarns",    "Holders at once", "Left out", "Uncovered, %"};
   return names.at(static_cast<std::size_t>(figure));
 }
 
+std::string_view key_of(SweepFigure figure) {
+  constexpr std::array<std::string_view, sweep_figures> keys{
+      "problems", "stitches", "course-cv", "wale-cv",  "rows",     "most-in-a-row",
+      "tubes",    "yarns",    "holders",   "left-out", "uncovered"};
+  return keys.at(static_cast<std::size_t>(figure));
+}
+
 int decimals_of(SweepFigure figure) {
+  if (figure == SweepFigure::uncovered) return 1;
   return figure == SweepFigure::course_cv || figure == SweepFigure::wale_cv ? 3 : 0;
 }
 
@@ -101,7 +121,7 @@ void SweepCache::read(std::size_t index, const SweepRun& run) {
   outcomes_[index] = run.figures.finished ? SweepOutcome::finished : SweepOutcome::stopped;
   if (!run.figures.finished) ++stopped_;
   for (std::size_t f = 0; f < sweep_figures; ++f) {
-    const auto value = figure_of(static_cast<SweepFigure>(f), run.figures);
+    const auto value = figure_of(static_cast<SweepFigure>(f), run);
     values_[f][index] = value;
     if (!value) continue;
     low_[f] = std::min(low_[f], *value);

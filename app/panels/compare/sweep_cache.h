@@ -11,12 +11,30 @@
 
 namespace app {
 
+enum class SweepFigure : std::uint8_t {
+  problems,
+  stitches,
+  course_cv,
+  wale_cv,
+  rows,
+  most_in_a_row,
+  tubes,
+  yarns,
+  holders,
+  left_out,
+  uncovered  // percent
+};
+inline constexpr std::size_t sweep_figures = 11;
+std::string_view name_of(SweepFigure figure);  // "Course CV"
+std::string_view key_of(SweepFigure figure);   // "course-cv"
+
 struct SweepForm {
   std::shared_ptr<const knit::Input> input;  // of the mesh that the axes' ranges were made for
   SweepAxis axis, second;
-  bool grid = false;                     // the second one counts
-  int figure = 0;                        // of the heat map
-  std::optional<std::size_t> hovered;    // the run under the pointer in the last frame
+  bool grid = false;                           // the second one counts
+  SweepFigure figure = SweepFigure::problems;  // of the heat map
+  SweepFigure third = SweepFigure::course_cv;  // of the last of the three plots
+  std::optional<std::size_t> hovered;          // the run under the pointer in the last frame
   std::weak_ptr<const SweepWork> shown;  // the sweep whose plan was taken over, started here or by a script
 };
 
@@ -25,9 +43,6 @@ SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& pa
 // The value of a number or a count, and what stands for "auto"; none where the run itself finds it.
 std::optional<double> present_value(const knit::ParameterInfo& info, const knit::Parameters& parameters);
 
-enum class SweepFigure : std::uint8_t { problems, stitches, course_cv, wale_cv, rows, most_in_a_row };
-inline constexpr std::size_t sweep_figures = 6;
-std::string_view name_of(SweepFigure figure);  // "Course CV"
 int decimals_of(SweepFigure figure);
 
 enum class SweepOutcome : std::uint8_t { pending, refused, stopped, finished };

@@ -168,9 +168,9 @@ void draw_start(PanelFrame& frame) {
   if (!sweep) {
     const std::size_t runs = static_cast<std::size_t>(std::max(0, plan.axis.count)) *
                              static_cast<std::size_t>(plan.second ? std::max(0, plan.second->count) : 1);
-    return faint_text(with_commas(runs) + " runs");
+    return faint_text(with_commas(runs, "run", "runs"));
   }
-  std::string words = with_commas(sweep->work->done()) + " runs";
+  std::string words = with_commas(sweep->work->done(), "run", "runs");
   if (frame.own<SweepCache>().stopped() > 0)
     words += ", " + with_commas(frame.own<SweepCache>().stopped()) + " stopped";
   if (frame.own<SweepCache>().refused() > 0)
@@ -180,16 +180,31 @@ void draw_start(PanelFrame& frame) {
   faint_text(words);
 }
 
+// "\n3 tubes, 2 yarns, 1 holder at once; 2 parts left out, 0.4 % uncovered"; what one plain tube is goes without saying.
+std::string tubes_line(const SweepRun& run) {
+  const TubeFigures& t = run.tubes;
+  std::string words;
+  if (t.tubes > 1) {
+    words = knit::plural(t.tubes, "tube", "tubes") + ", " + knit::plural(t.yarns, "yarn", "yarns");
+    if (t.holders > 0) words += ", " + knit::plural(t.holders, "holder", "holders") + " at once";
+  }
+  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+  if (t.left_out > 0) add(knit::plural(t.left_out, "part", "parts") + " left out");
+  if (run.uncovered && *run.uncovered > 0.0) add(knit::percent_text(*run.uncovered) + " uncovered");
+  return words.empty() ? words : "\n" + words;
+}
+
 std::string run_words(const SweepPlan& plan, const SweepRun& run) {
   std::string words = label_of(plan.axis.key) + " " + knit::number_text(run.values[0]);
   if (plan.second) words += ", " + label_of(plan.second->key) + " " + knit::number_text(run.values[1]);
   if (!run.refused.empty()) return words + "\nRefused: " + run.refused;
   const RunFigures& f = run.figures;
-  words += "\n" + with_commas(f.problems) + (f.problems == 1 ? " problem, " : " problems, ") +
-           with_commas(f.stitches) + " stitches in " + with_commas(f.rows) + " rows";
+  words += "\n" + with_commas(f.problems, "problem", "problems") + ", " +
+           with_commas(f.stitches, "stitch", "stitches") + " in " + with_commas(f.rows, "row", "rows");
   words += "\nCourse CV " + fixed_text(f.course.cv, 3);
   if (f.wale.count > 0) words += ", wale CV " + fixed_text(f.wale.cv, 3);
-  words += ", at most " + std::to_string(f.most_in_a_row) + " shapings in a row";
+  words += ", at most " + knit::plural(f.most_in_a_row, "shaping", "shapings") + " in a row";
+  words += tubes_line(run);
   if (!f.finished) words += "\nStopped: " + f.stop;
   return words + "\nClick: take it.";
 }
@@ -202,38 +217,44 @@ void tooltip_at_pointer(const PanelFrame& frame, const std::string& words) {
   ImGui::EndTooltip();
 }
 
-SweepPointed draw_lines(PanelFrame& frame, SweepPlot plot) {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float gap = ImGui::GetStyle().ItemSpacing.y;
-  const float third = (room.y - 3.0f * gap) / 3.0f;
-  const float height = std::floor(std::clamp(third, frame.units(84.0f), frame.units(230.0f)));
-  SweepPointed pointed;
-  for (const auto& [name, figure] : {std::pair{"sweep/problems", SweepFigure::problems},
-                                     std::pair{"sweep/stitches", SweepFigure::stitches},
-                                     std::pair{"sweep/course-cv", SweepFigure::course_cv}}) {
-    plot.name = name;
-    plot.figure = figure;
-    const SweepPointed here = draw_sweep_line(frame, plot, ImVec2(room.x, height));
-    if (here.run) pointed = here;
-  }
-  return pointed;
-}
-
-SweepPointed draw_map(PanelFrame& frame, SweepPlot plot) {
-  int& chosen = frame.own<SweepForm>().figure;
+void draw_figure_choice(PanelFrame& frame, SweepFigure& chosen) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::BeginCombo("##figure", std::string(name_of(static_cast<SweepFigure>(chosen))).c_str())) {
-    for (int f = 0; f < static_cast<int>(sweep_figures); ++f) {
-      const std::string name(name_of(static_cast<SweepFigure>(f)));
-      if (ImGui::Selectable(name.c_str(), f == chosen)) chosen = f;
+  if (ImGui::BeginCombo("##figure", std::string(name_of(chosen)).c_str())) {
+    for (std::size_t f = 0; f < sweep_figures; ++f) {
+      const auto figure = static_cast<SweepFigure>(f);
+      const std::string name(name_of(figure));
+      if (ImGui::Selectable(name.c_str(), figure == chosen)) chosen = figure;
       frame.mark("sweep/figure/" + name);
     }
     ImGui::EndCombo();
   }
   frame.mark("sweep/figure");
+}
+
+SweepPointed draw_lines(PanelFrame& frame, SweepPlot plot) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const float third = (room.y - 4.0f * gap - ImGui::GetFrameHeight()) / 3.0f;
+  const float height = std::floor(std::clamp(third, frame.units(84.0f), frame.units(230.0f)));
+  SweepPointed pointed;
+  const auto line_of = [&](SweepFigure figure) {
+    plot.name = "sweep/" + std::string(key_of(figure));
+    plot.figure = figure;
+    const SweepPointed here = draw_sweep_line(frame, plot, ImVec2(room.x, height));
+    if (here.run) pointed = here;
+  };
+  line_of(SweepFigure::problems);
+  line_of(SweepFigure::stitches);
+  draw_figure_choice(frame, frame.own<SweepForm>().third);
+  line_of(frame.own<SweepForm>().third);
+  return pointed;
+}
+
+SweepPointed draw_map(PanelFrame& frame, SweepPlot plot) {
+  draw_figure_choice(frame, frame.own<SweepForm>().figure);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   plot.name = "sweep/map";
-  plot.figure = static_cast<SweepFigure>(chosen);
+  plot.figure = frame.own<SweepForm>().figure;
   return draw_sweep_map(
       frame, plot, ImVec2(room.x, std::max(frame.units(160.0f), room.y - ImGui::GetStyle().ItemSpacing.y)));
 }

@@ -169,6 +169,10 @@ std::string with_commas(std::size_t number) {
   return digits;
 }
 
+std::string with_commas(std::size_t count, std::string_view one, std::string_view many) {
+  return with_commas(count) + " " + std::string(count == 1 ? one : many);
+}
+
 std::string capitalised(std::string_view name) {
   std::string words(name);
   std::replace(words.begin(), words.end(), '-', ' ');

@@ -77,6 +77,7 @@ void text_at(ImVec2 at, float align, Colour colour, const std::string& words);
 std::string cut_to_width(std::string_view words, float width);
 
 std::string with_commas(std::size_t number);
+std::string with_commas(std::size_t count, std::string_view one, std::string_view many);  // "1,200 stitches"
 std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
 std::string with_capital(std::string words);     // what begins a sentence
 std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"
