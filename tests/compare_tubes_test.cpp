@@ -162,6 +162,9 @@ TEST_CASE("sweep: tubes, yarns, what is left out and uncovered stand in the tabl
   CHECK(*run.uncovered ==
         knit::measure_uncovered(timeline.input(), timeline.furthest(), stitch.width, stitch.height).share);
   CHECK(contains(lines[1], ",3,0,1,0,2,1,0,"));
+  // Rows of rings: one tube, and nothing measured that would hold up a sweep.
+  Session rings = test_support::finished_small_session();
+  CHECK(lines_of(sweep_answer(rings, {"epsilon=0.1:0.2:2"}).out)[1].ends_with(",,1,0,0,0,1,0,0,"));
 }
 
 TEST_CASE("compare and sweep sides: tubes that differ, and a figure of them to choose", "[panels]") {

@@ -62,7 +62,7 @@ struct SweepWork::Shared {
     run.figures = figures_of(tally, std::get<Knobs>(knobs));
     run.tubes = tube_figures_of(tally.state);
     const knit::StitchSize& stitch = parameters_at(std::get<Knobs>(knobs), tally.state.next).stitch;
-    run.uncovered = uncovered_share(*base.input, tally.state, stitch);
+    if (tally.state.tubes) run.uncovered = uncovered_share(*base.input, tally.state, stitch);
     return true;
   }
 

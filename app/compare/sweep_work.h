@@ -18,7 +18,9 @@ struct SweepRun {
   std::string refused;         // why these parameters cannot be, in one sentence; else empty
   RunFigures figures;
   TubeFigures tubes;
-  std::optional<double> uncovered;  // share of the surface; of a finished run
+  // Share of the surface, of a finished run with rows from contours: rows from rings are worked out so much faster that
+  // measuring it would take most of a sweep.
+  std::optional<double> uncovered;
 };
 
 class SweepWork {
