@@ -6,6 +6,8 @@
 
 #include "app/base/text.h"
 #include "knit/insight/narrate.h"
+#include "knit/insight/why_tubes.h"
+#include "knit/model/measured.h"
 #include "knit/model/words.h"
 #include "knit/quality/ease.h"
 #include "knit/rows/rows.h"
@@ -116,21 +118,73 @@ std::string event_words(const knit::TubeEvent& event) {
   return "";
 }
 
+// " Its first row, row 12, is cast on with 8 stitches." Of a tube that goes on from another there is nothing to add.
+std::string end_words(const knit::State& run, const knit::TubeEvent& event) {
+  const bool begins = event.kind == knit::EventKind::cast_on;
+  if (!begins && event.kind != knit::EventKind::bind_off) return "";
+  const knit::TubeId tube = begins ? event.above.front() : event.below.front();
+  const knit::Row* end = nullptr;
+  for (const auto& row : run.fabric.rows()) {
+    if (row->tube == tube && (end == nullptr || !begins)) end = &*row;
+  }
+  if (end == nullptr) return "";
+  const std::string row = ", row " + str(end->id) + ", ";
+  if (begins)
+    return " Its first row" + row + "is cast on with " + knit::stitch_count_text(knit::size_of(*end)) + ".";
+  const bool whole = run.fabric.rows().size() > 0 && run.finished();
+  return whole ? " Its last row" + row + "has " + knit::stitch_count_text(knit::size_of(*end)) + "." : "";
+}
+
+// What became of a limb or a hole that has an end here, and what would keep it.
+std::string left_out_words(const knit::TubePlan& plan, const knit::LeftOut& left) {
+  const std::string size = knit::measured(left.height / plan.stitch_height, "round", "rounds") +
+                           " high and " +
+                           knit::measured(left.girth / plan.stitch_width, "stitch", "stitches") + " round";
+  const std::string way_on =
+      left.width_that_keeps > 0.0
+          ? "; a stitch " + knit::short_number(left.width_that_keeps) + " wide would keep it."
+          : ".";
+  const std::string ends = knit::vertex_text(left.from) + " to " + knit::vertex_text(left.to);
+  if (left.handle)
+    return "Here the level sets go round a hole whose thinner side, from " + ends + ", is " + size +
+           ": too small for this stitch, it is left out and no handle is made" + way_on;
+  return "Here is an end of the limb from " + ends + ", " + size + ": smaller than a round, it is left out" +
+         way_on;
+}
+
+// All that happens at a critical vertex, with the steps and numbers of its deals.
+std::string critical_words(const knit::Timeline& timeline, const knit::CriticalStory& story) {
+  std::string words;
+  const auto add = [&](const std::string& sentence) { words += (words.empty() ? "" : " ") + sentence; };
+  if (!timeline.furthest().tubes) return said_by(timeline, story.found.front());
+  const knit::TubePlan& plan = *timeline.furthest().tubes;
+  for (const std::int32_t event : story.events) {
+    add(event_words(plan.event(event)) + end_words(timeline.furthest(), plan.event(event)));
+    if (knit::closes_handle(plan, event)) add("They hang together below already, so this closes a handle.");
+  }
+  for (const std::int32_t left : story.left_out)
+    add(left_out_words(plan, plan.left_out[static_cast<std::size_t>(left)]));
+  for (const std::size_t step : story.dealt)
+    add("Step " + str(static_cast<std::int64_t>(step) + 1) + ": " + said_by(timeline, step));
+  // A saddle between what was left out and what is knitted has become a plain vertex of a tube.
+  return words.empty() ? said_by(timeline, story.found.front()) : words;
+}
+
 // Where a vertex stands when rows are cut: no row is picked from it, but rows run beside it.
 std::string cut_words(const knit::Timeline& timeline, knit::VertexId vertex) {
   std::string cut = "Rows are cut through the surface here; no vertex is a candidate.";
   const auto on = knit::on_tube(timeline, vertex);
   if (!on) return cut;
-  const knit::TubePlan& plan = *timeline.furthest().tubes;
-  std::string words = on->event >= 0 ? " " + event_words(plan.event(on->event)) : "";
-  if (on->tube < 0) return cut + words + " It lies on a part that is left out: smaller than a row.";
+  const auto critical = knit::critical_story(timeline, vertex);
+  if (critical) cut = critical_words(timeline, *critical);
+  if (on->tube < 0 && critical && !critical->left_out.empty()) return cut;
+  if (on->tube < 0) return cut + " It lies on a part that is left out: smaller than a row.";
   const std::string tube = names_tubes(timeline.furthest()) ? " on tube " + knit::tube_name(on->tube) : "";
   if (on->below > 0 && on->above > 0)
-    return cut + words + " It lies" + tube + " between rows " + str(on->below) + " and " + str(on->above) +
-           ".";
-  if (on->below > 0) return cut + words + " It lies" + tube + " above row " + str(on->below) + ".";
-  if (on->above > 0) return cut + words + " It lies" + tube + " below row " + str(on->above) + ".";
-  return tube.empty() ? cut + words : cut + words + " It lies" + tube + ".";
+    return cut + " It lies" + tube + " between rows " + str(on->below) + " and " + str(on->above) + ".";
+  if (on->below > 0) return cut + " It lies" + tube + " above row " + str(on->below) + ".";
+  if (on->above > 0) return cut + " It lies" + tube + " below row " + str(on->above) + ".";
+  return tube.empty() ? cut : cut + " It lies" + tube + ".";
 }
 
 std::string vertex_words(const knit::Timeline& timeline, const knit::VertexElement& v) {

@@ -14,6 +14,7 @@
 #include "app/session/jobs.h"
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
+#include "knit/insight/why_tubes.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
@@ -227,8 +228,15 @@ std::string step_text(const knit::Timeline& timeline, const std::string& what, s
 
 std::string vertex_text(const knit::Timeline& timeline, const knit::VertexElement& thing) {
   const knit::VertexStory story = knit::story_of(timeline, thing.vertex);
+  const auto critical = knit::critical_story(timeline, thing.vertex);
   std::string text;
   for (const std::size_t step : story.measured) text += step_text(timeline, "measured", step);
+  if (critical) {
+    for (const std::size_t step : critical->found) text += step_text(timeline, "found", step);
+    for (const std::size_t step : critical->leaving_out) text += step_text(timeline, "left out", step);
+    for (const std::size_t step : critical->dealt) text += step_text(timeline, "dealt", step);
+    return text;
+  }
   const bool among = !story.measured.empty() && story.decided == story.measured.back();
   if (story.decided && !among) text += step_text(timeline, "decided", *story.decided);
   return text;

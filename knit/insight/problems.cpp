@@ -26,6 +26,10 @@ std::optional<Problem> problem_of(const Step& step, std::size_t index, const Par
     return Problem{index, ProblemKind::gap_left_open, std::abs(shared->gap_after - width) / width};
   if (const auto* missed = get_if<BandMissed>(step))
     return Problem{index, ProblemKind::band_missed, std::abs(missed->distance - width) / width};
+  if (const auto* left = get_if<TubeLeftOut>(step)) {
+    const auto stitches = static_cast<double>(left->rows) * static_cast<double>(left->stitches);
+    return Problem{index, ProblemKind::left_out, stitches};
+  }
   if (is<VertexTimed>(step)) return Problem{index, ProblemKind::time_clamped, 0.0};
   return Problem{index, ProblemKind::stopped, 0.0};
 }

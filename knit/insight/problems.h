@@ -16,6 +16,7 @@ namespace knit {
 // Worst first.
 enum class ProblemKind : std::uint8_t {
   stopped,        // the run ends there
+  left_out,       // a limb or a hole that is smaller than a round
   row_resampled,  // what was picked could not be knitted, or hardly
   gap_left_open,  // outside the band
   band_missed,    // a stitch far from where it should be

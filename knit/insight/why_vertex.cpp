@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "knit/insight/why.h"
+#include "knit/insight/why_tubes.h"
 
 namespace knit {
 
@@ -161,6 +162,7 @@ VertexStory story_of(const Timeline& timeline, VertexId vertex) {
     return story;
   }
   if (!run.timing) return story;
+  if (const auto critical = critical_story(timeline, vertex)) story.decided = critical->decided();
   if (rows_are_cut(run)) {
     story.fate = Fate::cut_rows;
     return story;

@@ -113,9 +113,10 @@ void follow_row(PanelFrame& frame, std::size_t lines) {
 // The list's lines, worst first: why the run stopped, what was repaired, findings about the mesh, unusual steps.
 struct Problem {
   std::string words;
-  std::optional<std::size_t> position;   // to see it
-  std::string line;                      // in the list; empty: the words, cut
-  std::optional<knit::Element> thing{};  // or this, whose making is shown
+  std::optional<std::size_t> position;  // to see it
+  std::string line;                     // in the list; empty: the words, cut
+  std::optional<knit::Element>
+      thing{};  // or this, whose making is shown; with a position: what is selected there
 };
 
 // On the whole run, once it is finished and measured.
@@ -136,6 +137,10 @@ Problem problem_of_remark(const knit::Remark& remark) {
 
 // What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
 std::string short_line(const knit::Step& step) {
+  if (const auto* left = knit::get_if<knit::TubeLeftOut>(step)) {
+    if (left->together > 0) return "";
+    return std::string(left->handle ? "Hole" : "Limb") + " left out at " + knit::vertex_text(left->vertex);
+  }
   const auto* missed = knit::get_if<knit::BandMissed>(step);
   if (missed == nullptr) return "";
   return "Row " + std::to_string(step.place.row) + ", stitch " + std::to_string(missed->stitch) +
@@ -157,8 +162,11 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   const std::vector<knit::Remark> remarks = remarks_of(frame);
   if (i < remarks.size()) return problem_of_remark(remarks[i]);
   const std::size_t step = frame.own<RunCache>().ranked()[i - remarks.size()].step;
-  return {knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
-          short_line(timeline.step(step))};
+  Problem problem{knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
+                  short_line(timeline.step(step))};
+  if (const auto* left = knit::get_if<knit::TubeLeftOut>(timeline.step(step)))
+    problem.thing = knit::VertexElement{left->vertex};
+  return problem;
 }
 
 void draw_problem(PanelFrame& frame, std::size_t i) {
@@ -169,7 +177,8 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   const bool here = problem.position && frame.timeline()->position() == *problem.position;
   if (ImGui::Selectable("##problem", here)) {
     if (problem.position) frame.wish(SeekTo{*problem.position});
-    if (problem.thing) frame.wish(ShowWhy{*problem.thing});
+    if (problem.thing && problem.position) frame.wish(Select{*problem.thing});
+    if (problem.thing && !problem.position) frame.wish(ShowWhy{*problem.thing});
   }
   frame.mark("problem/" + std::to_string(i));
   tooltip(frame, problem.position || problem.thing ? problem.words + "\n\nClick: go there." : problem.words);
