@@ -125,6 +125,10 @@ TEST_CASE("cases: pieces are counted by their triangles and kept by their number
   CHECK(contains(refusal(mesh), "--piece 1 opens that of most triangles"));
   CHECK(contains(refusal(mesh), "--piece all"));
   CHECK(pieces_to_choose(mesh, {}) == 2);
+  const std::vector<PieceShare> shares = piece_shares(mesh);
+  REQUIRE(shares.size() == 2);
+  CHECK(shares[0].triangles == sphere(16, 9).triangles.size());
+  CHECK(shares[1].triangles == icosphere(1).triangles.size());
   const Mesh small = repair(mesh, keeping_piece(2)).mesh;
   CHECK(small.triangles.size() == icosphere(1).triangles.size());
   CHECK(refusal(small) == "");

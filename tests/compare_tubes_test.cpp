@@ -5,6 +5,7 @@
 #include "app/compare/compare_runs.h"
 #include "app/compare/sweep_work.h"
 #include "app/panels/compare/sweep_cache.h"
+#include "app/panels/kit/widgets.h"
 #include "app/script/queries.h"
 #include "app/session/document.h"
 #include "knit/model/stitch_size.h"
@@ -134,6 +135,15 @@ TEST_CASE("compare: tubes that changed their names are known by their place on o
   CHECK(names(tube_lines(a, b, true)) == "B-A -B A-C ");
   CHECK(names(tube_lines(b, a, true)) == "C-A A-B B- ");
   CHECK(names(tube_lines(a, b, false)) == "A-A B-B -C ");
+}
+
+TEST_CASE("compare and sweep: one is not many") {
+  CHECK(contains(words_of(FirstRow{3, RowDiffers::size, 1, 2}), ": 1 stitch and 2."));
+  CHECK(contains(words_of(FirstRow{3, RowDiffers::places, 2, 2}), ": 2 stitches in both, "));
+  CHECK(words_of(TubeLine{"C", "B", 1, 2, 5, 1}) ==
+        "Tube B, C before, has 2 rounds, 1 before, and 1 stitch, 5 before.");
+  CHECK(with_commas(1, "run", "runs") == "1 run");
+  CHECK(with_commas(1200, "run", "runs") == "1,200 runs");
 }
 
 TEST_CASE("compare: of one tube in both runs nothing is said about tubes", "[compare]") {

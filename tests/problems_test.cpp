@@ -122,6 +122,9 @@ TEST_CASE("many stretched rows are told by the worst, all in one sentence", "[pr
   CHECK(remarks.size() == most_stretched + 1);
   CHECK(remarks.front().words.rfind("Row 20: wales up to 12 h", 0) == 0);
   CHECK(remarks.back().words == "Stretched too: 4 more stretches of rows, with wales up to 6 h long.");
+  const Coverage seven{{}, {coverage.stretched.begin(), coverage.stretched.begin() + 7}, 1, {}};
+  CHECK(remarks_on(seven, contours()).back().words ==
+        "Stretched too: 1 more stretch of rows, with wales up to 3 h long.");
   CHECK(summary_of(coverage) == "Wales are up to 12 h long in row 20 and in 9 more stretches of rows.");
   CHECK(summary_of(half_covered()) ==
         "22 % of the surface is covered by no row: the flat part at vertex 12 and 1 more part; wales are up "

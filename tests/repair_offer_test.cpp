@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "app/files/link.h"
+#include "app/files/load.h"
 #include "app/files/report.h"
 #include "app/files/session_file.h"
 #include "app/script/command_line.h"
@@ -12,6 +13,7 @@
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/model/words.h"
 #include "tests/support/corpus.h"
 #include "tests/support/desk.h"
 #include "tests/support/open_session.h"
@@ -214,6 +216,7 @@ TEST_CASE("repairs by the command line") {
     CHECK(contains(*error, "2 pieces"));
     CHECK(contains(*error, "--repair largest-piece"));
     CHECK(contains(*error, "drops 1 piece of 4 triangles"));
+    CHECK(contains(*error, " % of the surface, 4 triangles."));
     CHECK(is_one_sentence(*error));
   }
   {
@@ -282,6 +285,13 @@ TEST_CASE("of several pieces any one may be opened, as by --piece") {
   desk.settle();
   CHECK(desk.ui.controls.count("repair/piece-1") == 1);
   CHECK(desk.ui.controls.count("repair/piece-3") == 0);
+  CHECK(desk.ui.controls.count("repair/piece-words-2") == 1);
+  const knit::RepairPlan plan = *desk.session.jobs->repair_offer->plan;
+  REQUIRE(plan.pieces.size() == 2);
+  CHECK(plan.pieces[1].triangles == 4);
+  CHECK(plan.pieces[0].share + plan.pieces[1].share == Approx(1.0));
+  CHECK(piece_words(plan, 2) ==
+        "Piece 2: " + knit::percent_text(plan.pieces[1].share) + " of the surface, 4 triangles");
   desk.act(desk.click("repair/piece-2"));
   REQUIRE(desk.session.document);
   CHECK(desk.session.document->source.repairs.front() == knit::keeping_piece(2));

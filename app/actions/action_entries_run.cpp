@@ -14,6 +14,7 @@
 #include "app/session/presets.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -28,7 +29,8 @@ Read read_step(const Session& session, const std::string& typed) {
   if (!step) return "A step is a whole number, not " + quoted(typed) + ".";
   const knit::Timeline& timeline = session.document->timeline;
   if (timeline.complete() && *step > timeline.known())
-    return "The run has only " + std::to_string(timeline.known()) + " steps.";
+    return "The run has only " + knit::plural(static_cast<std::int64_t>(timeline.known()), "step", "steps") +
+           ".";
   return SeekTo{*step};
 }
 
@@ -38,7 +40,8 @@ Read read_row(const Session& session, const std::string& typed) {
   if (!row || *row < 1) return "A row is a whole number from 1 on, not " + quoted(typed) + ".";
   const knit::Timeline& timeline = session.document->timeline;
   const auto rows = static_cast<std::int32_t>(timeline.furthest().fabric.rows().size());
-  if (timeline.complete() && *row > rows) return "The run has only " + std::to_string(rows) + " rows.";
+  if (timeline.complete() && *row > rows)
+    return "The run has only " + knit::plural(rows, "row", "rows") + ".";
   const knit::Stage at = timeline.state().stage();
   const bool by_rows = at > knit::Stage::rows && at<knit::Stage::done&& * row> 1;
   return SeekPlace{{by_rows ? at : knit::Stage::rows, *row, INT32_MAX}};
@@ -91,7 +94,8 @@ std::variant<knit::Element, std::string> read_thing(const Session& session, cons
   const auto* mesh_vertex = std::get_if<knit::VertexElement>(&*thing);
   const std::size_t count = session.document->timeline.input().mesh.positions.size();
   if (mesh_vertex != nullptr && mesh_vertex->vertex >= count)
-    return "The mesh has only " + std::to_string(count) + " vertices, counted from 0.";
+    return "The mesh has only " + knit::plural(static_cast<std::int64_t>(count), "vertex", "vertices") +
+           ", counted from 0.";
   if (mesh_vertex == nullptr && !knit::exists(session.document->timeline.furthest(), *thing))
     return "The run has no " + words_of(*thing) + ", or not yet.";
   return *thing;

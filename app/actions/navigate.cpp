@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -25,7 +26,8 @@ std::optional<std::string> go_to(Session& session, const At& at) {
   if (const auto* steps = std::get_if<std::size_t>(&at)) {
     apply(session, SeekTo{*steps});
     if (timeline.position() == *steps) return std::nullopt;
-    return "the run has only " + std::to_string(timeline.known()) + " steps; showing the last.";
+    return "the run has only " + knit::plural(static_cast<std::int64_t>(timeline.known()), "step", "steps") +
+           "; showing the last.";
   }
   if (const auto* stage = std::get_if<AtStage>(&at)) {
     // A stage's first row differs: 0, 1 or 2. Its first step is the one after all that stands before it.

@@ -6,6 +6,7 @@
 #include "app/base/text.h"
 #include "app/session/sweep.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -49,7 +50,7 @@ std::optional<std::string> fault_of_axis(const SweepAxis& axis) {
     return "\"" + axis.key + "\" is not a number, so it has no range to sweep; give one of " + swept_keys() +
            ".";
   if (axis.count < least_sweep_values || axis.count > most_sweep_values)
-    return "a sweep of " + std::to_string(axis.count) + " values cannot be; give from " +
+    return "a sweep of " + knit::plural(axis.count, "value", "values") + " cannot be; give from " +
            std::to_string(least_sweep_values) + " to " + std::to_string(most_sweep_values) + " of them.";
   if (!(axis.from < axis.to))
     return "a sweep of " + axis.key + " from " + knit::number_text(axis.from) + " to " +

@@ -83,7 +83,7 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
   if (const auto* measured = knit::get_if<knit::LengthMeasured>(*step))
     scene.captions.push_back({start, "L = " + knit::short_number(measured->length), scene.theme->anchor});
   if (const auto* chosen = knit::get_if<knit::CountChosen>(*step))
-    scene.captions.push_back({start, std::to_string(chosen->count) + " stitches", scene.theme->anchor});
+    scene.captions.push_back({start, knit::stitch_count_text(chosen->count), scene.theme->anchor});
   add_stitches(session, work, scene);
   if (knit::is<knit::StitchPlaced>(*step) && !work.stitches.empty())
     scene.points.push_back({glm::vec3(work.stitches.back().position), scene.theme->accepted, 10.0F});

@@ -147,7 +147,8 @@ void VariableLight::loop(const knit::LiveStitches& live, const std::string& word
     scene_.points.push_back({from, colour_, 7.0F});
   }
   if (!stitches.empty())
-    caption(glm::vec3(stitches.front().position), words + std::to_string(stitches.size()) + " stitches");
+    caption(glm::vec3(stitches.front().position),
+            words + knit::stitch_count_text(static_cast<std::int64_t>(stitches.size())));
 }
 
 // What a row stands on, or will: of one in the making its tube's loop, which need not be the last row made.

@@ -9,7 +9,9 @@
 #include "app/files/session_json.h"
 #include "app/session/action.h"
 #include "knit/import/obj.h"
+#include "knit/import/quoting.h"
 #include "knit/model/stitch_size.h"
+#include "knit/model/words.h"
 #include "knit/rows/first_choice.h"
 
 namespace app {
@@ -136,6 +138,12 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, con
   if (auto plan = knit::plan_repairs(*mesh, wish.piece()))
     unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
   return unfit;
+}
+
+std::string piece_words(const knit::RepairPlan& plan, std::size_t number) {
+  const knit::PieceShare& piece = plan.pieces.at(number - 1);
+  return "Piece " + std::to_string(number) + ": " + knit::percent_text(piece.share) + " of the surface, " +
+         knit::counted(piece.triangles, "triangle", "triangles");
 }
 
 std::variant<std::size_t, std::string> count_pieces(const std::filesystem::path& path,

@@ -40,6 +40,8 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path,
                                           knit::Progress* progress = nullptr);
 std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan,
                                                 knit::Progress* progress = nullptr);
+// "Piece 2: 14 % of the surface, 2310 triangles". Requires a number from 1 to as many pieces as there are.
+std::string piece_words(const knit::RepairPlan& plan, std::size_t number);
 // How many pieces the mesh is in when all that is wished but the choice of one has been done; 0: it cannot be said.
 std::variant<std::size_t, std::string> count_pieces(const std::filesystem::path& path,
                                                     const knit::RepairWish& wish);

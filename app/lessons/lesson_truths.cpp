@@ -148,9 +148,9 @@ Truth shaping(const Session& session, const JudgeCall& call) {
   const std::int32_t above = knit::size_of(fabric.row(call.row));
   const char* key = above > below ? "increases" : above < below ? "decreases" : "plain";
   return {{key},
-          "Row " + str(call.row) + " has " + std::to_string(above) +
-              (fabric.row_below(call.row) != nullptr ? " stitches, and the row below has "
-                                                     : " stitches, and what it is worked on has ") +
+          "Row " + str(call.row) + " has " + knit::stitch_count_text(above) +
+              (fabric.row_below(call.row) != nullptr ? ", and the row below has "
+                                                     : ", and what it is worked on has ") +
               std::to_string(below) + ".",
           0.0};
 }
@@ -395,9 +395,10 @@ Truth what_if_stops(const Session& session, const JudgeCall& call) {
   const RunTally run = run_with(session.document->timeline, knobs, Stage::done);
   const std::string with = "With " + settings_words(call.settings);
   if (!run.stop)
-    return {{"finishes"},
-            with + " the run finishes, with " + std::to_string(run.state.fabric.rows().size()) + " rows.",
-            0.0};
+    return {
+        {"finishes"},
+        with + " the run finishes, with " + knit::plural(run.state.fabric.row_count(), "row", "rows") + ".",
+        0.0};
   return {
       {"stops"}, with + " it stops. " + knit::narrate(*run.stop, parameters_at(knobs, run.stop->place)), 0.0};
 }

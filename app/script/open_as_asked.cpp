@@ -1,11 +1,13 @@
 // From a command line to an open session at the place that was asked for.
 #include "app/script/open_as_asked.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
+#include "app/files/load.h"
 #include "app/lessons/lesson.h"
 #include "app/script/command_line.h"
 #include "app/script/queries.h"
@@ -17,6 +19,7 @@
 #include "app/session/view.h"
 #include "knit/import/check_topology.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -80,6 +83,13 @@ std::string words_of(const RepairOffer& offer) {
       keys += (keys.empty() ? "" : ",") + knit::key_of(step.kind);
     effects += " " + step.would;
   }
+  constexpr std::size_t most_told = 12;
+  const std::size_t pieces = offer.plan->pieces.size();
+  for (std::size_t number = 1; number <= std::min(pieces, most_told); ++number)
+    effects += " " + piece_words(*offer.plan, number) + ".";
+  if (pieces > most_told)
+    effects += " " + knit::plural(static_cast<std::int64_t>(pieces - most_told), "more is", "more are") +
+               " smaller.";
   return offer.finding + " Or give" + (keys.empty() ? "" : " --repair " + keys) + piece + "." + effects;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/base/text.h"
+#include "knit/model/words.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/stitches/appendix.h"
 #include "knit/stitches/placement.h"
@@ -17,8 +18,8 @@ namespace app {
 
 namespace {
 
-std::string counted(std::size_t number, const std::string& one, const std::string& many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
+std::string counted(std::size_t number, std::string_view one, std::string_view many) {
+  return knit::plural(static_cast<std::int64_t>(number), one, many);
 }
 
 std::string summary_of(const knit::ReadPattern& read) {
@@ -95,8 +96,8 @@ Answer index_answer(const std::string& sizes_text, const std::string& placement)
   }
   for (std::size_t i = 1; i < sizes.size(); ++i) {
     if (sizes[i] <= 2 * sizes[i - 1] && 2 * sizes[i] >= sizes[i - 1]) continue;
-    return bad_usage("index: row " + std::to_string(i + 1) + " cannot have " + std::to_string(sizes[i]) +
-                     " stitches after " + std::to_string(sizes[i - 1]) +
+    return bad_usage("index: row " + std::to_string(i + 1) + " cannot have " +
+                     knit::stitch_count_text(sizes[i]) + " after " + std::to_string(sizes[i - 1]) +
                      "; a row may at most double or halve.");
   }
   const std::vector<knit::Join> joins = knit::plan_joins(sizes, policy);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -170,6 +171,11 @@ std::vector<std::uint32_t> pieces_by_size(const Mesh& mesh, const Sheets& sheets
     return std::pair(sheets.size[b], lowest[a]) < std::pair(sheets.size[a], lowest[b]);
   });
   return pieces;
+}
+
+double area_of(const Mesh& mesh, const Triangle& t) {
+  const auto& p = mesh.positions;
+  return 0.5 * glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
 }
 
 // `number` from 1. Triangles that collapse go too. Nothing is done where there is one piece, or no such one.
@@ -392,7 +398,7 @@ std::vector<RepairKind> RepairPlan::kinds() const {
 std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece) {
   CheckResult wrong = check(mesh);
   if (wrong.fit() || beyond_repair(wrong)) return std::nullopt;
-  RepairPlan plan{mesh, {}};
+  RepairPlan plan{mesh, {}, {}};
   for (const RepairKind kind : every_kind(piece)) {
     if (!is_about(kind, wrong)) continue;
     if (kind != RepairKind::unreferenced && has(wrong, FindingKind::not_finite)) return std::nullopt;
@@ -401,6 +407,7 @@ std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece) {
     CheckResult after = check(repaired.mesh);
     const bool prepares = kind == RepairKind::reorient;
     if (!prepares && badness(after) >= badness(wrong)) continue;
+    if (kind == RepairKind::largest_piece || piece_kept(kind) > 0) plan.pieces = piece_shares(plan.mesh);
     plan.mesh = std::move(repaired.mesh);
     plan.steps.push_back(std::move(repaired.step));
     wrong = std::move(after);
@@ -410,7 +417,7 @@ std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece) {
 }
 
 RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
-  RepairPlan plan{mesh, {}};
+  RepairPlan plan{mesh, {}, {}};
   if (mesh.triangles.empty() || !is_in_range(mesh)) return plan;
   for (const RepairKind kind : in_order(kinds)) {
     if (kind != RepairKind::unreferenced && !is_finite(plan.mesh)) break;
@@ -420,6 +427,21 @@ RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
     plan.steps.push_back(std::move(repaired.step));
   }
   return plan;
+}
+
+std::vector<PieceShare> piece_shares(const Mesh& mesh) {
+  const Sheets sheets = find_sheets(mesh, mesh.triangles.size());
+  std::vector<double> area(sheets.size.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    area[sheets.of[t]] += area_of(mesh, mesh.triangles[t]);
+  std::vector<PieceShare> shares;
+  double whole = 0.0;
+  for (const std::uint32_t piece : pieces_by_size(mesh, sheets)) {
+    shares.push_back({sheets.size[piece], area[piece]});
+    whole += area[piece];
+  }
+  for (PieceShare& piece : shares) piece.share = whole > 0.0 ? piece.share / whole : 0.0;
+  return shares;
 }
 
 std::size_t pieces_to_choose(const Mesh& mesh, const RepairWish& wish) {

@@ -62,9 +62,18 @@ struct Repaired {
 // Requires at least one triangle and indices in range; `unreferenced` alone may be given coordinates that are no numbers.
 Repaired repair(const Mesh& mesh, RepairKind kind);
 
+// One of the pieces that a mesh is in.
+struct PieceShare {
+  std::size_t triangles = 0;
+  double share = 0.0;  // of the area of all pieces
+};
+// In the order in which they are counted. Requires indices in range and coordinates that are numbers.
+std::vector<PieceShare> piece_shares(const Mesh& mesh);
+
 struct RepairPlan {
-  Mesh mesh;                      // repaired
-  std::vector<RepairStep> steps;  // that did something, in their order
+  Mesh mesh;                       // repaired
+  std::vector<RepairStep> steps;   // that did something, in their order
+  std::vector<PieceShare> pieces;  // there were before one was kept; empty: none had to be chosen
   [[nodiscard]] std::vector<RepairKind> kinds() const;
 };
 // What a person asks for: these; or whichever are needed, of which only a piece to keep may be among `kinds`.

@@ -149,8 +149,10 @@ std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& param
   }
   if (rows.size() <= most_stretched) return remarks;
   const Stretched& next = rows[most_stretched];
-  remarks.push_back({"Stretched too: " + std::to_string(rows.size() - most_stretched) +
-                         " more stretches of rows, with wales up to " + height_text(next.longest) + " long.",
+  remarks.push_back({"Stretched too: " +
+                         plural(static_cast<std::int64_t>(rows.size() - most_stretched),
+                                "more stretch of rows", "more stretches of rows") +
+                         ", with wales up to " + height_text(next.longest) + " long.",
                      next.at});
   return remarks;
 }

@@ -36,7 +36,8 @@ void read_remark(TokenCursor& at, RoundLabel& label) {
   at.take({")"});
   if (!at.sees({":"})) return at.back_to(begin);
   if (tells_rounds && number.value != label.last - *label.first + 1 && label.mistake.empty())
-    label.mistake = ": the label says " + number.text + " rounds and names " +
+    label.mistake = ": the label says " + number.text +
+                    (number.value == 1 ? " round and names " : " rounds and names ") +
                     std::to_string(label.last - *label.first + 1) + ".";
 }
 

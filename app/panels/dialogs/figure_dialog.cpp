@@ -317,7 +317,7 @@ void draw_animation_progress(PanelFrame& frame) {
   ImGui::ProgressBar(share, ImVec2(width, frame.units(6.0f)), "");
   ImGui::PopStyleColor();
   ImGui::AlignTextToFramePadding();
-  faint_text(with_commas(run->done) + " of " + with_commas(run->frames) + " frames");
+  faint_text(with_commas(run->done) + " of " + with_commas(run->frames, "frame", "frames"));
   ImGui::SameLine(ImGui::GetCursorPosX() + width - frame.units(72.0f));
   if (ImGui::Button("Cancel", ImVec2(frame.units(72.0f), 0.0f))) frame.wish(CancelAnimation{});
   frame.mark("animation/cancel");

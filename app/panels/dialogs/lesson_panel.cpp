@@ -10,6 +10,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -220,8 +221,9 @@ void draw_page(PanelFrame& frame, const LessonPage& page, const LessonRun& run) 
 void draw_end(PanelFrame& frame, const LessonRun& run) {
   const LessonScore score = run.score();
   const auto best = frame.session.program->preferences.lessons.find(run.lesson->key);
-  std::string words = "You answered " + std::to_string(score.right) + " of " + std::to_string(score.of) +
-                      " questions at the first try.";
+  std::string words = "You answered " + std::to_string(score.right) + " of " +
+                      knit::plural(static_cast<std::int64_t>(score.of), "question", "questions") +
+                      " at the first try.";
   if (best != frame.session.program->preferences.lessons.end() && best->second.right > score.right)
     words += " Your best so far is " + std::to_string(best->second.right) + ".";
   wrapped_text(words);

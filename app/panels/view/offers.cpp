@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/files/load.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/overlays.h"
 #include "app/session/jobs.h"
@@ -21,15 +22,7 @@ void draw_choice(PanelFrame& frame) {
   tooltip(frame, "The mesh is not opened; what is open stays.");
 }
 
-// How many pieces there are to choose from; 0: it is one, or becomes one.
-std::size_t pieces_of(const RepairOffer& offer) {
-  for (const knit::RepairStep& step : offer.plan->steps) {
-    if (step.kind == knit::RepairKind::largest_piece) return step.count + 1;  // it counts those that go
-  }
-  return 0;
-}
-
-constexpr std::size_t most_piece_buttons = 12;
+constexpr std::size_t most_piece_lines = 6, most_piece_buttons = 12;
 
 // As `--piece N` with all repairs that are needed.
 void wish_piece(PanelFrame& frame, const RepairOffer& offer, std::size_t number) {
@@ -50,21 +43,30 @@ void draw_piece_number(PanelFrame& frame, const RepairOffer& offer, std::size_t 
   if (ImGui::Button("Open this piece")) wish_piece(frame, offer, static_cast<std::size_t>(number));
   frame.mark("repair/open-piece");
   tooltip(frame, "With the other repairs that it needs.");
+  faint_text(piece_words(*offer.plan, static_cast<std::size_t>(number)));
 }
 
-// Each piece is knitted by itself. They are counted by their triangles, most first.
+// Each piece is knitted by itself. They are counted by their triangles, most first. A few stand in a line each with their
+// share, more than that say it in their tooltips.
 void draw_pieces(PanelFrame& frame, const RepairOffer& offer) {
-  const std::size_t pieces = pieces_of(offer);
+  const std::size_t pieces = offer.plan->pieces.size();
   if (pieces < 2) return;
   wrapped_text("It is in " + std::to_string(pieces) + " pieces, the largest first. Open one by its number:",
                theme().faint_text);
   if (pieces > most_piece_buttons) return draw_piece_number(frame, offer, pieces);
+  const bool lines = pieces <= most_piece_lines;
   for (std::size_t number = 1; number <= pieces; ++number) {
-    if (number > 1) ImGui::SameLine(0.0f, frame.units(4.0f));
+    if (number > 1 && !lines) ImGui::SameLine(0.0f, frame.units(4.0f));
     const std::string words = std::to_string(number);
     if (ImGui::Button(words.c_str(), ImVec2(frame.units(32.0f), 0.0f))) wish_piece(frame, offer, number);
     frame.mark("repair/piece-" + words);
-    tooltip(frame, "Opens piece " + words + " alone, with the other repairs that it needs.");
+    const std::string size = piece_words(*offer.plan, number);
+    tooltip(frame, size + ".\nOpens it alone, with the other repairs that it needs.");
+    if (!lines) continue;
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    faint_text(size);
+    frame.mark("repair/piece-words-" + words);
   }
 }
 
