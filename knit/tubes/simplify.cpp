@@ -160,8 +160,12 @@ class Simplifier {
 
   void leave_out(TubeId id, bool handle) {
     TubeChain& gone = chain(id);
-    graph_.left_out.push_back({handle, gone.height, gone.longest, graph_.node(gone.bottom).vertex,
-                               graph_.node(gone.top).vertex, width_that_keeps(gone)});
+    // A limb of no size is what rounding makes of a flat part: nobody misses it.
+    const bool is_there = handle || clearly_less(0.0, gone.height, settings_.height) ||
+                          clearly_less(0.0, gone.longest, settings_.width);
+    if (is_there)
+      graph_.left_out.push_back({handle, gone.height, gone.longest, graph_.node(gone.bottom).vertex,
+                                 graph_.node(gone.top).vertex, width_that_keeps(gone)});
     gone.parts.clear();
     std::erase(node(gone.bottom).above, id);
     std::erase(node(gone.top).below, id);

@@ -32,6 +32,7 @@ struct SimpleGraph {
   std::vector<TubeChain> chains;  // in the order in which they begin
   // Of the graph; `below` and `above` are chains, rising, and both empty where it is regular now.
   std::vector<GraphNode> nodes;
+  // Limbs without height and girth are not told: rounding made them.
   std::vector<LeftOut> left_out;  // in order; `from` and `to` are vertices of the Morse surface
   [[nodiscard]] const TubeChain& chain(TubeId id) const { return chains[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const GraphNode& node(std::int32_t id) const { return nodes[static_cast<std::size_t>(id)]; }

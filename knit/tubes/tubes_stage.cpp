@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "knit/mesh/union_find.h"
 #include "knit/model/ties.h"
 #include "knit/timing/intrinsic.h"
 #include "knit/tubes/low_limbs.h"
@@ -35,14 +36,24 @@ GraphFound found(const TubeGraph& graph) {
           graph.loops(), graph.surface.unfolded};
 }
 
-// Whether level sets form more than one tube, but for what rounding makes of flat parts.
+// Whether level sets form more than one tube, but for what rounding makes of flat parts: nodes with nothing but that between
+// them are one place, and no tube branches where each place has one below and one above. O(nodes + tubes).
 bool branches(const TubeGraph& graph) {
   const double range = graph.nodes.back().value - graph.nodes.front().value;
-  const auto is_tube = [&](const GraphTube& tube) {
-    const auto value = [&](std::int32_t node) { return graph.nodes[static_cast<std::size_t>(node)].value; };
-    return clearly_less(value(tube.bottom), value(tube.top), range);
-  };
-  return std::count_if(graph.tubes.begin(), graph.tubes.end(), is_tube) > 1;
+  const auto value = [&](std::int32_t node) { return graph.nodes[static_cast<std::size_t>(node)].value; };
+  UnionFind places(graph.nodes.size());
+  std::vector<const GraphTube*> seen;
+  for (const GraphTube& tube : graph.tubes) {
+    if (clearly_less(value(tube.bottom), value(tube.top), range))
+      seen.push_back(&tube);
+    else
+      places.join(static_cast<std::uint32_t>(tube.bottom), static_cast<std::uint32_t>(tube.top));
+  }
+  std::vector<std::uint8_t> below(graph.nodes.size(), 0), above(graph.nodes.size(), 0);
+  return std::any_of(seen.begin(), seen.end(), [&](const GraphTube* tube) {
+    return std::exchange(above[places.find(static_cast<std::uint32_t>(tube->bottom))], std::uint8_t{1}) > 0 ||
+           std::exchange(below[places.find(static_cast<std::uint32_t>(tube->top))], std::uint8_t{1}) > 0;
+  });
 }
 
 // The times' own graph; where it is one tube there is nothing to smooth.
