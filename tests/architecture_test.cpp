@@ -108,12 +108,13 @@ const std::vector<Arrow> arrows{
      {"knit/", "app/base", "app/scene", "app/session", "app/explain", "app/lessons"},
      {"glm/"}},
     {"app/files", {"knit/", "app/base", "app/session", "app/describe"}, {json[0], json[1], "unistd.h"}},
+    {"app/reader", {"knit/import", "knit/stitches", "knit/reader", "app/base"}, {json[0], json[1]}},
     {"app/actions",
      {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files"},
      {json[0], json[1]}},
     {"app/script",
      {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files",
-      "app/actions"},
+      "app/reader", "app/actions"},
      {"CLI/CLI.hpp"}},
 
     {"app/panels/kit", {"knit/", "app/"}, {"glm/", "imgui.h", "imgui_internal.h"}},
@@ -142,7 +143,7 @@ const std::vector<Arrow> arrows{
 // Folders of the app that "app/" stands for: all that knows no window.
 const std::set<std::string> app_core{"app/base",    "app/scene",   "app/session",  "app/explain",
                                      "app/compare", "app/lessons", "app/describe", "app/files",
-                                     "app/actions", "app/script"};
+                                     "app/reader",  "app/actions", "app/script"};
 
 bool may_include(const Arrow& arrow, const std::string& folder) {
   const auto names = [&](const std::string& ours) {

@@ -37,8 +37,9 @@ Json round_json(const knit::Round& round) {
           {"operations", operations_json(round.operations)}};
 }
 
-Json stitch_json(const knit::GraphStitch& stitch, bool cast_on) {
-  if (cast_on) return {{"hand", "cast on"}, {"below", Json::array()}};
+Json cast_on_stitch() { return {{"hand", "cast on"}, {"below", Json::array()}}; }
+
+Json stitch_json(const knit::GraphStitch& stitch) {
   Json json{{"hand", json_word(stitch.hand)}, {"below", Json::array()}};
   for (std::int32_t i = 0; i < stitch.count; ++i) json["below"].push_back(stitch.first + i);
   if (stitch.count == 0) json["bar_after"] = stitch.first;
@@ -58,7 +59,8 @@ std::string pattern_json(const knit::Rounds& rounds) {
   for (const knit::Round& round : rounds.rounds) worked.push_back(round_json(round));
   for (const std::vector<knit::GraphStitch>& row : knit::graph_of(rounds).rows) {
     Json stitches = Json::array();
-    for (const knit::GraphStitch& stitch : row) stitches.push_back(stitch_json(stitch, graph.empty()));
+    for (const knit::GraphStitch& stitch : row)
+      stitches.push_back(graph.empty() ? cast_on_stitch() : stitch_json(stitch));
     graph.push_back(std::move(stitches));
   }
   return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 1,\n  \"cast_on\": " +
@@ -113,7 +115,23 @@ Json deal_json(const knit::LimbNames& names, const knit::LimbDeal& deal) {
   return json;
 }
 
-Json end_json(const knit::LimbNames& names, const knit::LimbEnd& end) {
+// [own stitch, the other's], each in its last round from its marker.
+Json pairs_json(const knit::LimbEnd& end, std::int32_t own_count, std::int32_t others_count) {
+  Json pairs = Json::array();
+  std::int32_t own = own_count - end.slips_back, other = end.other_first + others_count;
+  for (const knit::LimbGraft& graft : end.grafts) {
+    for (std::int32_t a = 0; a < graft.own; ++a) {
+      for (std::int32_t b = 0; b < graft.others; ++b)
+        pairs.push_back({(own + a) % own_count, (other - b + others_count) % others_count});
+    }
+    own += graft.own;
+    other -= graft.others;
+  }
+  return pairs;
+}
+
+Json end_json(const knit::LimbNames& names, const knit::LimbPlan& plan, const knit::LimbPiece& piece) {
+  const knit::LimbEnd& end = piece.end;
   Json json{{"kind", json_word(end.kind)}};
   if (end.piece >= 0) json["piece"] = names(end.piece);
   if (end.kind != knit::LimbEndKind::grafted) return json;
@@ -121,7 +139,34 @@ Json end_json(const knit::LimbNames& names, const knit::LimbEnd& end) {
   json["others_first"] = end.other_first;
   json["grafts"] = Json::array();
   for (const knit::LimbGraft& graft : end.grafts) json["grafts"].push_back({graft.own, graft.others});
+  json["pairs"] = pairs_json(end, piece.last_count(), plan.piece(end.piece).last_count());
   return json;
+}
+
+// What the stitches of a round hang on, of those below from the marker.
+Json row_json(const knit::LimbRound& round) {
+  Json row = Json::array();
+  const knit::KnitGraph graph =
+      knit::graph_of(knit::Rounds{round.before, {{2, round.operations, round.before, round.after}}});
+  for (knit::GraphStitch stitch : graph.rows.back()) {
+    // The last stitch is worked first where it is slipped back; two that are taken together may lie on both sides of the marker.
+    const auto from_marker = [&](std::int32_t worked) {
+      return round.slips_back ? (worked + round.before - 1) % round.before : worked;
+    };
+    Json json = stitch_json(stitch);
+    for (Json& below : json["below"]) below = from_marker(below.get<std::int32_t>());
+    if (stitch.count == 0) json["bar_after"] = from_marker(stitch.first);
+    row.push_back(std::move(json));
+  }
+  return row;
+}
+
+Json graph_json(const knit::LimbPiece& piece) {
+  Json rows = Json::array();
+  if (piece.is_cast_on())
+    rows.push_back(Json(static_cast<std::size_t>(piece.first_count()), cast_on_stitch()));
+  for (const knit::LimbRound& round : piece.rounds) rows.push_back(row_json(round));
+  return rows;
 }
 
 // Stitches that follow each other, one run: [piece, first, count, step], or ["gap 2", first, count, step]; the step is -1 where
@@ -156,9 +201,10 @@ Json piece_json(const knit::LimbNames& names, const knit::LimbPlan& plan, std::i
     if (round.slips_back) line["slips_back"] = true;
     json["rounds"].push_back(std::move(line));
   }
+  json["graph"] = graph_json(piece);
   json["rows"] = piece.rows;
   json["starts"] = piece.starts;
-  json["end"] = end_json(names, piece.end);
+  json["end"] = end_json(names, plan, piece);
   return json;
 }
 

@@ -7,8 +7,11 @@
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "app/base/text.h"
+#include "app/reader/pattern_json_reader.h"
 #include "knit/model/words.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/stitches/appendix.h"
@@ -37,7 +40,17 @@ Answer cannot_read(const std::string& name, const std::string& why) {
 }  // namespace
 
 Answer check_text(std::string_view text, const std::string& name) {
-  const knit::ReadPattern read = knit::read_pattern(text);
+  knit::ReadPattern read;
+  if (begins_like_json(text)) {
+    JsonPattern json = read_pattern_json(text);
+    if (const auto* why = std::get_if<NoPattern>(&json))
+      return {exit_usage, "", "check: " + name + " cannot be read: " + *why};
+    auto* limbs = std::get_if<knit::ReadLimbs>(&json);
+    read =
+        limbs != nullptr ? knit::as_pattern(std::move(*limbs)) : std::get<knit::ReadPattern>(std::move(json));
+  } else {
+    read = knit::read_pattern(text);
+  }
   if (read.rounds_read == 0 && read.mistakes.empty()) {
     return {exit_usage, "",
             "check: " + name +

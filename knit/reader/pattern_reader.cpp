@@ -287,7 +287,8 @@ class Reader {
   Counts counts_, wrong_made_;
 };
 
-// Of a pattern with limbs: what is told of any pattern. Its rounds are no single chain, so they are not handed on.
+}  // namespace
+
 ReadPattern as_pattern(ReadLimbs limbs) {
   ReadPattern read;
   read.rounds.cast_on = static_cast<std::int32_t>(limbs.cast_on);
@@ -297,8 +298,6 @@ ReadPattern as_pattern(ReadLimbs limbs) {
   for (const auto& loop : limbs.closed) read.closed_with += static_cast<std::int32_t>(loop.size());
   return read;
 }
-
-}  // namespace
 
 ReadPattern read_pattern(std::string_view text) {
   if (has_limb_headings(text)) return as_pattern(read_limbs(text));

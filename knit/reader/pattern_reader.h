@@ -35,4 +35,9 @@ struct ReadPattern {
 
 ReadPattern read_pattern(std::string_view text);
 
+// Of a pattern with limbs (limbs_reader.h): what is told of any pattern. Its rounds are no single chain, so they are not
+// handed on.
+struct ReadLimbs;
+ReadPattern as_pattern(ReadLimbs limbs);
+
 }  // namespace knit
