@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/describe/describe_contours.h"
+#include "app/describe/describe_ends.h"
 #include "app/describe/describe_motion.h"
 #include "app/describe/describe_quantity.h"
 #include "app/describe/describe_selected.h"
@@ -129,9 +130,7 @@ namespace {
 std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
   const knit::Fabric& fabric = session.document->timeline.state().fabric;
   if (!session.view->shows(Layer::faces) || fabric.strips().empty() || scene.unfinished) return std::nullopt;
-  // Where tubes stand beside each other the times of one say nothing of the others.
   const bool all = session.document->timeline.state().stage() > knit::Stage::faces;
-  if (!fabric.deals().empty() && !all) return std::nullopt;
   TimeSpan span{static_cast<float>(fabric.row(1).time), static_cast<float>(fabric.row(1).time)};
   const knit::RowId last = all ? fabric.row_count() : fabric.strips().back()->to;
   for (knit::RowId id = 1; id <= last; ++id) {
@@ -142,6 +141,20 @@ std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& sc
 }
 
 }  // namespace
+
+// Where tubes stand beside each other the times of one say nothing of the others.
+void Describer::describe_covered(const Session& session, Scene& scene) {
+  const knit::State& state = session.document->timeline.state();
+  scene.covered = covered_by_faces(session, scene);
+  if (!scene.covered || state.fabric.deals().empty()) return;
+  scene.covered.reset();
+  if (state.stage() <= knit::Stage::faces || !state.graph || !state.tubes) return;
+  scene.covered_by = ends_.get(state.tubes.pointer(), false, [&] {
+    return std::make_shared<const std::vector<float>>(
+        ends_of(session.document->timeline.input(), *state.graph, *state.tubes));
+  });
+  scene.covered = TimeSpan{between_ends, between_ends};
+}
 
 Scene Describer::describe(const Session& session, const Showing& showing) {
   Scene scene;
@@ -165,7 +178,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
     add_rows(session, scene);
     add_strips(session, scene);
   }
-  scene.covered = covered_by_faces(session, scene);
+  describe_covered(session, scene);
   describe_tubes(session, scene);
   ghost_.describe(session, scene);
   describe_step(session, scene);

@@ -48,6 +48,7 @@ class Describer {
   const knit::Fabric& fabric_of(const Session& session);
   void add_rows(const Session& session, Scene& scene);
   void add_strips(const Session& session, Scene& scene);
+  void describe_covered(const Session& session, Scene& scene);
 
   // Of the shapes kept.
   const Theme* theme_ = nullptr;
@@ -56,7 +57,8 @@ class Describer {
   knit::Fabric placed_;
   std::shared_ptr<const std::vector<glm::dvec3>> placed_as_;
   Ground ground_;
-  std::vector<RowShapes> rows_;  // [i]: of row i + 1, as last seen
+  MadeOf<knit::TubePlan, std::vector<float>> ends_;  // of limbs: describe_ends.h
+  std::vector<RowShapes> rows_;                      // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
   Coarse coarse_;
   Symbols symbols_;

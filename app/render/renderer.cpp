@@ -164,8 +164,9 @@ void Renderer::draw_surface(const Frame& frame) {
   blend(false);
   start(frame.scene.band ? surface_ : surface_plain_, frame);
   const Scene& scene = frame.scene;
+  const auto& told = scene.covered_by ? scene.covered_by : scene.times;
   last_.triangles += scene.covered && scene.times
-                         ? frame.mesh->draw_uncovered(*scene.mesh, scene.times, *frame.times, *scene.covered)
+                         ? frame.mesh->draw_uncovered(*scene.mesh, told, *frame.times, *scene.covered)
                          : frame.mesh->draw_triangles(frame.times);
   ++last_.draw_calls;
 }

@@ -125,13 +125,13 @@ void MeshBuffers::put_in_order(const MeshShape& shape,
 }
 
 std::size_t MeshBuffers::draw_uncovered(const MeshShape& shape,
-                                        const std::shared_ptr<const std::vector<float>>& times,
+                                        const std::shared_ptr<const std::vector<float>>& told,
                                         const TimeBuffer& buffer, const TimeSpan& covered) const {
   const auto all = static_cast<std::size_t>(triangle_indices_) / 3;
-  if (all > most_sorted || times->size() < vertices_) return draw_triangles(&buffer);
+  if (all > most_sorted || told->size() < vertices_) return draw_triangles(&buffer);
   glBindVertexArray(triangles_.id());
   take_times(&buffer);
-  if (!is_same(order_.times, times)) put_in_order(shape, times);
+  if (!is_same(order_.times, told)) put_in_order(shape, told);
   const auto below = static_cast<std::size_t>(std::ranges::lower_bound(order_.earliest, covered.from) -
                                               order_.earliest.begin());
   const auto above = static_cast<std::size_t>(std::ranges::upper_bound(order_.latest_so_far, covered.to) -

@@ -30,9 +30,10 @@ class MeshBuffers {
   explicit MeshBuffers(const MeshShape& shape);
   // `times`: of the vertices; null: none has one.
   std::size_t draw_triangles(const TimeBuffer* times) const;  // gives how many, as the next
-  // Those of the shape that these are the buffers of, without what lies within `covered`. The triangles are put
-  // in order of time when this is first asked, and when the times change; of a large mesh all are drawn.
-  std::size_t draw_uncovered(const MeshShape& shape, const std::shared_ptr<const std::vector<float>>& times,
+  // Those of the shape that these are the buffers of, without those whose vertices are all told to lie within
+  // `covered`. The triangles are put in order when this is first asked, and when what is told changes; of a large mesh
+  // all are drawn.
+  std::size_t draw_uncovered(const MeshShape& shape, const std::shared_ptr<const std::vector<float>>& told,
                              const TimeBuffer& buffer, const TimeSpan& covered) const;
   // Edges of the shape that these are the buffers of; they are sent when they are first drawn.
   void draw_edges(const MeshShape& shape, const TimeBuffer* times) const;
@@ -41,7 +42,7 @@ class MeshBuffers {
   glm::vec3 centre() const { return centre_; }
 
  private:
-  // The triangles as they lie in the buffer: by their earliest vertex.
+  // The triangles as they lie in the buffer: by their earliest vertex, or what else is told.
   struct Order {
     std::weak_ptr<const std::vector<float>> times;
     std::vector<float> earliest;       // of each, ascending

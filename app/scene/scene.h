@@ -95,9 +95,10 @@ struct Scene {
   bool show_wire = true;
   bool show_times = true;            // else the calm ground colour
   std::uint32_t timed_vertices = 0;  // vertices [0, this) carry their time's colour
-  // Faces cover the surface where its times lie within: it need not be drawn there. One span is right for one
-  // tube only.
+  // Faces cover the surface where what is told of its vertices lies within: it need not be drawn there. That is their
+  // times, which is right for one tube only, or else `covered_by`, one a vertex.
   std::optional<TimeSpan> covered;
+  std::shared_ptr<const std::vector<float>> covered_by;
   Colour ground;
   Colour time_low, time_middle, time_high;  // the ramp over [0, 1]
   std::optional<Band> band;
