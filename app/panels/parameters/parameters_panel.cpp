@@ -37,9 +37,10 @@ struct Control {
     if (!knit::set_value(info, changed, text)) parameters = changed;
   }
 
-  // "%.4g mesh units" where it fits.
+  // "%.4g mesh units" where it fits; one is "1 mesh unit".
   [[nodiscard]] std::string format(const char* number, const std::string& shown) const {
-    const std::string unit(info.unit);
+    std::string unit(info.unit);
+    if (shown == "1" && unit.ends_with('s')) unit.pop_back();
     const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
     const bool fits = !unit.empty() && ImGui::CalcTextSize((shown + " " + unit).c_str()).x < room;
     return fits ? std::string(number) + " " + unit : number;
