@@ -3,6 +3,7 @@
 #include "app/explain/pseudo_code.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "app/session/learning.h"
 #include "app/session/program.h"
 #include "knit/insight/narrate.h"
+#include "knit/insight/step_fields.h"
 #include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
 #include "knit/run/machine.h"
@@ -122,7 +124,8 @@ std::vector<Session> all_ways() {
 struct Reached {
   std::set<std::string_view> kinds;
   std::set<const CodeLine*> lines;
-  std::size_t wrong = 0;  // steps that are no line of their listing
+  std::size_t wrong = 0;         // steps that are no line of their listing
+  std::set<std::string> hidden;  // numbers whose names a step log's line has already
 
   void take(const knit::Step& step, const knit::Parameters& parameters) {
     const PseudoCode& code = listing_of(step, parameters);
@@ -132,6 +135,10 @@ struct Reached {
     wrong += code.lines[run.last].lit(knit::any_event(step)) ? 0U : 1U;
     kinds.insert(knit::kind_name(step));
     for (std::size_t line = run.first; line <= run.last; ++line) lines.insert(&code.lines[line]);
+    static constexpr std::array<std::string_view, 6> own{"step", "stage", "row", "item", "kind", "what"};
+    for (const knit::StepField& field : knit::fields_of(step))
+      if (std::ranges::count(own, field.name) > 0)
+        hidden.insert(std::string(knit::kind_name(step)) + ": " + std::string(field.name));
   }
   void take(const knit::Timeline& timeline) {
     for (std::size_t i = 0; i < timeline.known(); ++i) take(timeline.step(i), timeline.parameters_of_step(i));
@@ -183,6 +190,7 @@ TEST_CASE("every kind of step has its line, and every line that is no mere head 
   take_crowded_rows(reached);
   CHECK(reached.wrong == 0);
   CHECK(reached.kinds.size() == knit::event_count);
+  CHECK(reached.hidden == std::set<std::string>{});
   for (const PseudoCode* code : listings()) {
     for (const CodeLine& line : code->lines) {
       INFO(code->title << ": " << line.text);

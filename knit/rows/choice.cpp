@@ -53,10 +53,11 @@ std::string RowsChosen::sentence(const Telling& /*at*/) const {
 }
 
 StepFields RowsChosen::numbers() const {
-  return {{var::rows_from, source == RowSource::rings ? "rings" : "contours"},
-          {var::level, level},
-          {var::count, count},
-          {var::without_ring, vertex}};
+  StepFields fields{{var::rows_from, source == RowSource::rings ? "rings" : "contours"},
+                    {var::level, level},
+                    {var::count, count}};
+  if (vertex != no_vertex) fields.emplace_back(var::without_ring, vertex);
+  return fields;
 }
 
 }  // namespace knit

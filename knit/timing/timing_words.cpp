@@ -74,7 +74,7 @@ StepFields FieldSolved::numbers() const {
   const CodeVariable* counted = which == FieldStep::net      ? &var::net
                                 : which == FieldStep::slopes ? &var::slopes
                                                              : &var::unknowns;
-  return {{"what", nullptr, word_of(which)},
+  return {{"part", nullptr, word_of(which)},
           {"vertex", distance ? &var::end : nullptr, vertex},
           {"count", counted, count},
           {"high", distance ? &var::far : nullptr, high}};

@@ -75,7 +75,7 @@ std::string NodeFound::sentence(const Telling& /*at*/) const {
 }
 StepFields NodeFound::numbers() const {
   return {{"vertex", &var::node, vertex},
-          {"kind", &var::node_kind, word_of(node)},
+          {var::node_kind, word_of(node)},
           {"value", &var::field_value, value},
           {var::closed, closed},
           {var::opened, opened}};
