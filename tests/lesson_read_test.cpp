@@ -1,4 +1,7 @@
 // Lessons that somebody wrote by hand: what is wrong is one sentence with the page and the field.
+#include <fstream>
+#include <iterator>
+
 #include "tests/support/lesson.h"
 
 using namespace app;
@@ -30,6 +33,15 @@ void check_fault(const std::string& text, const std::vector<std::string>& parts)
 }
 
 }  // namespace
+
+TEST_CASE("every judge stands in the page about lessons") {
+  std::ifstream file(std::string(KNIT_SOURCE_DIR) + "/docs/lessons.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const JudgeInfo& judge : judge_table()) {
+    CAPTURE(judge.name);
+    CHECK(contains(page, "`" + std::string(judge.name) + "`"));
+  }
+}
 
 TEST_CASE("a lesson is read with all it may have") {
   const auto read =

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -191,6 +193,12 @@ TEST_CASE("every kind of step has its line, and every line that is no mere head 
   CHECK(reached.wrong == 0);
   CHECK(reached.kinds.size() == knit::event_count);
   CHECK(reached.hidden == std::set<std::string>{});
+  std::ifstream file(std::string(KNIT_SOURCE_DIR) + "/docs/command-line.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const std::string_view kind : reached.kinds) {
+    INFO(kind << " has a line in the table of steps");
+    CHECK(contains(page, "| `" + std::string(kind) + "` |"));
+  }
   for (const PseudoCode* code : listings()) {
     for (const CodeLine& line : code->lines) {
       INFO(code->title << ": " << line.text);
