@@ -1,20 +1,29 @@
 #!/usr/bin/env bash
-# Takes the program's pictures by its own command line: eleven scenes, in both themes, at two sizes, and one at 4K.
-#   tools/pictures.sh FOLDER          all of them, FOLDER/SCENE-THEME-WIDTHxHEIGHT.png
-#   tools/pictures.sh --docs          those of README and docs, into docs/pictures
-# KNIT_MESH: the program, else build/dev/knit-mesh.
+# Takes the program's pictures by its own command line.
+#   tools/pictures.sh FOLDER            every scene, in both themes, at two sizes, and one at 4K:
+#                                       FOLDER/SCENE-THEME-WIDTHxHEIGHT.png
+#   tools/pictures.sh --docs            those of README and docs, into docs/pictures
+#   tools/pictures.sh --pair NAME ...   a mesh as its rows were placed and as it settled: NAME-placed.png, NAME-settled.png;
+#                                       ... is a mesh with what else the program is told. YAW, PITCH: where from
+# KNIT_MESH: the program, else build/dev/knit-mesh. KNIT_MESHES: where simple-elbow.obj may lie, else ../shared/meshes.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=${KNIT_MESH:-$root/build/dev/knit-mesh}
+meshes=${KNIT_MESHES:-$root/../shared/meshes}
+aside=$(mktemp -d)
+trap 'rm -rf "$aside"' EXIT
 
 scenes=(empty start row stall labels finished lesson chart split hold limbs)
+docs_dark=(row lesson split hold limbs)
+docs_light=(finished chart)
+small_epsilon="--example thesis-sphere --epsilon 0.012"
 
 options_of() {
   case $1 in
     empty) echo "--empty" ;;
     start) echo "--example thesis-sphere --at 0" ;;
     row) echo "--example thesis-sphere --at rows:14:12 --list candidates" ;;
-    stall) echo "--example thesis-sphere --epsilon 0.012 --break stall --list candidates" ;;
+    stall | debug-stall) echo "$small_epsilon --break stall --list candidates" ;;
     labels) echo "--example vase --at stitches:15:14" ;;
     finished) echo "--example thesis-sphere" ;;
     lesson) echo "--lesson what-it-does --lesson-page 4" ;;
@@ -22,6 +31,10 @@ options_of() {
     hold) echo "--example octopus --at rows:57 --side tubes" ;;
     limbs) echo "--example octopus --settle on --side report" ;;
     chart) echo "--example vase --preset best-rows --centre chart --side pattern" ;;
+    best-rows) echo "--preset best-rows --side report" ;;
+    debug-problems) echo "$small_epsilon --list problems" ;;
+    debug-sweep) echo "$small_epsilon --sweep epsilon=0.005:0.05:181 --side sweep" ;;
+    debug-compare) echo "$small_epsilon --diff $aside/wide.json --side compare" ;;
     *) return 1 ;;
   esac
 }
@@ -30,7 +43,7 @@ take() { # scene theme size scale file
   local options
   read -r -a options <<<"$(options_of "$1")"
   local code=0
-  "$program" "${options[@]}" --headless --theme "$2" --size "$3" --scale "$4" --screenshot "$5" 2>/dev/null || code=$?
+  "$program" "${options[@]}" --headless --theme "$2" --size "$3" --scale "$4" --screenshot "$5" >/dev/null 2>&1 || code=$?
   # A stall that the run goes on after is no failure; neither is a run that stops.
   [ "$code" -le 1 ] && [ -s "$5" ] || {
     echo "pictures: $1 could not be taken (exit code $code)" >&2
@@ -38,14 +51,51 @@ take() { # scene theme size scale file
   }
 }
 
-if [ "${1:-}" = --docs ]; then
-  for scene in "${scenes[@]}"; do
-    for theme in dark light; do
-      take "$scene" "$theme" 1280x720 1 "$root/docs/pictures/$scene-$theme.png"
-    done
+# Edges in the colours of their stretch, and no lines from where each stitch came. The last iteration is the place
+# before one that no run comes to.
+pair() { # name, and what the program is told
+  local name=$1
+  shift
+  "$program" "$@" --headless --at settle:0:1000 --save-session "$aside/pair.json" 2>/dev/null
+  sed -E -i -e 's/"moves": true/"moves": false/' -e "s/\"yaw\": [^,]*/\"yaw\": ${YAW:-3.65}/" \
+    -e "s/\"pitch\": [^,]*/\"pitch\": ${PITCH:--0.42}/" "$aside/pair.json"
+  local positions
+  for positions in placed settled; do
+    "$program" --session "$aside/pair.json" --positions "$positions" --headless --alone --size 700x700 \
+      --save-picture "$name-$positions.png"
   done
-  exit 0
-fi
+}
+
+docs() {
+  local into=$root/docs/pictures
+  "$program" --example thesis-sphere --headless --save-session "$aside/wide.json"
+  local scene
+  for scene in "${docs_dark[@]}"; do take "$scene" dark 1280x720 1 "$into/$scene-dark.png"; done
+  for scene in "${docs_light[@]}"; do take "$scene" light 1280x720 1 "$into/$scene-light.png"; done
+  for scene in debug-problems debug-stall debug-sweep debug-compare; do
+    take "$scene" dark 1280x720 1 "$into/$scene.png"
+  done
+  take best-rows dark 1440x900 1 "$into/best-rows.png"
+  pair "$into/ball" --example sphere --preset best-rows
+  pair "$into/starfish" --example starfish --settle on
+  if [ -f "$meshes/simple-elbow.obj" ]; then
+    YAW=2.1 PITCH=-0.25 pair "$into/elbow" "$meshes/simple-elbow.obj"
+  else
+    echo "pictures: no simple-elbow.obj in $meshes, so the elbow stays as it was" >&2
+  fi
+}
+
+case ${1:-} in
+  --docs)
+    docs
+    exit 0
+    ;;
+  --pair)
+    shift
+    pair "$@"
+    exit 0
+    ;;
+esac
 
 folder=${1:?give a folder to write into}
 mkdir -p "$folder"
