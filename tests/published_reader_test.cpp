@@ -105,14 +105,15 @@ TEST_CASE("published limbs: a leg on a holder, knitted across") {
   CHECK(mistake_in(with(two_legs, "first leg. (14 sts)", "first leg. (15 sts)")) ==
         "line 10: Rnd 6 makes 14 stitches, the line says 15.");
   CHECK(mistake_in(with(two_legs, "of first leg. (14", "of left arm. (14")) ==
-        "line 10: there are no held stitches of the left arm.");
+        "line 10: there are no held stitches of the left arm; held are 7 of the first leg (line 4).");
   CHECK(mistake_in(with(two_legs, "Rnd 6: K7", "Rnd 6: K6")) ==
         "line 10: Rnd 6 leaves 1 stitch of the round before unworked.");
-  CHECK(mistake_in(with(two_legs,
-                        ", then k across held 7 sts of first leg. (14 sts)\nRnd 7: K7, m1, k7, m1. (16 sts)\n"
-                        "Rnds 8-12: Knit. (16 sts)\nBO all 16 sts.",
-                        ". (7 sts)\nRnd 7: K1, k across held 7 sts of second leg, k6. (14 sts)")) ==
-        "line 11: there are no held stitches of the second leg.");
+  CHECK(mistake_in(
+            with(two_legs,
+                 ", then k across held 7 sts of first leg. (14 sts)\nRnd 7: K7, m1, k7, m1. (16 sts)\n"
+                 "Rnds 8-12: Knit. (16 sts)\nBO all 16 sts.",
+                 ". (7 sts)\nRnd 7: K1, k across held 7 sts of second leg, k6. (14 sts)\nBO all sts.")) ==
+        "line 11: there are no held stitches of the second leg; held are 7 of the first leg (line 4).");
   CHECK(mistake_in(with(two_legs, "BO all 16 sts", "BO all 15 sts")) ==
         "line 13: closes 15 stitches, and 16 stitches are on the needle.");
 }
@@ -123,7 +124,7 @@ TEST_CASE("published limbs: two made alike, with a crotch cast on") {
             with(trousers, "across the held sts, CO 3 sts. (26", "across the held sts, CO 2 sts. (26")) ==
         "line 8: Rnd 2 makes 25 stitches, the line says 26.");
   CHECK(mistake_in(with(trousers, "(make 2)", "(make 3)")) ==
-        "line 10: 10 stitches are left on the holder of the legs.");
+        "line 10: 10 stitches are left on the holder of the legs (line 4).");
 }
 
 TEST_CASE("published limbs: two live ends are bound off together") {
