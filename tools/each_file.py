@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Compiles every source of our own, and every header without one, by itself: each includes what it needs.
 
-tools/each_file.py BUILD_FOLDER    configured without KNIT_UNITY and KNIT_PRECOMPILE; it need not be built
+tools/each_file.py [--record] BUILD_FOLDER    configured without KNIT_UNITY and KNIT_PRECOMPILE; it need not be built
 
-A build in batches does not notice a file that lives on what its neighbours include. Exits with 1 at a fault.
+A build in batches does not notice a file that lives on what its neighbours include. Files that tools/clean/each_file.txt
+knows as clean are not compiled again; --record writes there what this run finds clean. Exits with 1 at a fault.
 """
 import concurrent.futures
 import json
@@ -11,6 +12,8 @@ import os
 import shlex
 import subprocess
 import sys
+
+import ledger
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 OURS = tuple(os.path.join(ROOT, top) + os.sep for top in ("knit", "app", "assets"))
@@ -35,27 +38,46 @@ def compile_one(arguments):
     return run.returncode, run.stderr.rstrip() if run.returncode != 0 else ""
 
 
-def main():
-    with open(os.path.join(sys.argv[1], "compile_commands.json"), encoding="utf-8") as database:
-        commands = {entry["file"]: entry["command"] for entry in json.load(database)}
-    tasks = []
+def tasks_of(commands):
+    """For each file to compile its path and the build's command that tells how."""
     for top in OURS:
         for folder, _, names in sorted(os.walk(top)):
             paths = [os.path.join(folder, name) for name in sorted(names)]
             sources = [path for path in paths if path in commands]
             for path in sources:
-                tasks.append(syntax_only(commands[path], path))
+                yield path, commands[path]
             for path in paths:
                 # A header beside its source is the first that the source includes.
                 if path.endswith(".h") and sources and path.removesuffix(".h") + ".cpp" not in commands:
-                    tasks.append(syntax_only(commands[sources[0]], path))
-    failed = False
+                    yield path, commands[sources[0]]
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != "--record"]
+    record = len(words) < len(sys.argv) - 1
+    with open(os.path.join(words[0], "compile_commands.json"), encoding="utf-8") as database:
+        commands = {entry["file"]: entry["command"] for entry in json.load(database)}
+    known = ledger.Ledger("each_file")
+    sources = ledger.Sources(words[0])
+    settings = ledger.own_scripts(__file__)
+    digests, waiting = {}, []
+    for path, command in tasks_of(commands):
+        unit, arguments = os.path.relpath(path, ROOT), syntax_only(command, path)
+        digests[unit] = sources.digest([path], command, arguments, settings)
+        if not known.knows(unit, digests[unit]):
+            waiting.append((unit, arguments))
+    print(f"each file: {len(digests)} files, {len(digests) - len(waiting)} known as clean", flush=True)
+    clean = set(digests) - {unit for unit, _ in waiting}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for code, text in pool.map(compile_one, tasks):
-            failed = failed or code != 0
+        results = pool.map(compile_one, [arguments for _, arguments in waiting])
+        for (unit, _), (code, text) in zip(waiting, results):
+            if code == 0:
+                clean.add(unit)
             if text:
                 print(text, flush=True)
-    sys.exit(1 if failed else 0)
+    if record:
+        known.record(digests, digests, clean)
+    sys.exit(0 if len(clean) == len(digests) else 1)
 
 
 main()

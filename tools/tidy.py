@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """clang-tidy over all sources, a folder at a time.
 
-tools/tidy.py BUILD_FOLDER [FOLDER...]    BUILD_FOLDER: configured without KNIT_UNITY; it need not be built
+tools/tidy.py [--record] BUILD_FOLDER [FOLDER...]    BUILD_FOLDER: configured without KNIT_UNITY; it need not be built
 
 The files of a folder are put one after the other, so that a header is read and checked once a folder instead of once
 a file: a third of the time. (An including file would not do: the analyzer looks at functions of the main file only.)
 Findings are told at their places in the files themselves. Exits with 1 if there are any.
+
+Folders that tools/clean/tidy.txt knows as clean are not checked again; --record writes there what this run finds clean.
 """
 import concurrent.futures
 import json
@@ -14,6 +16,8 @@ import re
 import shlex
 import subprocess
 import sys
+
+import ledger
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
@@ -82,26 +86,53 @@ def check(folder, files, arguments, build):
     return run.returncode, text
 
 
+def settings_of(folder):
+    """The texts of every .clang-tidy that may bear on it, the nearest first."""
+    texts = []
+    while True:
+        path = os.path.join(ROOT, folder, ".clang-tidy")
+        texts.append(ledger.text_of(path) if os.path.exists(path) else "none")
+        if not folder:
+            return texts
+        folder = os.path.dirname(folder)
+
+
 def main():
-    build = os.path.abspath(sys.argv[1])
-    wanted = sys.argv[2:]
+    words = [word for word in sys.argv[1:] if word != "--record"]
+    record = len(words) < len(sys.argv) - 1
+    build, wanted = os.path.abspath(words[0]), words[1:]
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as database:
         commands = {entry["file"]: entry["command"] for entry in json.load(database)}
-    tasks = []
-    for folder, files in folders_with_sources(["knit", "app", "assets"]):
+    known = ledger.Ledger("tidy")
+    sources = ledger.Sources(build)
+    settings = [ledger.version_of("clang-tidy-14"), ledger.installed_version("clang-tidy-14"),
+                *ledger.own_scripts(__file__)]
+    folders = dict(folders_with_sources(["knit", "app", "assets"]))
+    digests, tasks = {}, []
+    for folder, files in folders.items():
         if wanted and folder not in wanted:
             continue
         missing = [path for path in files if path not in commands]
         if missing:
             sys.exit(f"tidy: {missing[0]} is not built in {build}; configure that without KNIT_UNITY.")
-        tasks.append((folder, files, arguments_of(commands[files[0]])))
-    failed = False
+        command = commands[files[0]]
+        arguments = arguments_of(command)
+        digests[folder] = sources.digest(files, command, arguments, [*settings, *settings_of(folder)])
+        if not known.knows(folder, digests[folder]):
+            tasks.append((folder, files, arguments))
+    print(f"clang-tidy: {len(digests)} folders, {len(digests) - len(tasks)} known as clean", flush=True)
+    clean, failed = set(digests) - {task[0] for task in tasks}, False
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         largest_first = sorted(tasks, key=lambda task: -sum(os.path.getsize(path) for path in task[1]))
-        for code, text in pool.map(lambda task: check(*task, build), largest_first):
+        results = pool.map(lambda task: check(*task, build), largest_first)
+        for (folder, _, _), (code, text) in zip(largest_first, results):
             failed = failed or code != 0
+            if code == 0 and not text:
+                clean.add(folder)
             if text:
                 print(text, flush=True)
+    if record:
+        known.record(folders, digests, clean)
     sys.exit(1 if failed else 0)
 
 
