@@ -512,14 +512,15 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
   for (const ShownTube& shown : drawing.tubes) draw_band(frame, drawing, shown);
   draw_current_row(frame, drawing);
   draw_meant_rows(frame, drawing);
-  for (const ShownTube& shown : drawing.tubes) {
-    draw_tube_label(frame, drawing, shown);
-    if (shown.held) dashed_across(frame, drawing, shown);
-  }
   draw_outline(frame, drawing, drawing.current, theme().anchor);
   draw_outline(frame, drawing, drawing.chosen, theme().selected);
   draw_outline(frame, drawing, pointed.value_or(drawing.meant), theme().text);
   draw_events(frame, drawing);
+  // Words last: a narrow tube's are wider than it is, and a name stands close to an event.
+  for (const ShownTube& shown : drawing.tubes) {
+    draw_tube_label(frame, drawing, shown);
+    if (shown.held) dashed_across(frame, drawing, shown);
+  }
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(size);
   frame.mark("tubes/drawing");
