@@ -15,7 +15,7 @@ namespace {
 
 constexpr float even_px = 1.6F;       // wide, of an edge at ease
 constexpr float stretched_px = 2.2F;  // and so much more of one that is not
-constexpr float move_px = 1.8F;
+constexpr float move_px = 1.2F;
 constexpr double least_move = 0.03;  // in w
 
 // -1 as short as is told, 0 at ease, 1 as long.
@@ -84,7 +84,6 @@ void describe_moves(const Session& session, Scene& scene) {
   for (std::size_t i = 0; i < std::min(from.size(), to.size()); i += every) {
     if (glm::distance(from[i], to[i]) < least) continue;
     scene.lines.push_back({glm::vec3(from[i]), glm::vec3(to[i]), colour, move_px});
-    scene.points.push_back({glm::vec3(from[i]), colour, 1.7F * move_px});
   }
 }
 
