@@ -27,26 +27,31 @@ struct Case {
   double wale_cv, longest;  // at most
   std::size_t turned;       // faces that may lie with their inside out: what the study has
   double uncovered;  // the mesh's farthest vertex from the knit mesh, in percent of the diagonal, at most
+  double course_cv = 0.16, corner_off = 18.0;  // at most; degrees
 };
 
 constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic;
-constexpr std::array cases{Case{"bunny", linear, 4, 0.084, 1.6, 1, 3.8},
-                           Case{"bunny", geodesic, 4, 0.081, 1.8, 1, 3.8},
-                           Case{"spot", linear, 4, 0.115, 2.0, 0, 4.3},
-                           Case{"spot", geodesic, 4, 0.090, 1.8, 1, 5.3},
+constexpr std::array cases{Case{"bunny", linear, 4, 0.081, 1.5, 0, 3.8},
+                           Case{"bunny", geodesic, 4, 0.080, 1.8, 1, 3.8},
+                           Case{"spot", linear, 4, 0.110, 2.0, 0, 4.3},
+                           Case{"spot", geodesic, 4, 0.085, 1.6, 1, 5.3},
                            Case{"teddy", linear, 4, 0.069, 1.4, 0, 2.4},
-                           Case{"teddy", geodesic, 4, 0.047, 1.3, 0, 2.8},
-                           Case{"starfish", linear, 4, 0.100, 1.6, 0, 2.0},
-                           Case{"starfish", geodesic, 4, 0.054, 1.3, 0, 1.6},
-                           Case{"table", geodesic, 4, 0.105, 1.9, 0, 3.2},
-                           Case{"octopus", linear, 4, 0.050, 1.4, 0, 2.0},
-                           Case{"octopus", geodesic, 4, 0.050, 1.3, 0, 1.7},
+                           Case{"teddy", geodesic, 4, 0.044, 1.3, 0, 2.8},
+                           Case{"starfish", linear, 4, 0.093, 1.6, 0, 2.0},
+                           Case{"starfish", geodesic, 4, 0.050, 1.3, 0, 1.6},
+                           Case{"starfish", linear, 2, 0.100, 1.9, 0, 0.6},
+                           Case{"starfish", geodesic, 2, 0.064, 1.6, 0, 0.6},
+                           Case{"table", geodesic, 4, 0.103, 1.9, 0, 3.2},
+                           Case{"octopus", linear, 4, 0.047, 1.4, 0, 2.0},
+                           Case{"octopus", geodesic, 4, 0.040, 1.3, 0, 1.7},
                            Case{"simple-elbow", linear, 4, 0.085, 1.7, 0, 2.0},
                            Case{"simple-elbow", geodesic, 4, 0.085, 1.7, 0, 2.0},
-                           Case{"simple-sphere", linear, 4, 0.032, 1.3, 0, 0.6},
-                           Case{"bunny", geodesic, 2, 0.106, 2.45, 0, 1.5},
-                           Case{"spot", linear, 2, 0.120, 2.2, 0, 2.1},
-                           Case{"table", geodesic, 2, 0.120, 2.3, 0, 1.8}};
+                           Case{"simple-sphere", linear, 4, 0.032, 1.3, 0, 0.6, 0.16, 8.5},
+                           Case{"simple-sphere", geodesic, 4, 0.032, 1.3, 0, 0.6, 0.16, 8.5},
+                           Case{"bunny", geodesic, 2, 0.103, 2.45, 0, 1.5},
+                           Case{"spot", linear, 2, 0.118, 2.2, 0, 2.1},
+                           Case{"teddy", geodesic, 2, 0.0545, 1.7, 0, 0.9},
+                           Case{"table", geodesic, 2, 0.117, 2.3, 0, 1.8}};
 
 LengthFigures lengths_of(const std::vector<std::array<std::uint32_t, 2>>& edges, const Settled& at) {
   std::vector<double> lengths;
@@ -142,9 +147,10 @@ void check_case(const Case& wanted, const std::filesystem::path& folder) {
                       courses = lengths_of(graph.courses, *work.at);
   CHECK(wales.cv <= wanted.wale_cv);
   CHECK(wales.high <= wanted.longest * parameters.stitch.height);
-  CHECK(courses.cv <= 0.16);
-  CHECK(mean_corner_off(graph, *work.at) <= 18.0);
-  CHECK(mean_corner_off(graph, *work.at) < mean_corner_off(graph, work.plan->start));
+  CHECK(courses.cv <= wanted.course_cv);
+  CHECK(mean_corner_off(graph, *work.at) <= wanted.corner_off);
+  if (wanted.corner_off <= 18.0)
+    CHECK(mean_corner_off(graph, *work.at) < mean_corner_off(graph, work.plan->start));
   const std::vector<Face> faces = faces_of(fabric);
   CHECK(turned_faces(*input, *work.plan, faces, *work.at) <= wanted.turned);
   CHECK(uncovered(*input, *work.plan, faces, *work.at) <= wanted.uncovered);

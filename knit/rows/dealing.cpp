@@ -157,6 +157,10 @@ std::int32_t place_in(const LiveStitches& loop, const StitchRef& ref) {
   return static_cast<std::int32_t>(std::find(refs.begin(), refs.end(), ref) - refs.begin());
 }
 
+// Of an arc, where a round begins that does not begin there yet: shaping gathers at the saddle and opposite it, and may not
+// cross the beginning.
+std::int32_t aside(std::int32_t stitches) { return stitches / 4; }
+
 std::size_t nearest_gap(const std::vector<glm::dvec3>& middles, const glm::dvec3& saddle, double scale) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < middles.size(); ++i) {
@@ -218,7 +222,8 @@ Deal deal_split(const DealAt& at, const ArcFound& arc) {
     LiveStitches given = sides.part[child];
     given.append(bridge_of(at.fabric, deal, child == 1));
     const std::int32_t begins = place_in(given, loop.at(0));
-    deal.given.push_back(begins < given.size() ? begun_at(given, begins) : given);
+    const bool has_beginning = begins < given.size();
+    deal.given.push_back(begun_at(given, has_beginning ? begins : aside(sides.part[child].size())));
   }
   return deal;
 }

@@ -7,8 +7,10 @@
 // Join: each loop is opened at the gap whose middle is nearest to S.
 // Bridge over the gap D = |A S| + |S B|: g = max(0, round(D / w) - 1) stitches at equal steps on A S B, moved to the surface;
 // more where a child would have under three stitches, or an edge would be there twice.
-// The beginning of the round stays where it is: of a split, the child that has it goes on with it, and the other begins at
-// the saddle; of a join it is that of the loop that brings the yarn.
+// The beginning of the round stays where it is: of a split, the child that has it goes on with it; of a join it is that of the
+// loop that brings the yarn. The other child of a split begins a quarter along its arc, beside the saddle: decreases gather
+// at the saddle, where wales are longest, and opposite it, and none may lie across the beginning. Where rounds begin in a
+// written pattern is decided apart (knit/limbs/limb_markers.h).
 #pragma once
 
 #include <array>
