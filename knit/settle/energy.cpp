@@ -14,6 +14,8 @@ namespace {
 
 // A corner's parallelogram, in w h, below which it counts as about to turn over.
 constexpr double least_corner = 0.25;
+// And below which what it lacks counts once more, so that pulls of several stitches do not turn it over.
+constexpr double turning_corner = 0.15;
 
 // From where on a stitch stands out, in w, from where on it does so wholly, and how far it may slide in before it is held.
 constexpr double tip_begins = 0.6, tip_ends = 1.0, tip_slack = 0.25;
@@ -109,10 +111,12 @@ void visit_corners(const SettleTerms& terms, double weight, Placed placed, Sink&
     const glm::dvec3& normal = placed.normals[corner[0]];
     const double area = share * glm::dot(corner_area(corner, p), normal);
     if (area >= least_corner) continue;
-    const double turn = -scale * share;
+    const double times = area < turning_corner ? 2.0 : 1.0;
+    const double lacking = least_corner - area + std::max(0.0, turning_corner - area);
+    const double turn = -scale * share * times;
     const glm::dvec3 next = turn * glm::cross(p[corner[2]] - p[corner[0]], normal);
     const glm::dvec3 before = turn * glm::cross(normal, p[corner[1]] - p[corner[0]]);
-    sink(Term<3>{scale * (least_corner - area), corner, {-next - before, next, before}});
+    sink(Term<3>{scale * lacking, corner, {-next - before, next, before}});
   }
 }
 

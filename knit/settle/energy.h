@@ -4,7 +4,7 @@
 //   course * sum over courses  ((|e| - w) / w)^2
 //   shear  * sum over quads    ((|d1| - |d2|) / hypotenuse(w, h))^2      d1, d2 the diagonals
 //   rim    * sum over stitches of rims  (distance to the rim's first polygon / w)^2
-//   fold   * sum over corners  max(0, 1/4 - n . ((q - p) x (r - p)) / (w h))^2
+//   fold   * sum over corners  (max(0, 1/4 - a) + max(0, 0.15 - a))^2     a = n . ((q - p) x (r - p)) / (w h)
 //   cover  * sum over tips     share * max(0, (where it was - p) . out / w - slack)^2
 // Without the last, fabric slides off what sticks out: it would be shorter farther in.
 // One step of Levenberg-Marquardt linearises each in the tangent planes of its stitches, two unknowns a stitch, normals
