@@ -80,11 +80,6 @@ bool nothing_follows(const ContourAt& at, const ContourWork& work) {
 
 // --- deals ---------------------------------------------------------------------------------------------------
 
-std::size_t brings_yarn(const ContourAt& at, const TubeEvent& event) {
-  const auto place = [&](TubeId tube) { return std::find(at.plan.order.begin(), at.plan.order.end(), tube); };
-  return place(event.below[0]) > place(event.below[1]) ? 0 : 1;
-}
-
 // By their names in what is told.
 DealTubes tubes_dealt(const Deal& deal) {
   const auto name = [](TubeId tube) { return static_cast<std::int16_t>(tube); };
@@ -107,7 +102,7 @@ Advanced<ContourEvent> find_gaps(const ContourAt& at, const StitchSize& stitch, 
     deal = deal_split(deal_at, arc);
     tried = arc.tried;
   } else if (what.kind == EventKind::join) {
-    deal = deal_join(deal_at, brings_yarn(at, what));
+    deal = deal_join(deal_at, yarn_bringer(at.plan, at.plan.order, what));
     tried = deal.arcs[0] + deal.arcs[1];
   } else {
     deal = deal_ring(deal_at);

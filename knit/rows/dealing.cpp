@@ -228,6 +228,22 @@ Deal deal_split(const DealAt& at, const ArcFound& arc) {
   return deal;
 }
 
+namespace {
+
+std::ptrdiff_t worked_last_at(const TubePlan& plan, const std::vector<TubeId>& order, TubeId tube) {
+  std::ptrdiff_t last = -1;
+  if (plan.tube(tube).rows() > 0) return std::find(order.begin(), order.end(), tube) - order.begin();
+  for (const TubeId below : plan.event(plan.tube(tube).bottom).below)
+    last = std::max(last, worked_last_at(plan, order, below));
+  return last;
+}
+
+}  // namespace
+
+std::size_t yarn_bringer(const TubePlan& plan, const std::vector<TubeId>& order, const TubeEvent& join) {
+  return worked_last_at(plan, order, join.below[0]) > worked_last_at(plan, order, join.below[1]) ? 0 : 1;
+}
+
 Deal deal_join(const DealAt& at, std::size_t brings_yarn) {
   Deal deal = begin_deal(at, DealKind::join);
   Sides sides;

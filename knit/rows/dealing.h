@@ -41,7 +41,8 @@ struct DealAt {
   double stitch_width = 0.1;
 };
 Deal deal_split(const DealAt& at, const ArcFound& arc);
-// `brings_yarn`: which of the event's two tubes below was worked last.
+// Which of a join's two loops was worked last in this order; of a tube without rows those that it was dealt from.
+std::size_t yarn_bringer(const TubePlan& plan, const std::vector<TubeId>& order, const TubeEvent& join);
 Deal deal_join(const DealAt& at, std::size_t brings_yarn);
 // The strip between the two tubes' first rows, or last ones: two loops that run against each other.
 Deal deal_ring(const DealAt& at);

@@ -7,6 +7,7 @@
 
 #include "knit/order/limb_order.h"
 #include "knit/rows/contour_stage.h"
+#include "knit/rows/dealing.h"
 #include "knit/stitches/nearest.h"
 
 namespace knit {
@@ -44,15 +45,25 @@ LimbTubes knitted(const UnorderedTubes& at, const TubePlan& plan) {
   return {fabric, &plan};
 }
 
-TubePlan with_cost_of(const TubePlan& plan, const TubeOrder& least, const OrderedLimbs& limbs,
-                      std::int32_t tried) {
-  TubePlan counted = plan;
-  counted.held_most = limbs.layout.plan.held_most;
-  counted.yarns = limbs.layout.plan.yarns;
-  counted.order_is_exact =
-      least.exact && counted.held_most <= least.held_most && counted.yarns <= least.yarns;
-  counted.orders_tried = tried;
-  return counted;
+struct FoundOrder {
+  std::vector<TubeId> order;  // of the plan that was searched
+  OrderedLimbs limbs;
+  std::int32_t tried = 0;  // orders
+};
+FoundOrder search(const LimbTubes& tubes, const TubePlan& plan) {
+  OrderedLimbs best = cheapest_order(tubes);
+  std::vector<TubeId> worked;
+  for (const std::int32_t tube : best.runs.order) worked.push_back(tubes.tube(tube).id);
+  const std::int32_t tried = best.tried;
+  return {with_rowless(plan, worked), std::move(best), tried};
+}
+
+TubePlan in_order_of(const TubePlan& plan, const TubeOrder& least, const FoundOrder& found) {
+  const std::int32_t held = found.limbs.layout.plan.held_most, yarns = found.limbs.layout.plan.yarns;
+  const bool exact = least.exact && held <= least.held_most && yarns <= least.yarns;
+  TubePlan ordered = renumbered(plan, {found.order, held, yarns, exact});
+  ordered.orders_tried = found.tried;
+  return ordered;
 }
 
 // Whether two orders make the same rows but for their numbers: of each join the same loop brings the yarn, of each ring the same
@@ -63,9 +74,10 @@ bool make_the_same_rows(const TubePlan& plan, const std::vector<TubeId>& one,
     return std::find(order.begin(), order.end(), pair[0]) < std::find(order.begin(), order.end(), pair[1]);
   };
   return std::all_of(plan.events.begin(), plan.events.end(), [&](const TubeEvent& event) {
-    if (event.kind != EventKind::join && event.kind != EventKind::ring_cast_on) return true;
-    const std::vector<TubeId>& pair = event.kind == EventKind::join ? event.below : event.above;
-    return comes_first(one, pair) == comes_first(two, pair);
+    if (event.kind == EventKind::join)
+      return yarn_bringer(plan, one, event) == yarn_bringer(plan, two, event);
+    return event.kind != EventKind::ring_cast_on ||
+           comes_first(one, event.above) == comes_first(two, event.above);
   });
 }
 
@@ -77,19 +89,17 @@ TubePlan in_knitters_order(const UnorderedTubes& at, const TubePlan& plan) {
   if (with_rows < 2) return plan;
   const TubeOrder least{plan.order, plan.held_most, plan.yarns, plan.order_is_exact};
   const LimbTubes tubes = knitted(at, plan);
-  const OrderedLimbs best = cheapest_order(tubes);
-  std::vector<TubeId> worked;
-  for (const std::int32_t tube : best.runs.order) worked.push_back(tubes.tube(tube).id);
-  TubeOrder order = least;
-  order.order = with_rowless(plan, worked);
-  const bool same_rows = make_the_same_rows(plan, plan.order, order.order);
-  const TubePlan ordered = renumbered(plan, std::move(order));
-  if (same_rows) return with_cost_of(ordered, least, best, best.tried);
+  const FoundOrder first = search(tubes, plan);
+  TubePlan ordered = in_order_of(plan, least, first);
+  if (make_the_same_rows(plan, plan.order, first.order)) return ordered;
+  // On the rows of that order; from there no further one that makes others again.
   const LimbTubes again = knitted(at, ordered);
+  const FoundOrder second = search(again, ordered);
+  if (make_the_same_rows(ordered, ordered.order, second.order)) return in_order_of(ordered, least, second);
   if (const auto limbs = in_order(again, order_of_rows(again)))
-    return with_cost_of(ordered, least, *limbs, best.tried);
+    return in_order_of(ordered, least, {ordered.order, *limbs, second.tried});
   const auto limbs = in_order(tubes, order_of_rows(tubes));
-  return limbs ? with_cost_of(plan, least, *limbs, best.tried) : plan;
+  return limbs ? in_order_of(plan, least, {plan.order, *limbs, first.tried}) : plan;
 }
 
 // Rows after deals take longest, and there are as many as tubes; of many tubes fewer orders are tried.

@@ -4,9 +4,11 @@
 // What an order costs hangs on where the yarn is when a loop is dealt, and so on every link of the stitches below it. So all rows
 // are worked out once in the order of fewest holders, and linked as placement `nearest` does; the cheapest order is looked for
 // among these stitches. Which loop a join begins on, and which side of a ring is cast on first, follows from the order; where that
-// is another than before, what the order takes is counted again on the rows that it makes.
+// is another than before, rows are worked out once more, and the order is looked for again among those.
 // Only the mesh, its time and the stitch's size decide; where rounds begin, the cast on's count and the placement are left alone, so
-// that changing them works no tube anew. Cost: once or twice the rows and their links, and the search (limb_order.h).
+// that changing them works no tube anew. With those as they are by default yarns and holders are just the pattern's; with others
+// the holders are, and a yarn may have to be moved at a split more often.
+// Cost: the rows, their links and the search (limb_order.h), once or twice.
 #pragma once
 
 #include "knit/mesh/mesh.h"

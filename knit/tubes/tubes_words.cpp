@@ -111,8 +111,11 @@ std::string TubesPlanned::sentence(const Telling& /*at*/) const {
          ".";
 }
 StepFields TubesPlanned::numbers() const {
-  return {{var::tubes, tubes}, {"rows", &var::planned_rows, rows}, {var::events, events}, {var::held, held},
-          {var::yarns, yarns}, {var::orders_tried, tried},         {var::exact, exact}};
+  StepFields fields{{var::tubes, tubes},   {"rows", &var::planned_rows, rows},
+                    {var::events, events}, {var::held, held},
+                    {var::yarns, yarns},   {var::exact, exact}};
+  if (tried > 0) fields.emplace_back(var::orders_tried, tried);
+  return fields;
 }
 
 std::string tubes_stop_sentence(const Stopped& stop) {
