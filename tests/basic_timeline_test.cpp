@@ -53,7 +53,7 @@ struct Counter {
     return is_long(input, parameters, state);
   }
   static bool is_long(const Input& /*input*/, const Parameters& /*parameters*/, const State& state) {
-    return state.next == Place{1, 0};
+    return state.next == Place{1, 0} || state.next == Place{1, 20};
   }
   static Place first_reader(const Parameters& before, const Parameters& after) {
     if (before.rise != after.rise) return {0, 0};
@@ -276,6 +276,7 @@ TEST_CASE(
   run.extend_to({1, 20});
   run.await({2, 0});
   REQUIRE(run.position() == 420);
+  REQUIRE(run.next_is_long());
   run.tune_beside({1, 5});
   CHECK(run.is_waiting());
   CHECK(run.extend_briefly(1000));  // it does not go on
