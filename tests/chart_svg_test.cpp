@@ -149,3 +149,63 @@ TEST_CASE("chart svg: sheets are turned for charts wider than high") {
   for (int i = 0; i < 10; ++i) add_round(tall, operations_of("kkkk"));
   CHECK_FALSE(is_wide(knit::chart_of(tall)));
 }
+
+namespace {
+
+knit::Chart plain_chart(std::int32_t columns, int rounds) {
+  knit::Rounds all = hand_rounds(columns, {});
+  for (int i = 0; i < rounds; ++i)
+    add_round(all, operations_of(std::string(static_cast<std::size_t>(columns), 'k')));
+  return knit::chart_of(all);
+}
+
+double square_of(const std::string& svg) {
+  const std::size_t at = svg.find("scale(");
+  REQUIRE(at != std::string::npos);
+  return std::strtod(svg.c_str() + at + 6, nullptr);
+}
+
+}  // namespace
+
+TEST_CASE("chart svg: of pieces, a chart too wide to read is broken into parts") {
+  const knit::Chart wide = plain_chart(127, 25), small = plain_chart(10, 8);
+  const std::vector<NamedChart> charts{{"Limb A", &small}, {"Body B", &wide}};
+  const std::vector<std::string> svgs = charts_svgs(charts, sheet_for(charts));
+  REQUIRE(svgs.size() == 4);
+  CHECK(contains(svgs[1], "Body B: columns 1 to 64 of 127"));
+  CHECK(contains(svgs[2], "Body B: columns 65 to 127 of 127"));
+  CHECK(contains(svgs[3], "through all columns of the chart"));
+  double height = 0.0;
+  for (const std::string& svg : svgs) {
+    CHECK(xml_fault(svg) == "");
+    CHECK(attribute_of(svg, 0, "width") <= 180.0);
+    height += attribute_of(svg, 0, "height");
+  }
+  CHECK(height <= 246.0);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(square_of(svgs[i]) == square_of(svgs[0]));
+  CHECK(square_of(svgs[0]) >=
+        2.0);  // whole, it would have 1.95 on a sheet put sideways and less on an upright one
+  // Every part has the rounds, the last part the counts.
+  for (std::size_t i = 1; i < 3; ++i) CHECK(occurrences(svgs[i], ">26<") == 1);
+  CHECK(occurrences(svgs[1], ">127<") == 0);
+  CHECK(occurrences(svgs[2], ">127<") > 0);
+  // One drawing has the same parts.
+  CHECK(contains(charts_svg(charts, {}), "Body B: columns 65 to 127 of 127"));
+}
+
+TEST_CASE("chart svg: of pieces, a chart is left whole where a sheet put sideways makes it legible") {
+  const knit::Chart low = plain_chart(90, 6), small = plain_chart(20, 12);
+  const std::vector<NamedChart> upright{{"Limb A", &small}}, both{{"Limb A", &small}, {"Body B", &low}};
+  CHECK_FALSE(is_wide(upright));
+  CHECK(sheet_for(upright).width_mm == 180.0);
+  CHECK(charts_svgs(upright, sheet_for(upright)).size() == 2);
+  CHECK(is_wide(both));
+  const std::vector<std::string> svgs = charts_svgs(both, sheet_for(both));
+  REQUIRE(svgs.size() == 3);
+  CHECK(contains(svgs[2], "read every round from right to left.<"));
+  // What no sheet holds is broken too, over several.
+  const knit::Chart huge = plain_chart(400, 90);
+  const std::vector<NamedChart> alone{{"Body A", &huge}};
+  for (const std::string& svg : charts_svgs(alone, sheet_for(alone)))
+    CHECK(attribute_of(svg, 0, "width") <= sheet_for(alone).width_mm);
+}

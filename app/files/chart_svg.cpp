@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <string_view>
 #include <vector>
 
@@ -179,11 +180,12 @@ class Drawing {
     const std::string at_left = size + " text-anchor=\"end\"";
     const double right = left_ + grid_width_ + 1.4, left = left_ - 1.4;
     std::string out = text_at(left, top_ - 1.5, at_left + " fill=\"#666\"", "sts");
+    if (!look_.counts) out.clear();
     out += text_at(right, top_ - 1.5, size + " fill=\"#666\"", "rnd");
     const std::int32_t step = label_step();
     std::int32_t count = 0;
     for (std::size_t row = 0; row < chart_.rows.size(); ++row) {
-      const knit::ChartRow& r = chart_.rows[row];
+      const knit::ChartRow& r = look_.whole != nullptr ? look_.whole->rows[row] : chart_.rows[row];
       const bool first = row == 0, last = row + 1 == chart_.rows.size();
       // Where there is no room for all, those beside the two rows with words stay away.
       const bool crowded = step > 1 && (row < static_cast<std::size_t>(step) ||
@@ -191,7 +193,7 @@ class Drawing {
       if (!first && !last && (r.number % step != 0 || crowded)) continue;
       const double y = top_ + grid_height_ - (static_cast<double>(row) + 0.5) * square_ + 0.36 * label_;
       if (!r.laid) out += text_at(right, y, size, word_of(r));
-      if (r.laid ? first : is_worked(r) || first)
+      if (look_.counts && (r.laid ? first : is_worked(r) || first))
         out += text_at(left, y, at_left + (r.stitches == count ? " fill=\"#999\"" : ""),
                        std::to_string(r.stitches));
       count = r.stitches;
@@ -228,7 +230,9 @@ class Drawing {
     }
     return out + text_at(width_ / 2.0, height_ - 1.2,
                          " font-size=\"2.5\" fill=\"#555\" text-anchor=\"middle\"",
-                         "Start at the bottom; read every round from right to left.");
+                         look_.broken ? "Start at the bottom; read every round from right to left, through "
+                                        "all columns of the chart."
+                                      : "Start at the bottom; read every round from right to left.");
   }
   static std::string swatch(const KeyEntry& entry) {
     const bool none = entry.shape != nullptr && entry.shape->symbol == ChartSymbol::no_stitch;
@@ -262,18 +266,40 @@ std::string chart_svg(const Chart& chart, const ChartLook& look) { return Drawin
 
 namespace {
 
+// Columns of each part of a chart of which so many fit: whole tens, so that the heavy lines go on, where these fit too.
+std::vector<std::int32_t> parts_of(std::int32_t columns, std::int32_t most) {
+  const std::int32_t parts = (columns + most - 1) / most, even = (columns + parts - 1) / parts;
+  const std::int32_t tens = (even + 9) / 10 * 10, each = tens <= most ? tens : even;
+  std::vector<std::int32_t> all;
+  for (std::int32_t done = 0; done < columns; done += each) all.push_back(std::min(each, columns - done));
+  return all;
+}
+
+Chart part_of(const Chart& chart, std::int32_t first, std::int32_t columns) {
+  Chart part = chart;
+  part.columns = columns;
+  for (knit::ChartRow& row : part.rows) {
+    const auto begin = row.squares.begin() + first;
+    row.squares = std::vector<ChartSquare>(begin, begin + columns);
+  }
+  return part;
+}
+
 // Charts from left to right, and line by line.
 class Sheet {
  public:
   Sheet(const std::vector<NamedChart>& charts, const SheetLook& look) : look_(look) {
     for (const NamedChart& named : charts) all_.push_back(named.chart);
-    for (const double square :
-         {look.largest_square_mm, 3.5, 3.0, 2.7, 2.4, 2.2, 2.0, 1.8, 1.65, look.smallest_square_mm}) {
-      if (square > look.largest_square_mm || square < look.smallest_square_mm) continue;
-      lay(charts, square);
-      if (width_ <= look.width_mm && height_ <= look.height_mm) break;
+    for (const double square : squares()) {
+      lay(charts, square, false);
+      if (fits()) break;
     }
+    if (!is_legible()) break_charts(charts);
   }
+  // Less, and a wide chart is rather broken.
+  [[nodiscard]] bool is_legible() const { return square_ >= 2.6; }
+  [[nodiscard]] double square() const { return square_; }
+  [[nodiscard]] bool breaks() const { return !parts_.empty(); }
 
   [[nodiscard]] std::vector<std::string> documents() const {
     std::vector<std::string> all;
@@ -314,21 +340,70 @@ class Sheet {
   [[nodiscard]] ChartLook key() const {
     ChartLook look;
     look.all = all_;
+    look.broken = breaks();
     look.fit_width_mm = look_.width_mm;
     return look;
   }
 
-  void lay(const std::vector<NamedChart>& charts, double square) {
+  [[nodiscard]] std::vector<double> squares() const {
+    std::vector<double> all;
+    for (const double square :
+         {look_.largest_square_mm, 3.5, 3.0, 2.7, 2.4, 2.2, 2.0, 1.8, 1.65, look_.smallest_square_mm}) {
+      if (square <= look_.largest_square_mm && square >= look_.smallest_square_mm) all.push_back(square);
+    }
+    return all;
+  }
+  [[nodiscard]] bool fits() const { return width_ <= look_.width_mm && height_ <= look_.height_mm; }
+
+  // Only for larger squares than whole charts have. What fits no sheet takes several.
+  void break_charts(const std::vector<NamedChart>& charts) {
+    const double whole = fits() ? square_ : 0.0;
+    for (const double square : squares()) {
+      if (square <= whole) break;
+      lay(charts, square, true);
+      if (fits()) return;
+    }
+    lay(charts, whole > 0.0 ? whole : std::clamp(1.8, look_.smallest_square_mm, look_.largest_square_mm),
+        whole == 0.0);
+  }
+
+  // The chart, or its parts.
+  std::vector<Placed> drawings_of(const NamedChart& named, double square, bool broken) {
+    Placed placed{named.chart, {}, 0.0, 0.0};
+    placed.look.title = named.name;
+    placed.look.small_title = placed.look.borrows = true;
+    placed.look.key = false;
+    placed.look.largest_square_mm = placed.look.smallest_square_mm = square;
+    const std::int32_t columns = named.chart->columns,
+                       most = std::max(1, static_cast<std::int32_t>((look_.width_mm - 18.0) / square));
+    if (!broken || columns <= most) return {placed};
+    std::vector<Placed> all;
+    std::int32_t first = 0;
+    const std::vector<std::int32_t> parts = parts_of(columns, most);
+    for (const std::int32_t count : parts) {
+      placed.chart = &parts_.emplace_back(part_of(*named.chart, first, count));
+      placed.look.whole = named.chart;
+      placed.look.title = named.name + ": columns " + std::to_string(first + 1) + " to " +
+                          std::to_string(first + count) + " of " + std::to_string(columns);
+      first += count;
+      placed.look.counts = first == columns;
+      all.push_back(placed);
+    }
+    return all;
+  }
+
+  void lay(const std::vector<NamedChart>& charts, double square, bool broken) {
+    std::vector<Placed> drawings;
     placed_.clear();
+    parts_.clear();
+    for (const NamedChart& named : charts) {
+      for (Placed& placed : drawings_of(named, square, broken)) drawings.push_back(std::move(placed));
+    }
     double x = 0.0, y = 0.0, line = 0.0;
     width_ = 0.0;
-    for (const NamedChart& named : charts) {
-      Placed placed{named.chart, {}, 0.0, 0.0};
-      placed.look.title = named.name;
-      placed.look.small_title = placed.look.borrows = true;
-      placed.look.key = false;
-      placed.look.largest_square_mm = placed.look.smallest_square_mm = square;
-      const Drawing drawing(*named.chart, placed.look);
+    square_ = square;
+    for (Placed& placed : drawings) {
+      const Drawing drawing(*placed.chart, placed.look);
       if (x > 0.0 && x + drawing.width() > look_.width_mm) x = 0.0, y += line, line = 0.0;
       placed.x = x;
       placed.y = y;
@@ -343,22 +418,36 @@ class Sheet {
 
   const SheetLook& look_;
   std::vector<const Chart*> all_;
+  std::list<Chart> parts_;
   std::vector<Placed> placed_;
-  double width_ = 0.0, height_ = 0.0;
+  double width_ = 0.0, height_ = 0.0, square_ = 0.0;
 };
 
 }  // namespace
 
+namespace {
+
+SheetLook sideways() {
+  SheetLook look;
+  look.width_mm = 266.0;
+  look.height_mm = 168.0;
+  return look;
+}
+
+}  // namespace
+
 bool is_wide(const std::vector<NamedChart>& charts) {
-  constexpr std::int32_t most_upright = 90;  // squares
-  return std::any_of(charts.begin(), charts.end(),
-                     [](const NamedChart& named) { return named.chart->columns > most_upright; });
+  const SheetLook upright_look, sideways_look = sideways();
+  const Sheet upright(charts, upright_look), wide(charts, sideways_look);
+  if (upright.breaks() != wide.breaks()) {
+    const Sheet& whole = upright.breaks() ? wide : upright;
+    if (whole.is_legible()) return &whole == &wide;
+  }
+  return wide.square() > upright.square();
 }
 
 SheetLook sheet_for(const std::vector<NamedChart>& charts) {
-  SheetLook look;
-  if (is_wide(charts)) look.width_mm = 266.0, look.height_mm = 168.0;
-  return look;
+  return is_wide(charts) ? sideways() : SheetLook();
 }
 
 std::string charts_svg(const std::vector<NamedChart>& charts, const SheetLook& look) {

@@ -27,13 +27,18 @@ struct ChartLook {
   std::vector<const knit::Chart*> all;  // whose symbols this one defines, and its key tells; empty: its own
   bool borrows = false;                 // another drawing of the page defines them
   bool small_title = false;
+  // Of a part of a chart: the whole, whose rounds are told; null: it is whole. Counts stand beside the last part.
+  const knit::Chart* whole = nullptr;
+  bool counts = true;
+  bool broken = false;  // some chart of the page is in parts
 };
 
 // A document of its own, which HTML can also hold as it is. Without an XML declaration; text is UTF-8.
 std::string chart_svg(const knit::Chart& chart, const ChartLook& look);
 
 // Charts of pieces, each under its name, packed on a sheet of that width with one key; squares are equally large on all, and as
-// large as the sheet's height lets them be.
+// large as the sheet's height lets them be. Where that makes them too small to read, wide charts are broken between columns, and
+// their parts, of whole tens where they can be, follow each other.
 struct NamedChart {
   std::string name;
   const knit::Chart* chart = nullptr;
@@ -43,7 +48,7 @@ struct SheetLook {
   double width_mm = 180.0, height_mm = 246.0;
   double largest_square_mm = 4.0, smallest_square_mm = 1.5;
 };
-// For a page; where a chart is wide, for one put sideways.
+// For a page; where squares are larger on one put sideways, for that.
 bool is_wide(const std::vector<NamedChart>& charts);
 SheetLook sheet_for(const std::vector<NamedChart>& charts);
 // One drawing.
