@@ -279,9 +279,15 @@ struct Apply {
   }
 
   void operator()(const SetPatternOptions& a) { session.view->pattern = a.options; }
-  void operator()(const ShowCentre& a) { session.view->centre = a.centre; }
-  void operator()(const HoverStitch& a) { session.view->gaze.hovered_stitch = a.stitch; }
-  void operator()(const HoverRounds& a) { session.view->gaze.hovered_rounds = a.rounds; }
+  void operator()(const ShowCentre& a) { take(session, a); }
+  void operator()(const HoverStitch& a) {
+    session.view->gaze.hovered_stitch = a.stitch;
+    session.view->gaze.hovered_twin_stitches = a.twins;
+  }
+  void operator()(const HoverRounds& a) {
+    session.view->gaze.hovered_rounds = a.rounds;
+    session.view->gaze.hovered_twins = a.twins;
+  }
   void operator()(const KnitAlong& a) {
     session.view->gaze.knit_along = a.round;
     session.view->gaze.knit_along_deal = a.round ? a.deal : session.view->gaze.knit_along_deal;

@@ -63,6 +63,7 @@ void go_back_to(Session& session, const Session& before);
 // apply_pieces.cpp
 void take(Session& session, const SetPieceNames& action);
 void take(Session& session, const SetPieceOrder& action);
+void take(Session& session, const ShowCentre& action);
 
 // apply_compare.cpp
 void take(Session& session, const PinRun& action);

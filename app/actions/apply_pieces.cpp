@@ -1,4 +1,5 @@
-// Pieces of the pattern: their names and their order.
+// Pieces of the pattern: their names, their order, and whose chart is shown.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,6 +36,23 @@ std::optional<std::string> fault_of(const Session& session, const SetPieceOrder&
   return why_not_in_order(state, cheapest, action.order);
 }
 
+// Whether there is such a piece only a run that is known to its end can tell.
+std::optional<std::string> fault_of_chart(const Session& session, const std::string& letters) {
+  if (letters.empty()) return std::nullopt;
+  if (!is_piece_letter(letters)) return "\"" + letters + "\" is no piece's letter; give a capital one: A.";
+  if (!session.document || !session.document->timeline.complete()) return std::nullopt;
+  const knit::State& state = session.document->timeline.furthest();
+  if (!knit::has_limbs(state)) return "This pattern is of one piece, with one chart.";
+  if (!knit::limbs_are_known(state)) return std::nullopt;
+  const PlannedPieces planned = planned_pieces(state, session.document->pieces, session.view->pattern);
+  if (std::count(planned.letters.begin(), planned.letters.end(), letters) > 0) return std::nullopt;
+  return "There is no piece " + letters + "; the last of them is " +
+         *std::max_element(
+             planned.letters.begin(), planned.letters.end(),
+             [](const auto& a, const auto& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); }) +
+         ".";
+}
+
 void change_pieces(Session& session, PatternPieces pieces) {
   Document& document = *session.document;
   if (document.pieces == pieces) return;
@@ -61,6 +79,14 @@ void take(Session& session, const SetPieceOrder& action) {
   if (!session.document) return;
   if (auto fault = fault_of(session, action)) return notify(session, Notice::Kind::error, std::move(*fault));
   change_pieces(session, {session.document->pieces.names, action.order});
+}
+
+void take(Session& session, const ShowCentre& action) {
+  session.view->centre = action.centre;
+  if (!action.piece) return;
+  if (auto fault = fault_of_chart(session, *action.piece))
+    return notify(session, Notice::Kind::error, std::move(*fault));
+  session.view->gaze.chart_piece = *action.piece;
 }
 
 }  // namespace app

@@ -19,6 +19,8 @@ Session figure_session(const Session& session) {
   figure.view->gaze.picking = Picking::nothing;
   figure.view->gaze.hovered_stitch.reset();
   figure.view->gaze.hovered_rounds.reset();
+  figure.view->gaze.hovered_twin_stitches.clear();
+  figure.view->gaze.hovered_twins.clear();
   figure.view->playback.playing = false;
   return figure;
 }

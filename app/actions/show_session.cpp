@@ -25,6 +25,7 @@ void show_the_view(Session& session, const SavedSession& saved) {
   view.side = saved.side;
   view.list = saved.list;
   view.centre = saved.centre;
+  view.gaze.chart_piece = saved.chart_piece;
   view.positions = saved.positions;
   view.playback = {false, 1, saved.steps_per_second, 0.0};
   view.slow_motion = saved.slow_motion;

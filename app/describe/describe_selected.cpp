@@ -149,17 +149,23 @@ void describe_meant(const Session& session, Scene& scene) {
   if (const knit::Row* row =
           session.view->gaze.knit_along ? row_at(session, *shown, *session.view->gaze.knit_along) : nullptr)
     describe_round(*row, {scene.theme->anchor, 5.0F}, scene);
-  if (const auto& rounds = session.view->gaze.hovered_rounds) {
-    const knit::RowId rows =
-        std::max(shown->fabric.row_count(), session.document->timeline.furthest().fabric.row_count());
-    for (std::int32_t number = std::max(1, rounds->first); number <= std::min(rounds->last, rows); ++number)
+  const Gaze& gaze = session.view->gaze;
+  std::vector<RoundSpan> spans = gaze.hovered_twins;
+  if (gaze.hovered_rounds) spans.insert(spans.begin(), *gaze.hovered_rounds);
+  const knit::RowId rows =
+      std::max(shown->fabric.row_count(), session.document->timeline.furthest().fabric.row_count());
+  for (const RoundSpan& span : spans) {
+    for (std::int32_t number = std::max(1, span.first); number <= std::min(span.last, rows); ++number)
       describe_round(*row_at(session, *shown, number), {scene.theme->accepted, 3.5F}, scene);
   }
-  const auto& at = session.view->gaze.hovered_stitch;
-  const knit::Row* row = at ? row_at(session, *shown, at->row) : nullptr;
-  if (row == nullptr || at->stitch < 0) return;
-  const auto stitch = static_cast<std::size_t>(at->stitch);
-  if (stitch < row->stitches.size()) describe_stitch(*row, stitch, scene);
+  std::vector<StitchAt> stitches = gaze.hovered_twin_stitches;
+  if (gaze.hovered_stitch) stitches.insert(stitches.begin(), *gaze.hovered_stitch);
+  for (const StitchAt& at : stitches) {
+    const knit::Row* row = row_at(session, *shown, at.row);
+    if (row == nullptr || at.stitch < 0) continue;
+    const auto stitch = static_cast<std::size_t>(at.stitch);
+    if (stitch < row->stitches.size()) describe_stitch(*row, stitch, scene);
+  }
 }
 
 }  // namespace app

@@ -104,7 +104,10 @@ std::optional<std::string> link_by_options(const Session& session) {
   add_place(link, timeline);
   if (session.view->side != SidePanel::step)
     link.add("--side", std::string(side_keys.at(static_cast<std::size_t>(session.view->side))));
-  if (session.view->centre != CentrePanel::view) link.add("--centre", "chart");
+  if (session.view->centre != CentrePanel::view) {
+    const std::string& piece = session.view->gaze.chart_piece;
+    link.add("--centre", piece.empty() ? "chart" : "chart:" + piece);
+  }
   if (session.view->positions == Positions::placed) link.add("--positions", "placed");
   if (session.view->gaze.knit_along) link.add("--knit-along", std::to_string(*session.view->gaze.knit_along));
   add_pattern(link, session.view->pattern, session.document->pieces);

@@ -5,6 +5,7 @@
 
 #include "app/files/chart_svg.h"
 #include "app/files/pieces_svg.h"
+#include "app/session/chart_twins.h"
 #include "app/session/document.h"
 #include "app/session/planned_pieces.h"
 #include "app/session/view.h"
@@ -156,6 +157,22 @@ std::string chart_file_text(const Session& session) {
   ChartLook look;
   look.title = title_of(session);
   return chart_svg(knit::chart_of(rounds), look) + "\n";
+}
+
+std::string piece_chart_file_text(const Session& session) {
+  const PlannedPieces pieces = planned_pieces(session);
+  const knit::LimbNames names(pieces.plan, pieces.options);
+  const std::vector<knit::PieceChart> charts = knit::piece_charts(pieces.plan, names);
+  const Gaze& gaze = session.view->gaze;
+  const knit::Step* step = last_step(session);
+  auto chosen = chart_of_piece(charts, pieces, gaze.chart_piece);
+  if (!chosen)
+    chosen =
+        chart_with_row(charts, pieces.plan, gaze.knit_along.value_or(step != nullptr ? step->place.row : 0));
+  const knit::PieceChart& chart = charts[chosen.value_or(0)];
+  ChartLook look;
+  look.title = title_of(session) + ": " + names.together(chart.pieces);
+  return chart_svg(chart.chart, look) + "\n";
 }
 
 std::string pieces_file_text(const Session& session) {

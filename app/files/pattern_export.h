@@ -44,6 +44,8 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
                               std::span<const std::uint8_t> picture_png = {});
 // Of pieces one drawing with a chart for each.
 std::string chart_file_text(const Session& session);
+// Of the piece that is chosen (Gaze::chart_piece), else of the one with the round at hand, else of the first. In pieces.
+std::string piece_chart_file_text(const Session& session);
 std::string pieces_file_text(const Session& session);
 
 }  // namespace app

@@ -87,6 +87,7 @@ SavedSession saved_of(const Session& session) {
   saved.side = session.view->side;
   saved.list = session.view->list;
   saved.centre = session.view->centre;
+  saved.chart_piece = session.view->gaze.chart_piece;
   saved.positions = session.view->positions;
   saved.steps_per_second = session.view->playback.steps_per_second;
   saved.slow_motion = session.view->slow_motion;
@@ -117,6 +118,7 @@ Json to_json(const SavedSession& saved) {
   json["side"] = side_keys[static_cast<std::size_t>(saved.side)];
   json["list"] = list_keys[static_cast<std::size_t>(saved.list)];
   json["centre"] = centre_keys[static_cast<std::size_t>(saved.centre)];
+  if (!saved.chart_piece.empty()) json["chart-piece"] = saved.chart_piece;
   json["positions"] = positions_keys.at(static_cast<std::size_t>(saved.positions));
   json["playback"] = {{"steps-per-second", saved.steps_per_second}, {"slow-motion", saved.slow_motion}};
   if (saved.loop) json["playback"]["loop"] = {{"begin", saved.loop->begin}, {"end", saved.loop->end}};
@@ -305,6 +307,10 @@ void read_view(JsonFields& fields, SavedSession& saved) {
   saved.side = static_cast<SidePanel>(fields.choice("side", side_keys));
   saved.list = static_cast<RunList>(fields.choice("list", list_keys));
   saved.centre = static_cast<CentrePanel>(fields.choice("centre", centre_keys));
+  if (fields.has("chart-piece")) {
+    saved.chart_piece = fields.text("chart-piece");
+    if (!is_piece_letter(saved.chart_piece)) fields.set_fault("chart-piece", "must be a piece's letter.");
+  }
   if (fields.has("positions"))
     saved.positions = static_cast<Positions>(fields.choice("positions", positions_keys));
 }

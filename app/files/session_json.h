@@ -32,6 +32,7 @@ struct SavedSession {
   SidePanel side = SidePanel::step;
   RunList list = RunList::rows;
   CentrePanel centre = CentrePanel::view;
+  std::string chart_piece;  // its letters; empty: the chart of the round at hand
   Positions positions = Positions::settled;
   double steps_per_second = 300.0;
   bool slow_motion = false;

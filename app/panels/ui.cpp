@@ -60,7 +60,9 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   draw_open_dialog(frame);
   draw_save_dialog(frame);
   draw_figure_dialog(frame);
-  if (frame.rounds_under != session.view->gaze.hovered_rounds) frame.wish(HoverRounds{frame.rounds_under});
+  const Gaze& gaze = session.view->gaze;
+  if (frame.rounds_under != gaze.hovered_rounds || frame.twins_under != gaze.hovered_twins)
+    frame.wish(HoverRounds{frame.rounds_under, frame.twins_under});
   return std::move(frame.actions);
 }
 

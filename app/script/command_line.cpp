@@ -110,7 +110,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
   app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
   app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
-  app.add_option("--centre", words.centre, "what the centre shows: view or chart");
+  app.add_option("--centre", words.centre, "what the centre shows: view, chart, or chart:B, of a piece");
   app.add_option(
       "--positions", words.positions,
       "where stitches that have settled are shown, measured and written: " + one_of(positions_keys));
@@ -256,9 +256,15 @@ std::optional<std::string> read_positions(const Words& words, CommandLine& line)
 }
 
 std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
-  if (!words.centre.empty() && words.centre != "view" && words.centre != "chart")
-    return "--centre cannot be \"" + words.centre + "\"; give view or chart.";
-  line.centre = words.centre == "chart" ? CentrePanel::chart : CentrePanel::view;
+  constexpr std::string_view of_piece = "chart:";
+  std::string centre = words.centre;
+  if (centre.starts_with(of_piece) && is_piece_letter(std::string_view(centre).substr(of_piece.size()))) {
+    line.chart_piece = centre.substr(of_piece.size());
+    centre = "chart";
+  }
+  if (!centre.empty() && centre != "view" && centre != "chart")
+    return "--centre cannot be \"" + words.centre + "\"; give view, chart, or chart:B for that of a piece.";
+  line.centre = centre == "chart" ? CentrePanel::chart : CentrePanel::view;
   line.centre_given = !words.centre.empty();
   if (words.knit_along.empty()) return std::nullopt;
   std::int32_t round = 0;

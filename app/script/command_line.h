@@ -28,6 +28,7 @@ struct CommandLine {
   SidePanel side = SidePanel::step;        // what the right column shows
   std::optional<RunList> list;             // below the step
   CentrePanel centre = CentrePanel::view;  // what the centre shows
+  std::optional<std::string> chart_piece;  // whose chart, by its letters
   std::optional<Positions> positions;  // of stitches that have settled; none: settled, or as a session has it
   std::optional<ThemeKind> theme;      // none: as the preferences have it
   std::optional<double> scale;         // likewise

@@ -61,6 +61,16 @@ std::optional<std::string> order_pieces(Session& session, const CommandLine& lin
   return "--piece-order: " + session.outbox->notices.back().text;
 }
 
+// Likewise a piece that there is not.
+std::optional<std::string> show_chart_of(Session& session, const CommandLine& line) {
+  if (!line.chart_piece) return std::nullopt;
+  if (line.headless) work_out(session);
+  const std::size_t notices = session.outbox->notices.size();
+  apply(session, ShowCentre{line.centre, line.chart_piece});
+  if (session.outbox->notices.size() == notices) return std::nullopt;
+  return "--centre: " + session.outbox->notices.back().text;
+}
+
 // Leaving it goes back to what else was asked for.
 std::optional<std::string> begin_lesson(Session& session, const CommandLine& line) {
   if (line.lesson.empty()) return std::nullopt;
@@ -155,6 +165,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
   }
   auto error = set_parameters(session, line);
   if (!error) error = order_pieces(session, line);
+  if (!error) error = show_chart_of(session, line);
   if (!error) warn_of_handles(session);
   forget_changes(session);  // what was asked for at the start is where undoing ends
   return error ? error : begin_lesson(session, line);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -259,12 +260,17 @@ struct SetPieceOrder {
 };
 struct ShowCentre {
   CentrePanel centre = CentrePanel::view;
+  // Of a pattern in pieces whose chart is shown, by its letters; empty: that of the round at hand; none: as it is.
+  std::optional<std::string> piece = std::nullopt;
 };
+// `twins`: what the same words, or the same chart, stand for besides.
 struct HoverStitch {
   std::optional<StitchAt> stitch;
+  std::vector<StitchAt> twins = {};
 };
 struct HoverRounds {
   std::optional<RoundSpan> rounds;
+  std::vector<RoundSpan> twins = {};
 };
 struct KnitAlong {
   std::optional<std::int32_t> round;  // none: put it away

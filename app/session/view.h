@@ -86,6 +86,11 @@ struct Gaze {
   std::optional<StitchAt> hovered_stitch;  // under the pointer, in the view or the chart: shown in both
   // By their line in the text or their place on the timeline: likewise, and in both of these.
   std::optional<RoundSpan> hovered_rounds;
+  // Likewise of twins that the same words, or the same chart, stand for.
+  std::vector<StitchAt> hovered_twin_stitches;
+  std::vector<RoundSpan> hovered_twins;
+  // Whose chart is shown, by its letters (pattern_pieces.h); empty: of the round at hand.
+  std::string chart_piece;
   std::optional<std::int32_t> knit_along;  // the current round, from 1; none: not knitting along
   std::int32_t knit_along_round = 1;       // remembered when it is put away
   friend bool operator==(const Gaze&, const Gaze&) = default;

@@ -10,6 +10,7 @@
 #include <typeindex>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "app/panels/kit/imgui_glue.h"
 #include "app/panels/kit/layout.h"
@@ -49,6 +50,7 @@ struct PanelFrame {
   const Fonts& fonts;
   Actions actions;
   std::optional<RoundSpan> rounds_under = std::nullopt;  // the pointer, in whichever panel has it
+  std::vector<RoundSpan> twins_under = {};               // of twins that the same words stand for
 
   template <class State>
   [[nodiscard]] State& own() const {

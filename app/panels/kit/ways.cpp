@@ -23,4 +23,16 @@ std::optional<RoundSpan> rounds_meant(const Session& session) {
   return RoundSpan{session.view->gaze.hovered_stitch->row, session.view->gaze.hovered_stitch->row};
 }
 
+std::vector<RoundSpan> all_rounds_meant(const Session& session) {
+  std::vector<RoundSpan> all;
+  const Gaze& gaze = session.view->gaze;
+  if (const auto rounds = rounds_meant(session)) all.push_back(*rounds);
+  if (gaze.hovered_rounds) {
+    all.insert(all.end(), gaze.hovered_twins.begin(), gaze.hovered_twins.end());
+  } else {
+    for (const StitchAt& stitch : gaze.hovered_twin_stitches) all.push_back({stitch.row, stitch.row});
+  }
+  return all;
+}
+
 }  // namespace app

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "app/panels/kit/frame.h"
 
@@ -14,5 +15,7 @@ std::int32_t current_row(const PanelFrame& frame);
 void wish_row(PanelFrame& frame, std::int32_t number);
 // Under the pointer, by a stitch, a square, a line of the text or the timeline.
 std::optional<RoundSpan> rounds_meant(const Session& session);
+// These and, where the same words stand for twins, theirs.
+std::vector<RoundSpan> all_rounds_meant(const Session& session);
 
 }  // namespace app

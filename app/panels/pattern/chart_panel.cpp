@@ -10,6 +10,7 @@
 #include "app/describe/chart_strokes.h"
 #include "app/panels/kit/style.h"
 #include "app/panels/kit/widgets.h"
+#include "app/session/chart_twins.h"
 #include "app/session/view.h"
 #include "knit/model/words.h"
 #include "knit/pattern/chart.h"
@@ -112,6 +113,7 @@ namespace {
 struct Sheet {
   const knit::Chart& chart;
   const knit::PieceChart* piece;  // null: the whole pattern is one chart
+  const knit::LimbPlan* plan;     // of which the piece is
   ImVec2 low;                     // of the upper left square
   float side;
 
@@ -126,6 +128,14 @@ struct Sheet {
     if (piece == nullptr) return StitchAt{chart.rows[row].number, square.stitch};
     const knit::PiecePlace place = piece->place(row, square.stitch);
     return StitchAt{place.row, place.stitch};
+  }
+
+  // Of twins that are made together the chart has the first's rows.
+  [[nodiscard]] std::int32_t own_row(std::int32_t row) const {
+    return piece != nullptr ? row_in_first(*plan, piece->pieces, row) : row;
+  }
+  [[nodiscard]] std::vector<StitchAt> in_each(const StitchAt& at) const {
+    return piece != nullptr ? stitch_in_each(*plan, piece->pieces, at) : std::vector<StitchAt>{};
   }
 
   [[nodiscard]] ImVec2 at(std::size_t row, std::size_t column) const {
@@ -199,9 +209,13 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
 }
 
 void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
-                  const std::optional<StitchAt>& hovered) {
+                  std::optional<StitchAt> hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::int32_t current = current_round(frame);
+  const std::int32_t current = sheet.own_row(current_round(frame));
+  if (hovered) {
+    const std::vector<StitchAt> each = sheet.in_each(*hovered);
+    if (!each.empty()) hovered = each.front();
+  }
   for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
     const float y = sheet.at(row, 0).y;
     if (y > box.bottom() || y + sheet.side < box.y) continue;
@@ -219,8 +233,9 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
 
 // The rounds of the text's line under the pointer, framed as one.
 void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
-  const auto& rounds = frame.session.view->gaze.hovered_rounds;
+  auto rounds = frame.session.view->gaze.hovered_rounds;
   if (!rounds) return;
+  rounds = RoundSpan{sheet.own_row(rounds->first), sheet.own_row(rounds->last)};
   const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
   auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
   auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
@@ -293,21 +308,17 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
       if (clicked && round > 0 && !under) wish_round(frame, round);
     }
   }
-  if (under != frame.session.view->gaze.hovered_stitch) frame.wish(HoverStitch{under});
+  if (under == frame.session.view->gaze.hovered_stitch) return;
+  std::vector<StitchAt> twins = under ? sheet.in_each(*under) : std::vector<StitchAt>{};
+  if (!twins.empty()) twins.erase(twins.begin());  // the square's own
+  frame.wish(HoverStitch{under, std::move(twins)});
 }
 
-// Which of the charts of pieces is shown: the one chosen, or that of the round that came to hand since.
+// Which of the charts of pieces is shown: the one chosen (Gaze::chart_piece), or that of the round that came to hand since.
 struct ShownPieceChart {
   std::size_t chart = 0;
-  std::int32_t followed = 0;
+  std::optional<std::int32_t> followed;
 };
-
-bool has_row(const knit::LimbPlan& plan, const knit::PieceChart& chart, std::int32_t row) {
-  return std::any_of(chart.pieces.begin(), chart.pieces.end(), [&](std::int32_t piece) {
-    const std::vector<knit::RowId>& rows = plan.piece(piece).rows;
-    return std::find(rows.begin(), rows.end(), row) != rows.end();
-  });
-}
 
 std::string letters_of(const knit::PieceChart& chart) {
   std::string letters;
@@ -322,10 +333,16 @@ const knit::PieceChart& chosen_piece(PanelFrame& frame, const Box& box) {
   const std::vector<knit::PieceChart>& charts = cache.piece_charts();
   ShownPieceChart& shown = frame.own<ShownPieceChart>();
   const std::int32_t current = current_round(frame);
-  for (std::size_t i = 0; i < charts.size() && current != shown.followed; ++i) {
-    if (has_row(cache.pieces().plan, charts[i], current)) shown.chart = i;
+  const std::string& chosen = frame.session.view->gaze.chart_piece;
+  const auto show = [&](const std::string& letters) {
+    frame.wish(ShowCentre{frame.session.view->centre, letters});
+  };
+  if (current != shown.followed) {
+    shown.chart = chart_with_row(charts, cache.pieces().plan, current).value_or(shown.chart);
+    if (shown.followed && !chosen.empty()) show("");
   }
   shown.followed = current;
+  shown.chart = chart_of_piece(charts, cache.pieces(), chosen).value_or(shown.chart);
   shown.chart = std::min(shown.chart, charts.size() - 1);
   ImGui::SetCursorPos(ImVec2(frame.units(10.0f), frame.units(8.0f)));
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -335,7 +352,8 @@ const knit::PieceChart& chosen_piece(PanelFrame& frame, const Box& box) {
     if (i > 0 && ImGui::GetCursorPosX() < frame.units(10.0f)) ImGui::SetCursorPosX(frame.units(10.0f));
     const bool lit = i == shown.chart;
     if (lit) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
-    if (ImGui::Button(letters.c_str())) shown.chart = i;
+    if (ImGui::Button(letters.c_str()))
+      show(cache.pieces().letters[static_cast<std::size_t>(charts[i].pieces.front())]);
     if (lit) ImGui::PopStyleColor();
     frame.mark("chart/piece/" + knit::tube_name(charts[i].pieces.front()));
     tooltip(frame, ("The chart of " + cache.pieces().name_of(charts[i].pieces.front()) + ".").c_str());
@@ -356,7 +374,8 @@ void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceCh
   frame.mark("chart");
   handle_zoom_and_drag(frame, room);
   const ChartView& view = frame.own<ChartView>();
-  Sheet sheet{chart, piece, {}, fitting_side(frame, chart, room) * view.zoom};
+  const knit::LimbPlan* plan = piece != nullptr ? &frame.own<ChartCache>().pieces().plan : nullptr;
+  Sheet sheet{chart, piece, plan, {}, fitting_side(frame, chart, room) * view.zoom};
   const ImVec2 size = sheet.size();
   sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - size.x) + view.move.x),
                      std::floor(room.y + 0.5f * (room.height - size.y) + view.move.y));

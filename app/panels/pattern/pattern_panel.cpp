@@ -62,8 +62,9 @@ void draw_ground(const PanelFrame& frame, const PatternLayout::Placed& placed, I
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + width, at.y + placed.height);
   const PatternLine& line = placed.line;
-  const auto meant = rounds_meant(frame.session);
-  const bool is_meant = meant && line.is_meant(*meant);
+  const std::vector<RoundSpan> meant = all_rounds_meant(frame.session);
+  const bool is_meant =
+      std::any_of(meant.begin(), meant.end(), [&](const RoundSpan& span) { return line.is_meant(span); });
   const bool at_hand = line.kind == Kind::round && line.deal == current_deal(frame);
   if (at_hand && line.says(current_round(frame))) {
     list.AddRectFilled(at, end, style::packed(theme().anchor, is_meant ? 70 : 40), frame.units(4.0f));
@@ -126,7 +127,10 @@ void draw_line(PanelFrame& frame, std::size_t i, float width) {
       wish_round(frame, rounds->first, line.deal);
     ImGui::PopID();
     frame.mark(mark_of(line));
-    if (ImGui::IsItemHovered()) frame.rounds_under = rounds;
+    if (ImGui::IsItemHovered()) {
+      frame.rounds_under = rounds;
+      frame.twins_under = line.twins;
+    }
   }
   draw_ground(frame, placed, at, width);
   draw_words(frame, placed, at, width);

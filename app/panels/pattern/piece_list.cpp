@@ -104,11 +104,13 @@ void draw_row_ground(const PanelFrame& frame, const knit::LimbPiece& piece, ImVe
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + width, at.y + frame.units(row_height));
   const RoundSpan rows = rows_of(piece);
-  const auto meant = rounds_meant(frame.session);
+  const std::vector<RoundSpan> all_meant = all_rounds_meant(frame.session);
+  const bool is_meant = std::any_of(all_meant.begin(), all_meant.end(), [&](const RoundSpan& meant) {
+    return meant.first <= rows.last && rows.first <= meant.last;
+  });
   const auto& along = frame.session.view->gaze.knit_along;
   const bool at_hand = rows.holds(along ? *along : current_row(frame));
-  if (meant && meant->first <= rows.last && rows.first <= meant->last)
-    list.AddRectFilled(at, end, style::packed(theme().hovered), frame.units(4.0f));
+  if (is_meant) list.AddRectFilled(at, end, style::packed(theme().hovered), frame.units(4.0f));
   if (at_hand)
     list.AddRectFilled(at, ImVec2(at.x + frame.units(3.0f), end.y), style::packed(theme().anchor),
                        frame.units(1.5f));
@@ -196,6 +198,18 @@ void draw_arrow(PanelFrame& frame, const PlannedPieces& pieces, std::int32_t pie
   list.PathStroke(colour, ImDrawFlags_None, frame.units(1.5f));
 }
 
+// It and those that are made together with it.
+void mean_piece(PanelFrame& frame, const ChartCache& cache, std::int32_t piece) {
+  const knit::LimbPlan& plan = cache.pieces().plan;
+  frame.rounds_under = rows_of(plan.piece(piece));
+  for (const knit::PieceFacts& facts : cache.pattern().pieces) {
+    if (std::count(facts.pieces.begin(), facts.pieces.end(), piece) == 0) continue;
+    for (const std::int32_t twin : facts.pieces) {
+      if (twin != piece) frame.twins_under.push_back(rows_of(plan.piece(twin)));
+    }
+  }
+}
+
 void draw_piece(PanelFrame& frame, const ChartCache& cache, std::int32_t piece, const PieceColumns& columns) {
   const PlannedPieces& pieces = cache.pieces();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -209,7 +223,7 @@ void draw_piece(PanelFrame& frame, const ChartCache& cache, std::int32_t piece, 
   draw_arrow(frame, pieces, piece, false, ImVec2(at.x + columns.down, at.y));
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
       ImGui::IsMouseHoveringRect(at, end))
-    frame.rounds_under = rows_of(pieces.plan.piece(piece));
+    mean_piece(frame, cache, piece);
   ImGui::PopID();
   ImGui::SetCursorScreenPos(ImVec2(at.x, end.y));
 }

@@ -88,17 +88,17 @@ void draw_travel_marks(PanelFrame& frame, const Track& track) {
 
 // The round under the pointer on the timeline: the stretch that each stage spends on it, and the other way round.
 
-void draw_pattern_marks(PanelFrame& frame, const Track& track) {
+namespace {
+
+void draw_pattern_mark(const PanelFrame& frame, const Track& track, const knit::Timeline& timeline,
+                       const RoundSpan& meant) {
   using knit::Stage;
-  const auto meant = rounds_meant(frame.session);
-  const knit::Timeline* timeline = frame.timeline();
-  if (!meant || timeline == nullptr) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const Stage stage : {Stage::cast_on, Stage::rows, Stage::stitches, Stage::faces, Stage::pattern}) {
     constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min();
     constexpr std::int32_t high = std::numeric_limits<std::int32_t>::max();
-    const std::size_t begin = timeline->position_of({stage, meant->first, low});
-    const std::size_t end = timeline->position_of({stage, meant->last, high});
+    const std::size_t begin = timeline.position_of({stage, meant.first, low});
+    const std::size_t end = timeline.position_of({stage, meant.last, high});
     if (begin == end) continue;
     const float x0 = track.x_of(begin);
     const float x1 = std::max(track.x_of(end), x0 + frame.units(2.0f));
@@ -106,6 +106,15 @@ void draw_pattern_marks(PanelFrame& frame, const Track& track) {
     list.AddRectFilled(ImVec2(x0, track.bottom), ImVec2(x1, track.bottom + frame.units(3.0f)),
                        style::packed(theme().accepted));
   }
+}
+
+}  // namespace
+
+void draw_pattern_marks(PanelFrame& frame, const Track& track) {
+  const knit::Timeline* timeline = frame.timeline();
+  if (timeline == nullptr) return;
+  for (const RoundSpan& meant : all_rounds_meant(frame.session))
+    draw_pattern_mark(frame, track, *timeline, meant);
 }
 
 void mean_round_under(PanelFrame& frame, const Track& track) {

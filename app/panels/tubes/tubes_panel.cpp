@@ -92,7 +92,7 @@ struct Drawing {
   std::int32_t dealing = -1;               // the event whose loops are dealt now
   knit::RowId row = 0;                     // the current one
   knit::TubeId current = -1, chosen = -1;  // of the current row, of what is selected
-  knit::TubeId meant = -1;                 // of the round under the pointer in another panel
+  std::vector<knit::TubeId> meant;         // of the rounds under the pointer in another panel
   [[nodiscard]] float x_of(double x) const { return ground.x + static_cast<float>(x) * ground.width; }
   [[nodiscard]] float y_of(double y) const { return ground.bottom() - static_cast<float>(y) * ground.height; }
   [[nodiscard]] const TubePlace& place(knit::TubeId id) const {
@@ -173,11 +173,19 @@ Drawing drawing_of(const PanelFrame& frame, const Box& ground) {
   // The steps of a deal count towards a row that is not begun.
   if (drawing.dealing < 0) drawing.current = tube_of_row(plan, drawing.seen.layout, drawing.row);
   drawing.chosen = tube_of_row(plan, drawing.seen.layout, row_of_selected(frame));
-  const auto& rounds = frame.session.view->gaze.hovered_rounds;
-  if (rounds) drawing.meant = tube_of_row(plan, drawing.seen.layout, rounds->first);
+  if (frame.session.view->gaze.hovered_rounds) {
+    for (const RoundSpan& rounds : all_rounds_meant(frame.session))
+      drawing.meant.push_back(tube_of_row(plan, drawing.seen.layout, rounds.first));
+  }
   for (std::size_t i = 0; i < plan.tubes.size(); ++i)
     drawing.tubes.push_back(shown_tube(frame, drawing, static_cast<knit::TubeId>(i)));
   return drawing;
+}
+
+// Tubes that are alike get the same rounds; it alone where none is.
+std::vector<knit::TubeId> twins_of(const Drawing& drawing, knit::TubeId id) {
+  const std::vector<knit::TubeId>& twins = drawing.tube(id).twins;
+  return twins.empty() ? std::vector{id} : twins;
 }
 
 // --- its lines -------------------------------------------------------------------------------------------------
@@ -245,14 +253,12 @@ void draw_current_row(const PanelFrame& frame, const Drawing& drawing) {
 }
 
 // Rows that are meant elsewhere: by a line of the pattern, a stitch, a place on the timeline.
-void draw_meant_rows(const PanelFrame& frame, const Drawing& drawing) {
-  const auto meant = rounds_meant(frame.session);
-  if (!meant) return;
+void draw_meant_rows(const PanelFrame& frame, const Drawing& drawing, const RoundSpan& meant) {
   for (const ShownTube& shown : drawing.tubes) {
     const knit::RowId first = drawing.place(shown.id).first_row;
     const knit::Tube& tube = drawing.tube(shown.id);
-    const int low = std::max(0, meant->first - first);
-    const int high = std::min(tube.rows(), meant->last - first + 1);
+    const int low = std::max(0, meant.first - first);
+    const int high = std::min(tube.rows(), meant.last - first + 1);
     if (first <= 0 || low >= high) continue;
     const float half = shown.half + frame.units(3.0f);
     const ImVec2 upper(shown.x - half, whole(y_of_row(shown, tube, high)) - frame.units(1.0f));
@@ -491,8 +497,14 @@ std::optional<knit::TubeId> draw_tube_items(PanelFrame& frame, const Drawing& dr
     if (clicked && place.first_row > 0) wish_first_row(frame, place.first_row);
   }
   if (pointed && drawing.tube(*pointed).rows() > 0) {
-    const knit::RowId first = drawing.place(*pointed).first_row;
-    frame.rounds_under = RoundSpan{first, first + drawing.tube(*pointed).rows() - 1};
+    for (const knit::TubeId tube : twins_of(drawing, *pointed)) {
+      const knit::RowId first = drawing.place(tube).first_row;
+      const RoundSpan rounds{first, first + drawing.tube(tube).rows() - 1};
+      if (tube == *pointed)
+        frame.rounds_under = rounds;
+      else if (first > 0)
+        frame.twins_under.push_back(rounds);
+    }
   }
   return pointed;
 }
@@ -511,10 +523,11 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
   }
   for (const ShownTube& shown : drawing.tubes) draw_band(frame, drawing, shown);
   draw_current_row(frame, drawing);
-  draw_meant_rows(frame, drawing);
+  for (const RoundSpan& meant : all_rounds_meant(frame.session)) draw_meant_rows(frame, drawing, meant);
   draw_outline(frame, drawing, drawing.current, theme().anchor);
   draw_outline(frame, drawing, drawing.chosen, theme().selected);
-  draw_outline(frame, drawing, pointed.value_or(drawing.meant), theme().text);
+  for (const knit::TubeId tube : pointed ? twins_of(drawing, *pointed) : drawing.meant)
+    draw_outline(frame, drawing, tube, theme().text);
   draw_events(frame, drawing);
   // Words last: a narrow tube's are wider than it is, and a name stands close to an event.
   for (const ShownTube& shown : drawing.tubes) {
