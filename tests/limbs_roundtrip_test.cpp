@@ -16,6 +16,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/random_fabric.h"
+#include "tests/support/repeated.h"
 #include "tests/support/ringed_fabric.h"
 
 using namespace knit;
@@ -188,7 +189,7 @@ TEST_CASE("limbs round trip: bodies turned by chance") {
 }
 
 TEST_CASE("limbs round trip: fabrics of no shape") {
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < test_support::repeated(200U); ++seed) {
     CAPTURE(seed);
     const State state = test_support::RandomFabric(seed).run(3 + static_cast<int>(seed % 9));
     if (has_limbs(state)) check_round_trip(state, false);
@@ -249,7 +250,7 @@ std::vector<TubeId> standing_order(const State& state, unsigned seed) {
 
 TEST_CASE("limbs round trip: fabrics of no shape with rings") {
   RingsMet rings;
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < test_support::repeated(200U); ++seed) {
     CAPTURE(seed);
     const State bare = test_support::RandomFabric(seed).run(1 + static_cast<int>(seed % 8));
     State state = test_support::RingedFabric(seed).of(bare);
@@ -260,6 +261,7 @@ TEST_CASE("limbs round trip: fabrics of no shape with rings") {
       CHECK(cost_of_order(state, standing_order(state, seed + tries)).has_value());
     rings.add(state);
   }
+  if (!test_support::whole()) return;
   CHECK(rings.cast_on > 50);
   CHECK(rings.grafted > 50);
   CHECK(rings.of_one_loop > 5);
@@ -290,7 +292,7 @@ TEST_CASE("limbs round trip: two rounds, cast on together, bound off or grafted 
 
 TEST_CASE("limbs round trip: any order that can be worked, and no other") {
   std::int32_t worked = 0, refused = 0;
-  for (unsigned seed = 0; seed < 120; ++seed) {
+  for (unsigned seed = 0; seed < test_support::repeated(120U); ++seed) {
     CAPTURE(seed);
     const State state = test_support::RandomFabric(seed).run(4);
     if (!has_limbs(state)) continue;
@@ -306,6 +308,6 @@ TEST_CASE("limbs round trip: any order that can be worked, and no other") {
     if (cost) CHECK(plan.cost == cost->cost);
     if (cost) CHECK(cheapest_order(limb_tubes_of(state)).cost <= cost->cost);
   }
-  CHECK(worked > 10);
+  if (test_support::whole()) CHECK(worked > 10);
   CHECK(refused > 10);
 }

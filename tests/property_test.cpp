@@ -13,6 +13,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/join.h"
 #include "tests/support/promises.h"
+#include "tests/support/repeated.h"
 #include "tests/support/run.h"
 #include "tests/support/tube.h"
 
@@ -159,7 +160,7 @@ double volume_of(const State& state) {
   return sum;
 }
 
-constexpr unsigned many = 60;
+const unsigned many = test_support::repeated(60U);
 
 }  // namespace
 
@@ -288,5 +289,5 @@ TEST_CASE(
           by_place ? std::count_if(ours[i]->labels.begin(), ours[i]->labels.end(), is_shaping) : 0;
     }
   }
-  CHECK(sides_changed > 500);
+  if (test_support::whole()) CHECK(sides_changed > 500);
 }

@@ -10,6 +10,7 @@
 #include "knit/tubes/twins.h"
 #include "tests/support/bodies.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 
 using namespace knit;
 using test_support::Dice;
@@ -350,7 +351,7 @@ TEST_CASE("tube plan: tubes alike in height and girth get the same rows", "[tube
 
 TEST_CASE("tube order: yarns are the cast ons and the splits", "[tube-plan]") {
   Dice dice(5);
-  for (int run = 0; run < 200; ++run) {
+  for (int run = 0; run < test_support::repeated(200); ++run) {
     const EventGraph graph(dice, 3 + dice.below(10), run % 2 == 1);
     const TubeOrder order = order_tubes(graph.tubes, graph.events);
     CAPTURE(run);
@@ -365,7 +366,7 @@ TEST_CASE("tube order: yarns are the cast ons and the splits", "[tube-plan]") {
 
 TEST_CASE("tube order: none is better", "[tube-plan]") {
   Dice dice(6);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < test_support::repeated(300); ++run) {
     const EventGraph graph(dice, 3 + dice.below(4), false);
     if (graph.tubes.size() > 8) continue;
     BestOrder best;

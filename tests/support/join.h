@@ -9,6 +9,7 @@
 
 #include "knit/stitches/appendix.h"
 #include "knit/stitches/faces.h"
+#include "knit/stitches/operations.h"
 
 namespace test_support {
 
