@@ -134,6 +134,42 @@ Graft the toe of the heel together (16 sts on each needle).
      {{"rnds 25 and 26. (24 sts)", "rnds 25 and 26. (26 sts)", 8, "makes 24 stitches, the line says 26"},
       {"the 32 heel sts", "the 36 heel sts", 11,
        "waste yarn of the heel has 32 stitches, the line says 36"}}},
+    {"gusset between markers, told by its stitches",
+     R"(MATERIALS: 50 g worsted yarn, set of 4 dpns, stitch holder, tapestry needle
+GAUGE: 20 sts = 4 inches
+
+CUFF
+With smaller needles, CO 36 sts loosely. Divide sts evenly over 3 needles. Join, being careful not to twist sts.
+Work in k1, p1 rib for 2 inches.
+Change to larger needles and knit 2 rnds.
+
+THUMB GUSSET
+Rnd 1: Knit 17, place marker, M1, knit 2, M1, place marker, knit to end of rnd - 38 sts.
+Rnds 2 and 3: Knit.
+Rnd 4: Knit to marker, slip marker, M1, knit to next marker, M1, slip marker, knit to end of rnd - 40 sts.
+Repeat Rnds 2-4 until there are 12 sts between markers. (48 sts)
+Next Rnd: Knit to marker, place 12 gusset sts on holder, CO 2 sts, knit to end of rnd - 38 sts.
+
+HAND
+Knit every rnd until piece measures 8 inches from beginning.
+Shape Top
+Rnd 1: *K2, k2tog; rep from * to last 2 sts, k2. (29 sts)
+Rnd 2: Knit.
+Rnd 3: *K1, k2tog; repeat from * to last 2 sts, k2. (20 sts)
+Rnd 4: *K2tog; repeat from * around. (10 sts)
+Cut yarn, leaving a 6 inch tail. Thread tail through remaining sts, pull tight and fasten securely.
+
+THUMB
+Place thumb sts on needles. Join yarn and pick up 2 sts at the base of thumb - 14 sts.
+Knit 10 rnds.
+Next Rnd: K2tog around - 7 sts.
+Cut yarn and draw through sts.
+)",
+     {{"Place thumb sts on needles. Join yarn and pick up 2 sts at the base of thumb - 14",
+       "Place thumb sts on needles. Join yarn and pick up 3 sts at the base of thumb - 14", 26,
+       "15 stitches are on the needle, the line says 14"},
+      {"Next Rnd: K2tog around - 7", "Next Rnd: K2tog around - 8", 28, "makes 7 stitches, the line says 8"},
+      {"place 12 gusset sts", "place 13 gusset sts", 14, "makes 37 stitches, the line says 38"}}},
 };
 
 const std::vector<PublishedText> gloves{
@@ -245,6 +281,27 @@ Join shoulders to back sts with a three-needle bind off.
        "two live ends are joined, and they have 21 and 20 stitches"},
       {"Row 21: K10, BO 10 sts, k10. (20 sts)\nPlace", "Row 21: K10, BO 9 sts, k10. (20 sts)\nPlace", 4,
        "leaves 1 stitch"}}},
+    {"raglan in rows, both sleeves alike",
+     R"(Cardigan
+Using 4mm circular needle cast on 80 sts.
+Row 1: K16, pm, k10, pm, k28, pm, k10, pm, k16.
+Row 2: Purl.
+Row 3: [K to 1 st before marker, kfb, sm, kfb] 4 times, k to end. (88 sts)
+Row 4: Purl.
+Repeat rows 3 and 4 five more times. (128 sts)
+Next row: K22, place next 22 sts on waste yarn for sleeve, CO 4 sts, k40, place next 22 sts on waste yarn for sleeve, CO 4 sts, k22. (92 sts)
+Continue in stockinette for 30 rows.
+Bind off loosely.
+Sleeves
+Place 22 sts from waste yarn onto needles, pick up and knit 4 sts at underarm. (26 sts)
+Knit 30 rounds.
+Bind off.
+Work second sleeve the same.
+)",
+     {{"place next 22 sts on waste yarn for sleeve, CO 4 sts, k40",
+       "place next 22 sts on waste yarn for sleeve, CO 3 sts, k40", 8, "makes 91 stitches, the line says 92"},
+      {"Repeat rows 3 and 4 five", "Repeat rows 3 and 4 four", 7,
+       "the repeat makes 120 stitches, the line says 128"}}},
 };
 
 const std::vector<PublishedText> toys{
@@ -399,6 +456,50 @@ Rnd 15: K2tog around. Break yarn, thread through remaining 10 sts and fasten off
        12, "there are no held stitches of the wing"},
       {"decreasing 5 sts", "decreasing 6 sts", 14, "makes 29 stitches, the line says 30"},
       {"remaining 10 sts", "remaining 11 sts", 16, "closes 11 stitches, and 10 stitches are on the needle"}}},
+    {"bunny, the second leg stays on the needles",
+     R"(Bunny
+
+Legs
+Cast on 6 stitches and divide over 3 double pointed needles.
+Round 1: kfb in each stitch. (12 stitches)
+Rounds 2-10: Knit.
+Break yarn and slip stitches onto a piece of waste yarn. Make a second leg but leave the stitches on the needles and do not break the yarn.
+
+Body
+Joining round: Knit across the 12 stitches of the second leg, then knit across the 12 held stitches of the first leg. (24 stitches)
+Round 1: Knit, picking up 1 stitch at each side. (26 stitches)
+Rounds 2-12: Knit.
+Round 13: k2tog, k9, k2tog, k2tog, k9, k2tog. (22 stitches)
+Round 14: Knit.
+Stuff the legs and body.
+Round 15: (k2tog) 11 times. (11 stitches)
+Cut the yarn, pull it through the remaining 11 stitches and fasten off.
+)",
+     {{"the 12 held stitches of the first", "the 11 held stitches of the first", 10,
+       "has 12 stitches, the line says 11"},
+      {"1 stitch at each side. (26", "1 stitch at each side. (25", 11,
+       "makes 26 stitches, the line says 25"}}},
+    {"a beak from held stitches, in short words",
+     R"(HEAD
+CO 8 sts
+Rnd 1: k
+Rnd 2: kfb all around (16)
+Rnd 3: k
+Rnd 4: *k1, kfb* around (24)
+Rnd 5-10: k
+Slip the first 8 sts to a holder for the beak, k to end. (16)
+Rnd 11: k
+Rnd 12: k2tog around (8)
+Cut yarn and pull through.
+BEAK
+Slip the 8 held sts onto needle, CO 2 sts. (10)
+Rnd 1-2: k
+Rnd 3: *k2tog, k3* twice (8)
+Rnd 4: k2tog 4 times (4)
+Cut yarn, pull through.
+)",
+     {{"Slip the 8 held sts", "Slip the 9 held sts", 13, "has 8 stitches, the line says 9"},
+      {"*k2tog, k3* twice (8)", "*k2tog, k3* twice (9)", 15, "makes 8 stitches, the line says 9"}}},
 };
 // NOLINTEND(cert-err58-cpp)
 

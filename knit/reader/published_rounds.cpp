@@ -35,6 +35,14 @@ bool refers_back(const Tokens& tokens) {
   });
 }
 
+// "Purl." is of all stitches, as "Knit." is.
+Tokens with_bare_purl_as_knit(Tokens words) {
+  const bool purls = !words.empty() && (words.front().is("purl") || words.front().is("p"));
+  const bool bare = words.size() == 1 || (words.size() > 1 && words[1].kind == Token::Kind::mark);
+  if (purls && bare) words.front() = tokens_of("knit").front();
+  return words;
+}
+
 }  // namespace
 
 void PublishedWorker::round(const RoundLabel& label, const Tokens& tokens) {
@@ -106,6 +114,8 @@ bool PublishedWorker::repeat(const RepeatedRounds& repeated, std::int64_t rounds
     work(told.words, false);
   }
   name_ = name;
+  if (repeated.until && rounds == 0 && !line_is_bad_ && needle_.count() != *repeated.until)
+    blame("the repeat never comes to " + stitches_text(*repeated.until) + ".");
   return !line_is_bad_;
 }
 
@@ -121,7 +131,22 @@ void PublishedWorker::take_implied() {
   }
 }
 
-void PublishedWorker::work(const Tokens& words, bool stated_here) {
+// "Knit across the 12 sts of the second leg, knit across the 12 held sts of the first leg": those of the second are live.
+void PublishedWorker::is_live_already(std::vector<PublishedPart>& parts) const {
+  const bool works = std::any_of(parts.begin(), parts.end(), [](const PublishedPart& part) {
+    return part.use == PublishedUse::work || part.use == PublishedUse::hold;
+  });
+  if (works || !is_needle_known() || needle_.count() == 0) return;
+  for (PublishedPart& part : parts) {
+    if (part.use != PublishedUse::take || part.held || part.count != needle_.count()) continue;
+    part.use = PublishedUse::work;
+    part.tokens = tokens_of("k" + std::to_string(*part.count));
+    return;
+  }
+}
+
+void PublishedWorker::work(const Tokens& told, bool stated_here) {
+  const Tokens words = with_bare_purl_as_knit(told);
   const auto stated = stated_in(words);
   std::vector<PublishedPart> parts = parts_of(without_counts(words), true);
   const bool only_adds = !parts.empty() && parts.front().use == PublishedUse::add &&
@@ -215,6 +240,7 @@ void PublishedWorker::work_parts(const std::vector<PublishedPart>& told, std::op
     part.floats = !part.count;
     part.tokens = tokens_of(part.count ? "k" + std::to_string(*part.count) : "k");
   }
+  is_live_already(parts);
   if (!needle_.known || !needle_.doubtful || line_is_bad_) return work_in_order(std::move(parts), stated);
   const PublishedHolders holders = holders_;
   const ReadPattern read = read_;

@@ -235,7 +235,7 @@ bool read_take(PublishedPart& part, bool is_round) {
   const bool sure = tells_held(tokens) || (has_word(tokens, {"from", "off"}) && names_holder(tokens)) ||
                     (is_round && has_word(tokens, {"across", "over"}) && has_word(tokens, {"of"}) && told);
   const bool to_needle =
-      has_word(tokens, {"place", "slip", "put", "return", "transfer", "move", "replace"}) &&
+      has_word(tokens, {"place", "placing", "slip", "put", "return", "transfer", "move", "replace"}) &&
       names_needle(tokens) && !has_word(tokens, {"marker", "markers", "left", "last"});
   const bool across = begins_with(tokens, {"k", "knit", "work"}) && has_word(tokens, {"across", "over"}) &&
                       (has_word(tokens, {"of"}) || !name_before_stitches(tokens).empty());
@@ -243,6 +243,7 @@ bool read_take(PublishedPart& part, bool is_round) {
   if (is_told_as_a_fact(tokens) && !is_round) return false;
   part.use = PublishedUse::take;
   part.maybe = !sure;
+  part.held = tells_held(tokens) || names_holder(tokens);
   part.count = stitches_told(tokens);
   part.name = taken_name(tokens);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
@@ -316,6 +317,22 @@ bool read_slip_back(PublishedPart& part) {
   return true;
 }
 
+// "Work as for first leg", "make a second leg".
+bool read_as_before(PublishedPart& part) {
+  const Tokens& tokens = part.tokens;
+  const bool makes = begins_with(tokens, {"work", "make", "knit", "repeat"});
+  const bool as = has_word(tokens, {"as"}) && has_word(tokens, {"for", "first", "same"});
+  part.again = makes && has_word(tokens, {"second", "another", "other"}) &&
+               !has_word(tokens, {"with", "on", "using"}) &&
+               !std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
+                 return is_round_word(token) || is_stitches_word(token);
+               });
+  if (!part.again && !((makes || has_word(tokens, {"as"})) && as)) return false;
+  part.use = PublishedUse::as_before;
+  if (has_word(tokens, {"for", "as"})) part.name = holder_name(from_word(tokens, {"for", "as"}));
+  return true;
+}
+
 PublishedPart part_of(Tokens tokens, bool is_round) {
   while (begins_with(tokens, {"then", "and", "but", "&", "now"})) tokens.erase(tokens.begin());
   PublishedPart part;
@@ -332,13 +349,7 @@ PublishedPart part_of(Tokens tokens, bool is_round) {
     return part;
   }
   if (read_spread(part) || read_add(part)) return part;
-  const bool as_for = has_word(part.tokens, {"work", "make", "knit", "as", "repeat"}) &&
-                      has_word(part.tokens, {"as"}) && has_word(part.tokens, {"for", "first", "same"});
-  if (!is_round && as_for) {
-    part.use = PublishedUse::as_before;
-    part.name = holder_name(from_word(part.tokens, {"for", "as"}));
-    return part;
-  }
+  if (!is_round && read_as_before(part)) return part;
   const bool works =
       is_round || stitch_named(part.tokens.front()) || begins_with(part.tokens, {"[", "(", "*", "work"});
   if (works && !is_harmless(part.tokens)) part.use = PublishedUse::work;
@@ -370,12 +381,28 @@ void push_work(std::vector<PublishedPart>& parts, PublishedPart part) {
                        part.tokens.begin() + static_cast<std::ptrdiff_t>(end));
     if (begin < end) push_work(parts, std::move(some));
   };
-  push(0, to - 1);
+  // "[K to 1 st before marker, kfb, sm, kfb] 4 times": however far, the rest of the repeat counts.
+  const auto before = part.tokens.begin() + static_cast<std::ptrdiff_t>(to);
+  const auto opens = std::count_if(part.tokens.begin(), before, [](const Token& t) {
+    return is_one_of(t, {"[", "(", "*"});
+  });
+  const auto closes = std::count_if(part.tokens.begin(), before, [](const Token& t) {
+    return is_one_of(t, {"]", ")"});
+  });
   PublishedPart floating;
   floating.use = PublishedUse::work;
-  floating.tokens = {part.tokens[to - 1]};
-  if (floating.tokens.front().is("work")) floating.tokens = of_word("k");
+  floating.tokens = of_word("k");
   floating.floats = true;
+  if (opens > closes) {
+    auto end = before;
+    while (end != part.tokens.end() && !is_one_of(*end, {",", ";", "]", ")"})) ++end;
+    if (end != part.tokens.end() && is_one_of(*end, {",", ";"})) ++end;
+    parts.push_back(std::move(floating));
+    part.tokens.erase(before - 1, end);
+    return push_work(parts, std::move(part));
+  }
+  push(0, to - 1);
+  floating.tokens = {part.tokens[to - 1].is("work") ? of_word("k").front() : part.tokens[to - 1]};
   parts.push_back(std::move(floating));
   std::size_t rest = to + 1;
   while (rest < part.tokens.size() && !is_one_of(part.tokens[rest], {"sm", "pm", "slm"})) ++rest;
@@ -383,7 +410,8 @@ void push_work(std::vector<PublishedPart>& parts, PublishedPart part) {
 }
 
 bool parts_here(const Tokens& sentence, std::size_t i) {
-  if (!is_one_of(sentence[i], {"and", "then", "&", "before"}) || i + 1 >= sentence.size()) return false;
+  if (!is_one_of(sentence[i], {"and", "then", "&", "before", "but"}) || i + 1 >= sentence.size())
+    return false;
   if (i > 0 && sentence[i - 1].is("up")) return false;
   const Token& next = sentence[i + 1];
   const auto stitch = stitch_named(next);
@@ -542,7 +570,8 @@ std::optional<RepeatedRounds> repeated_rounds(const Tokens& tokens) {
     if (at.sees({"twice"})) repeated.times = 2;
     if (at.sees({"until"})) {
       repeated.until = stitches_told({tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end()});
-      repeated.understood = repeated.understood && repeated.until;
+      repeated.understood =
+          repeated.understood && repeated.until && !has_word(tokens, {"between", "marker", "markers"});
     }
   }
   if (!rounds) return std::nullopt;

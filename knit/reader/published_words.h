@@ -35,6 +35,8 @@ struct PublishedPart {
   bool at_gap = false;                // add: that edge is a gap's
   bool goes_on = false;               // add: beside what is on the needle
   bool floats = false;                // work: to a place that is not told in stitches ("to marker")
+  bool held = false;                  // take: "the held sts", or off a holder that is named
+  bool again = false;                 // as_before: what was made last, once more
   bool own = false;                   // join_ends: both ends may be on the needle ("the remaining 16 sts")
   bool all = false;                   // join_ends, close: "both", "all"
 };

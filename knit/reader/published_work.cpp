@@ -129,12 +129,13 @@ void PublishedWorker::begin_section(const SectionTitle& title) {
   if (tells_) return;
   if (has_needle_ && rounds_here_ > 0)
     made_.push_back({section_, is_needle_known() ? std::optional(needle_.count()) : std::nullopt,
-                     rounds_here_, false, true});
+                     rounds_here_, false, true, took_});
   section_ = title.name;
   ++section_number_;
   copies_ = title.made;
   rounds_here_ = 0;
   fresh_ = true;
+  took_ = {};
 }
 
 void PublishedWorker::prose(const Tokens& tokens) {
@@ -234,7 +235,7 @@ bool PublishedWorker::prose_part(const PublishedPart& part, bool takes_too,
 
 void PublishedWorker::end_section(bool held) {
   made_.push_back({section_, is_needle_known() ? std::optional(needle_.count()) : std::nullopt, rounds_here_,
-                   held, false});
+                   held, false, took_});
   has_needle_ = false;
   needle_ = {};
 }
@@ -332,9 +333,10 @@ void PublishedWorker::check_gap(const PublishedPart& part) {
 }
 
 bool PublishedWorker::as_before(const PublishedPart& part) {
-  const auto found = std::find_if(made_.rbegin(), made_.rend(),
-                                  [&](const Section& made) { return same_name(part.name, made.name); });
-  if (found == made_.rend() || part.name.empty()) return false;
+  const auto found = std::find_if(made_.rbegin(), made_.rend(), [&](const Section& made) {
+    return part.name.empty() ? part.again : same_name(part.name, made.name);
+  });
+  if (found == made_.rend()) return false;
   const Section made = *found;
   if (has_needle_ && needle_of_ != section_) leave_behind(section_ + " is worked as for " + made.name);
   needle_ = {};
@@ -347,9 +349,9 @@ bool PublishedWorker::as_before(const PublishedPart& part) {
   next_ = 0;
   any_number_ = true;
   fresh_ = false;
-  // It begins with its own held stitches, as the other one did.
-  for (PublishedHolder* const held : holders_.called(section_)) {
-    if (!section_.empty() && !held->name.empty() && same_name(section_, held->name)) held->emptied = line_;
+  if (made.took.count) {  // it begins with held stitches, as the other one did
+    PublishedHolder* held = holders_.find({part.again ? made.took.name : section_, "", made.took.count});
+    if (held != nullptr && held->loop.known && held->loop.count() == *made.took.count) held->emptied = line_;
   }
   if (stays_live_ || made.live) return true;
   if (made.held) {
@@ -378,6 +380,7 @@ std::optional<PublishedLoop> PublishedWorker::taken(const PublishedPart& part) {
     }
     return PublishedLoop{{}, false};
   }
+  took_ = {holder->name, "", holder->loop.known ? std::optional(holder->loop.count()) : std::nullopt};
   if (part.maybe && has_needle_ && (part.name.empty() || holder->name.empty())) return std::nullopt;
   PublishedLoop loop = holder->loop;
   const std::int64_t there = loop.count();
@@ -439,7 +442,7 @@ bool PublishedWorker::join_ends(const PublishedPart& part) {
   if (is_needle_known() && other->loop.known && other->loop.count() != needle_.count())
     blame("two live ends are joined, and they have " + std::to_string(needle_.count()) + " and " +
           stitches_text(other->loop.count()) + ".");
-  else if (part.count && is_needle_known() && *part.count != needle_.count() &&
+  else if (part.count && is_needle_known() && *part.count > needle_.count() &&
            *part.count != 2 * needle_.count())
     blame(stitches_text(needle_.count()) + " pair with as many, the line says " +
           std::to_string(*part.count) + ".");

@@ -32,6 +32,7 @@ class PublishedWorker {
     std::optional<std::int64_t> count;
     std::size_t rounds = 0;
     bool held = false, live = false;
+    HolderWanted took = {};  // what it began with, off a holder; without a count: nothing
   };
   // A round as it was told, to be repeated.
   struct Told {
@@ -82,6 +83,7 @@ class PublishedWorker {
   void round(const RoundLabel& label, const Tokens& tokens);
   void work(const Tokens& words, bool stated_here);
   void take_implied();
+  void is_live_already(std::vector<PublishedPart>& parts) const;
   void work_parts(const std::vector<PublishedPart>& parts, std::optional<std::int64_t> stated);
   void work_in_order(std::vector<PublishedPart> parts, std::optional<std::int64_t> stated);
   std::vector<WorkPart> read_parts(const std::vector<PublishedPart>& parts, Hand& hand);
@@ -103,6 +105,7 @@ class PublishedWorker {
   std::int64_t needle_copies_ = 1, copies_ = 1, next_ = 1, work_ = 0, cast_on_ = 0;
   bool has_needle_ = false;
   PublishedLoop needle_;
+  HolderWanted took_;      // by this section, last
   std::string needle_of_;  // the section that they belong to
   PublishedHolders holders_;
   std::vector<Section> made_;

@@ -94,7 +94,9 @@ bool goes_on(std::string_view line, std::string_view next) {
   const Ending ending = ending_of(line);
   if (!label_at(line, 0)) return !ending.finished && line.size() >= wrapped_width;
   if (ending.finished) return is_count(tokens);
-  return ending.comma || begins_work(tokens.front());
+  // "Slip the first 8 sts to a holder" is a sentence of its own.
+  const bool moves = tokens.front().is("slip") || tokens.front().is("place");
+  return ending.comma || (begins_work(tokens.front()) && !moves);
 }
 
 }  // namespace
