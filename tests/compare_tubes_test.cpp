@@ -201,3 +201,11 @@ TEST_CASE("compare and sweep sides: tubes that differ, and a figure of them to c
   CHECK(at.ui.controls.count("sweep/tubes") == 1);
   CHECK(at.ui.own<SweepCache>().highest(SweepFigure::tubes) == 3.0);
 }
+
+TEST_CASE("units: one of them stands in the singular") {
+  CHECK(with_unit("1", "rounds") == "1 round");
+  CHECK(with_unit("1", "stitches") == "1 stitch");
+  CHECK(with_unit("2", "stitch heights") == "2 stitch heights");
+  CHECK(with_unit("1", "weight") == "1 weight");
+  CHECK(with_unit("1.5", "stitch heights") == "1.5 stitch heights");
+}

@@ -1,7 +1,7 @@
 #include "app/compare/tube_figures.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <cmath>
 
 #include "knit/model/ring.h"
 #include "knit/model/words.h"
@@ -30,6 +30,11 @@ std::vector<TubeAt> places_of(const knit::TubePlan& plan) {
   return places;
 }
 
+double distance_of(const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 d = a - b;
+  return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+}
+
 struct TubesAlike {
   std::size_t a = 0, b = 0;
   double apart = 0.0;
@@ -41,9 +46,9 @@ std::vector<TubesAlike> alike_by_place(const knit::TubePlan& a, const knit::Tube
   std::vector<TubesAlike> all;
   for (std::size_t j = 0; j < in_b.size(); ++j) {
     for (std::size_t i = 0; i < in_a.size(); ++i) {
-      const double low = glm::distance(in_a[i].from, in_b[j].from);
-      const double high = glm::distance(in_a[i].to, in_b[j].to);
-      const double middle = glm::distance(in_a[i].middle, in_b[j].middle);
+      const double low = distance_of(in_a[i].from, in_b[j].from);
+      const double high = distance_of(in_a[i].to, in_b[j].to);
+      const double middle = distance_of(in_a[i].middle, in_b[j].middle);
       if (std::max({low, high, middle}) <= std::max(in_a[i].height, in_b[j].height))
         all.push_back({i, j, low + high + middle});
     }

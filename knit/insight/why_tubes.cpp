@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "knit/insight/why.h"
-#include "knit/mesh/union_find.h"
 #include "knit/tubes/low_limbs.h"
 
 namespace knit {
@@ -94,18 +94,21 @@ std::optional<CriticalStory> critical_story(const Timeline& timeline, VertexId v
 }
 
 bool closes_handle(const TubePlan& plan, std::int32_t event) {
-  UnionFind tubes(plan.tubes.size());
-  // Events stand by rank: what is joined by those before hangs together below this one.
+  // Of each tube the lowest that it hangs together with: events stand by rank, so those before lie below.
+  std::vector<TubeId> together(plan.tubes.size());
+  std::iota(together.begin(), together.end(), 0);
+  const auto of = [&](TubeId tube) { return together[static_cast<std::size_t>(tube)]; };
   for (std::int32_t i = 0; i < event; ++i) {
     const TubeEvent& before = plan.event(i);
     std::vector<TubeId> all = before.below;
     all.insert(all.end(), before.above.begin(), before.above.end());
-    for (const TubeId tube : all)
-      tubes.join(static_cast<std::uint32_t>(all.front()), static_cast<std::uint32_t>(tube));
+    for (const TubeId tube : all) {
+      const auto [low, high] = std::minmax({of(all.front()), of(tube)});
+      std::replace(together.begin(), together.end(), high, low);
+    }
   }
   const std::vector<TubeId>& below = plan.event(event).below;
-  return below.size() == 2 &&
-         tubes.find(static_cast<std::uint32_t>(below[0])) == tubes.find(static_cast<std::uint32_t>(below[1]));
+  return below.size() == 2 && of(below[0]) == of(below[1]);
 }
 
 }  // namespace knit

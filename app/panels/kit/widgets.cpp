@@ -173,6 +173,15 @@ std::string with_commas(std::size_t count, std::string_view one, std::string_vie
   return with_commas(count) + " " + std::string(count == 1 ? one : many);
 }
 
+std::string with_unit(std::string_view number, std::string_view unit) {
+  std::string_view one = unit;
+  if (one.ends_with("ches"))
+    one.remove_suffix(2);
+  else if (one.ends_with("s"))
+    one.remove_suffix(1);
+  return std::string(number) + " " + std::string(number == "1" ? one : unit);
+}
+
 std::string capitalised(std::string_view name) {
   std::string words(name);
   std::replace(words.begin(), words.end(), '-', ' ');

@@ -78,6 +78,8 @@ std::string cut_to_width(std::string_view words, float width);
 
 std::string with_commas(std::size_t number);
 std::string with_commas(std::size_t count, std::string_view one, std::string_view many);  // "1,200 stitches"
+// "3 rounds", "1 round": a number with a unit that is given in the plural.
+std::string with_unit(std::string_view number, std::string_view unit);
 std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
 std::string with_capital(std::string words);     // what begins a sentence
 std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"

@@ -39,11 +39,11 @@ struct Control {
 
   // "%.4g mesh units" where it fits; one is "1 mesh unit".
   [[nodiscard]] std::string format(const char* number, const std::string& shown) const {
-    std::string unit(info.unit);
-    if (shown == "1" && unit.ends_with('s')) unit.pop_back();
+    if (info.unit.empty()) return number;
+    const std::string whole = with_unit(shown, info.unit);
     const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
-    const bool fits = !unit.empty() && ImGui::CalcTextSize((shown + " " + unit).c_str()).x < room;
-    return fits ? std::string(number) + " " + unit : number;
+    const bool fits = ImGui::CalcTextSize(whole.c_str()).x < room;
+    return fits ? number + whole.substr(shown.size()) : number;
   }
 
   // Lengths are dragged in proportion to the mesh, others over decades.
