@@ -90,14 +90,17 @@ Names different(const Document& a, const Document& b) {
 }
 
 Names different(const Gaze& a, const Gaze& b) {
-  const auto& [camera, camera_kept, picking, knit_along_deal, hovered_stitch, hovered_rounds, knit_along,
-               knit_along_round] = a;
+  const auto& [camera, camera_kept, picking, knit_along_deal, hovered_stitch, hovered_rounds,
+               hovered_twin_stitches, hovered_twins, chart_piece, knit_along, knit_along_round] = a;
   return those_that_differ({{"camera", !(camera == b.camera)},
                             {"camera_kept", camera_kept != b.camera_kept},
                             {"picking", picking != b.picking},
                             {"knit_along_deal", knit_along_deal != b.knit_along_deal},
                             {"hovered_stitch", hovered_stitch != b.hovered_stitch},
                             {"hovered_rounds", hovered_rounds != b.hovered_rounds},
+                            {"hovered_twin_stitches", hovered_twin_stitches != b.hovered_twin_stitches},
+                            {"hovered_twins", hovered_twins != b.hovered_twins},
+                            {"chart_piece", chart_piece != b.chart_piece},
                             {"knit_along", knit_along != b.knit_along},
                             {"knit_along_round", knit_along_round != b.knit_along_round}});
 }
@@ -205,6 +208,9 @@ void fill(View& view) {
   view.gaze.knit_along_deal = 1;
   view.gaze.hovered_stitch = StitchAt{2, 3};
   view.gaze.hovered_rounds = RoundSpan{2, 3};
+  view.gaze.hovered_twin_stitches = {StitchAt{9, 1}};
+  view.gaze.hovered_twins = {RoundSpan{9, 10}};
+  view.gaze.chart_piece = "B";
   view.gaze.knit_along = 4;
   view.gaze.knit_along_round = 4;
   view.aspect = 1.25;

@@ -1,6 +1,5 @@
 // The tubes of a shape, drawn upward: what is knitted so far, what waits on holders, and a few sentences about them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -102,6 +101,7 @@ struct Drawing {
 };
 
 constexpr std::uint8_t bright = 235, faint = 70;
+constexpr float symbol_room = 5.0f;  // plain units: half of what an event's symbol needs
 
 // Girths differ by far more than places on the screen do.
 float half_width(const PanelFrame& frame, const Drawing& drawing, double length) {
@@ -323,8 +323,31 @@ std::vector<LabelLine> label_of(const PanelFrame& frame, const Drawing& drawing,
   return {};
 }
 
-// The name alone, where a tube is too low for it: at its side, as far as its column goes.
-void draw_name_beside(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown) {
+ImVec2 event_at(const Drawing& drawing, std::size_t event) {
+  const EventPlace& place = drawing.seen.layout.events[event];
+  return {drawing.x_of(place.x), drawing.y_of(place.y)};
+}
+
+using TakenPlaces = std::vector<Box>;  // by events' symbols and by names
+
+// Over the symbol that a tube ends with, where it is free: many limbs are narrower than a name.
+void draw_name_over(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown,
+                    const std::string& name, TakenPlaces& taken) {
+  const auto top = static_cast<std::size_t>(drawing.tube(shown.id).top);
+  if (drawing.plan.events[top].kind != knit::EventKind::bind_off) return;
+  const ImVec2 size = ImGui::CalcTextSize(name.c_str()), end = event_at(drawing, top);
+  const Box at{end.x - 0.5f * size.x, whole(end.y - frame.units(symbol_room) - size.y), size.x, size.y};
+  const bool hidden = std::any_of(taken.begin(), taken.end(), [&](const Box& b) {
+    return at.x < b.right() && b.x < at.right() && at.y < b.bottom() && b.y < at.bottom();
+  });
+  if (hidden || at.y < drawing.ground.y - frame.units(12.0f)) return;
+  taken.push_back(at);
+  text_at(ImVec2(end.x, at.y), 0.5f, shown.begun ? theme().text : theme().faint_text, name);
+}
+
+// The name alone, where a tube is too low for it: at its side, as far as its column goes, else over its end.
+void draw_name_outside(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown,
+                       TakenPlaces& taken) {
   push_font(frame.fonts.small);
   const std::string name = knit::tube_name(shown.id);
   const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : 0.0f;
@@ -333,13 +356,16 @@ void draw_name_beside(const PanelFrame& frame, const Drawing& drawing, const Sho
   if (x + ImGui::CalcTextSize(name.c_str()).x <= shown.x + room + frame.units(4.0f)) {
     const float y = 0.5f * (shown.bottom + shown.top - ImGui::GetTextLineHeight());
     text_at(ImVec2(x, whole(y)), 0.0f, shown.begun ? theme().text : theme().faint_text, name);
+  } else {
+    draw_name_over(frame, drawing, shown, name, taken);
   }
   pop_font();
 }
 
-void draw_tube_label(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown) {
+void draw_tube_label(const PanelFrame& frame, const Drawing& drawing, const ShownTube& shown,
+                     TakenPlaces& taken) {
   const std::vector<LabelLine> lines = label_of(frame, drawing, shown);
-  if (lines.empty()) return draw_name_beside(frame, drawing, shown);
+  if (lines.empty()) return draw_name_outside(frame, drawing, shown, taken);
   const ImVec2 size = size_of_label(lines);
   const float middle = 0.5f * (shown.bottom + shown.top);
   const float edge = frame.units(3.0f);
@@ -356,11 +382,6 @@ void draw_tube_label(const PanelFrame& frame, const Drawing& drawing, const Show
 }
 
 // --- events ----------------------------------------------------------------------------------------------------
-
-ImVec2 event_at(const Drawing& drawing, std::size_t event) {
-  const EventPlace& place = drawing.seen.layout.events[event];
-  return {drawing.x_of(place.x), drawing.y_of(place.y)};
-}
 
 bool event_is_past(const Drawing& drawing, std::size_t event) {
   const knit::TubeEvent& of = drawing.plan.events[event];
@@ -380,7 +401,7 @@ void draw_events(const PanelFrame& frame, const Drawing& drawing) {
                                                       : theme().faint_text;
     const ImVec2 at = event_at(drawing, i);
     const float r = frame.units(now ? 5.5f : 4.0f);
-    drawing.list.AddCircleFilled(at, 1.7f * r, style::packed(theme().background));
+    drawing.list.AddCircleFilled(at, 1.25f * r, style::packed(theme().background));
     draw_event_symbol(drawing.list, drawing.plan.events[i].kind, at, r, style::packed(colour),
                       style::packed(theme().background));
   }
@@ -530,8 +551,12 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
     draw_outline(frame, drawing, tube, theme().text);
   draw_events(frame, drawing);
   // Words last: a narrow tube's are wider than it is, and a name stands close to an event.
+  const float r = frame.units(symbol_room);
+  TakenPlaces taken;
+  for (std::size_t i = 0; i < drawing.plan.events.size(); ++i)
+    taken.push_back({event_at(drawing, i).x - r, event_at(drawing, i).y - r, 2 * r, 2 * r});
   for (const ShownTube& shown : drawing.tubes) {
-    draw_tube_label(frame, drawing, shown);
+    draw_tube_label(frame, drawing, shown, taken);
     if (shown.held) dashed_across(frame, drawing, shown);
   }
   ImGui::SetCursorScreenPos(at);
