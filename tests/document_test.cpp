@@ -337,7 +337,7 @@ TEST_CASE("a picture's session is what is open and how one looks at it", "[docum
   CHECK(different(*picture.document, *full.document) == none);
   CHECK(different(*picture.view, *full.view) == Names{"gaze", "playback", "dialogs"});
   CHECK(different(picture.view->gaze, full.view->gaze) ==
-        Names{"picking", "hovered_stitch", "hovered_rounds"});
+        Names{"picking", "hovered_stitch", "hovered_rounds", "hovered_twin_stitches", "hovered_twins"});
   CHECK(*picture.learning == Learning{});
   CHECK(*picture.outbox == Outbox{});
   CHECK(different(*picture.jobs, Jobs{}) == none);
