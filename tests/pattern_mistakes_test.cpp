@@ -4,9 +4,10 @@
 #include "knit/reader/pattern_reader.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_pattern.h"
+#include "tests/support/repeated.h"
 
 using namespace knit;
-using test_support::Dice;
+using test_support::PatternDice;
 using test_support::RandomWriter;
 using test_support::Style;
 
@@ -117,7 +118,7 @@ TEST_CASE("each planted mistake is found on its line, and nothing else") {
   for (const Plant& plant : all_plants()) {
     int here = 0;
     for (std::uint32_t seed = 1; seed <= 400 && here < 20; ++seed) {
-      Dice dice(seed * 7919);
+      PatternDice dice(seed * 7919);
       Lines lines =
           RandomWriter(Style::brackets, seed).lines(test_support::random_pattern_rounds(seed), true);
       const auto at = static_cast<std::size_t>(dice.roll(4, static_cast<int>(lines.size()) - 2));
@@ -147,8 +148,8 @@ TEST_CASE("any bytes are read to the end, and what is handed on can be worked") 
       "<html><p>CO 6 sts</p><table><td>Rnd 1:<td>K6</td></table><svg>x</svg>&#42;&times;</html>");
   const std::string marks = "*[](){},;.:-0123456789 \n\r\t\"<>&#\\xkKm\xC3\x97\xE2";
   std::size_t mistakes = 0;
-  Dice dice(4711);
-  for (int i = 0; i < 20000; ++i) {
+  PatternDice dice(4711);
+  for (int i = 0; i < test_support::repeated(20000); ++i) {
     std::string text = good[static_cast<std::size_t>(i) % good.size()];
     for (int changes = dice.roll(1, 8); changes > 0 && !text.empty(); --changes) {
       const auto at = static_cast<std::size_t>(dice.roll(0, static_cast<int>(text.size()) - 1));
@@ -178,7 +179,7 @@ TEST_CASE("any bytes are read to the end, and what is handed on can be worked") 
                        [](const PatternMistake& a, const PatternMistake& b) { return a.line < b.line; });
     if (graph.rows.size() != read.rounds.rounds.size() + 1 || !by_line) FAIL(text);
   }
-  CHECK(mistakes > 10000);
+  if (test_support::whole()) CHECK(mistakes > 10000);
 }
 
 TEST_CASE("hostile texts end quickly") {
@@ -187,34 +188,36 @@ TEST_CASE("hostile texts end quickly") {
     for (int i = 0; i < times; ++i) text += part;
     return text;
   };
-  const int n = 100000;
-  for (const std::string& text : {"CO 6 sts\nRnd 1: " + many("[", n),
-                                  "CO 6 sts\nRnd 1: " + many("*", n),
-                                  "CO 6 sts\nRnd 1: " + many("k1, ", n),
-                                  "CO 6 sts\nRnd 1: K6\n" + many("draw ", n),
-                                  "CO 6 sts\nRnd 1: K6\n" + many("thread through ", n),
-                                  "CO 6 sts\nRnd 1: K6 " + many("(6 ", n),
-                                  "CO 100000 sts\nRnds 1-9999: Knit.\n" + many("Rnd 1: Knit.\n", n),
-                                  "CO 6 sts\nRnds 1" + many(", 2", n),
-                                  many("<td>", n),
-                                  many("<svg>", n),
-                                  many("<", n),
-                                  many("&", n),
-                                  "<p>" + many("<!--", n),
-                                  many("</p><td>Rnd 1:", n),
-                                  many("CO ", n),
-                                  many("Rnd ", n),
-                                  many("rnd 1: ", n),
-                                  many(". Rnd 1: K1", n),
-                                  many("a\n", n),
-                                  many("CO 6\n", n),
-                                  "CO 1 st\n" + many("Rnd 1: [m1l] 99999 times\n", n),
-                                  std::string(n, '\0'),
-                                  std::string("CO 6 sts\nRnd 1: K6") + std::string(n, '9') + " sts",
-                                  many("place the ", n),
-                                  "CO 6 sts\nRnd 1: k " + many("the ", n),
-                                  "CO 3 sts\nRnd 1: " + many("around of the ", n)}) {
+  const int most = 100000;
+  const int n = test_support::repeated(most);
+  for (const std::string& text :
+       {"CO 6 sts\nRnd 1: " + many("[", n),
+        "CO 6 sts\nRnd 1: " + many("*", n),
+        "CO 6 sts\nRnd 1: " + many("k1, ", n),
+        "CO 6 sts\nRnd 1: K6\n" + many("draw ", n),
+        "CO 6 sts\nRnd 1: K6\n" + many("thread through ", n),
+        "CO 6 sts\nRnd 1: K6 " + many("(6 ", n),
+        "CO 100000 sts\nRnds 1-9999: Knit.\n" + many("Rnd 1: Knit.\n", n),
+        "CO 6 sts\nRnds 1" + many(", 2", n),
+        many("<td>", n),
+        many("<svg>", n),
+        many("<", n),
+        many("&", n),
+        "<p>" + many("<!--", n),
+        many("</p><td>Rnd 1:", n),
+        many("CO ", n),
+        many("Rnd ", n),
+        many("rnd 1: ", n),
+        many(". Rnd 1: K1", n),
+        many("a\n", n),
+        many("CO 6\n", n),
+        "CO 1 st\n" + many("Rnd 1: [m1l] 99999 times\n", n),
+        std::string(static_cast<std::size_t>(n), '\0'),
+        std::string("CO 6 sts\nRnd 1: K6") + std::string(static_cast<std::size_t>(n), '9') + " sts",
+        many("place the ", n),
+        "CO 6 sts\nRnd 1: k " + many("the ", n),
+        "CO 3 sts\nRnd 1: " + many("around of the ", n)}) {
     CAPTURE(text.substr(0, 60));
-    CHECK(read_pattern(text).rounds.cast_on <= n);
+    CHECK(read_pattern(text).rounds.cast_on <= most);
   }
 }

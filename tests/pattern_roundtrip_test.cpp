@@ -10,6 +10,7 @@
 #include "knit/run/timeline.h"
 #include "knit/stitches/placement.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 
 using namespace knit;
 
@@ -92,7 +93,7 @@ TEST_CASE("round trip: a thousand random tubes come back") {
   const auto draw = [&](std::int32_t low, std::int32_t high) {
     return low + static_cast<std::int32_t>(random() % static_cast<std::uint64_t>(high - low + 1));
   };
-  for (int tube = 0; tube < 1000; ++tube) {
+  for (int tube = 0; tube < test_support::repeated(1000); ++tube) {
     std::vector<std::int32_t> sizes{draw(3, 24)};
     const std::int32_t rows = draw(3, 16);
     while (static_cast<std::int32_t>(sizes.size()) < rows) {

@@ -100,6 +100,8 @@ class Sources:
                 if any(macro for _, _, macro in included) and path.startswith((ROOT + os.sep, self.build + os.sep)):
                     # What it includes stands nowhere: never equal to anything.
                     text += os.urandom(16)
+                if path.startswith(self.build + os.sep):
+                    text = os.fsencode(self.neutral(os.fsdecode(text)))  # what CMake writes may name places
                 self.contents[path] = (hashlib.sha256(text).hexdigest(), quoted, bracketed)
         return self.contents[path]
 
@@ -155,13 +157,19 @@ class Sources:
 
         add(version, self.neutral("\n".join(flags)), *settings)
         everything = set()
-        for path in paths:
+        for path in [*paths, *included_by(words)]:
             add(self.neutral(path))
             everything |= self._reach(folders, path)
         for path in sorted(everything, key=self.neutral):
             read = self._read(path)
             add(self.neutral(path), read[0] if read is not None else "missing")
         return total.hexdigest()[:32]
+
+
+def included_by(words):
+    """What a command includes before the source, without what only clang's own option says."""
+    plain = [word for word in words if word != "-Xclang"]
+    return [plain[at + 1] for at, word in enumerate(plain[:-1]) if word == "-include"]
 
 
 def text_of(path):

@@ -12,9 +12,9 @@
 
 namespace test_support {
 
-class Dice {
+class PatternDice {
  public:
-  explicit Dice(std::uint32_t seed) : engine_(seed) {}
+  explicit PatternDice(std::uint32_t seed) : engine_(seed) {}
   // From `low` to `high`, both possible.
   int roll(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1));
@@ -28,7 +28,7 @@ class Dice {
 using Operations = std::vector<knit::Operation>;
 
 // A unit that takes `takes` stitches: knits with some increases or some decreases among them.
-inline Operations random_unit(Dice& dice, int takes, bool grows) {
+inline Operations random_unit(PatternDice& dice, int takes, bool grows) {
   Operations unit;
   for (int left = takes; left > 0;) {
     if (!grows && left >= 2 && dice.chance(30)) {
@@ -43,7 +43,7 @@ inline Operations random_unit(Dice& dice, int takes, bool grows) {
   return unit;
 }
 
-inline Operations random_round(Dice& dice, int stitches) {
+inline Operations random_round(PatternDice& dice, int stitches) {
   const bool grows = stitches < 6 || (stitches < 60 && dice.chance(60));
   if (dice.chance(35)) return {static_cast<std::size_t>(stitches), knit::Operation{}};
   std::vector<int> divisors;
@@ -62,7 +62,7 @@ inline Operations random_round(Dice& dice, int stitches) {
 
 // Rounds of 3 to 120 stitches; none more than doubles or halves.
 inline knit::Rounds random_pattern_rounds(std::uint32_t seed) {
-  Dice dice(seed);
+  PatternDice dice(seed);
   knit::Rounds rounds;
   rounds.cast_on = dice.roll(3, 12);
   const int many = dice.roll(4, 24);
@@ -238,7 +238,7 @@ class RandomWriter {
   }
 
   Style style_;
-  Dice dice_;
+  PatternDice dice_;
 };
 
 }  // namespace test_support
