@@ -137,7 +137,7 @@ TEST_CASE("chart twins: a button chooses the chart until another round comes to 
   CHECK(desk.session.view->gaze.chart_piece.empty());
 }
 
-TEST_CASE("chart twins: a script chooses the chart; links and sessions keep it; no other piece is taken") {
+TEST_CASE("chart twins: a script chooses the chart and links and sessions keep it") {
   Session session = trousers_at_end();
   apply(session, ShowCentre{CentrePanel::chart, "C"});
   CHECK(session.view->gaze.chart_piece == "C");

@@ -160,7 +160,7 @@ Names different(const Program& a, const Program& b) {
 }
 
 constexpr std::size_t document_fields = 19, travel_fields = 8, change_fields = 5, view_fields = 12,
-                      gaze_fields = 8, learning_fields = 3, outbox_fields = 6, job_fields = 8,
+                      gaze_fields = 11, learning_fields = 3, outbox_fields = 6, job_fields = 8,
                       program_fields = 3;
 
 // --- a session with something in every field ---------------------------------------------------------------
