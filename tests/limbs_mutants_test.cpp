@@ -13,6 +13,7 @@
 #include "tests/support/limb_hands.h"
 #include "tests/support/random_fabric.h"
 #include "tests/support/repeated.h"
+#include "tests/support/ringed_fabric.h"
 
 using namespace knit;
 
@@ -110,8 +111,9 @@ std::vector<Mutant> mutants_of(const Lines& lines) {
   return mutants;
 }
 
-std::size_t check_mutants(const State& state) {
-  const std::string text = pattern_as_text(write_pattern(plan_limbs(state), {22.0, 32.0}, {}, "shape"));
+std::size_t check_mutants(const State& state, const LimbOptions& options = {}) {
+  const std::string text =
+      pattern_as_text(write_pattern(plan_limbs(state, options), {22.0, 32.0}, {}, "shape"));
   const ReadLimbs sound = read_limbs(text);
   REQUIRE(sound.mistakes.empty());
   const Lines lines = lines_in(text);
@@ -198,6 +200,23 @@ TEST_CASE("limbs mutants: fabrics of no shape") {
     if (has_limbs(state)) mutants += check_mutants(state);
   }
   CHECK(mutants > 800);
+}
+
+TEST_CASE("limbs mutants: rims that are bound off together") {
+  LimbOptions three;
+  three.three_needle = true;
+  std::size_t mutants = 0;
+  for (unsigned seed = 0; seed < 60 && mutants < 400; ++seed) {
+    CAPTURE(seed);
+    State state = test_support::RingedFabric(seed).of(test_support::RandomFabric(seed).run(2));
+    if (!has_limbs(state)) continue;
+    state.work = Finished{};
+    const LimbPlan plan = plan_limbs(state, three);
+    const bool together = std::any_of(plan.pieces.begin(), plan.pieces.end(),
+                                      [](const LimbPiece& piece) { return piece.end.three_needle; });
+    if (together) mutants += check_mutants(state, three);
+  }
+  CHECK(mutants >= 400);
 }
 
 TEST_CASE("limbs reader: a pattern written by hand is read without a title") {

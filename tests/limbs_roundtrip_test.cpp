@@ -268,6 +268,33 @@ TEST_CASE("limbs round trip: fabrics of no shape with rings") {
   CHECK(rings.steep > 5);
 }
 
+TEST_CASE("limbs round trip: rims that are bound off together are the same graph") {
+  LimbOptions three;
+  three.three_needle = true;
+  int together = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    State state = test_support::RingedFabric(seed).of(
+        test_support::RandomFabric(seed).run(1 + static_cast<int>(seed % 5)));
+    if (!has_limbs(state)) continue;
+    state.work = Finished{};
+    const LimbPlan plan = plan_limbs(state, three);
+    const auto seams = std::count_if(plan.pieces.begin(), plan.pieces.end(),
+                                     [](const LimbPiece& piece) { return piece.end.three_needle; });
+    if (seams == 0) continue;
+    together += static_cast<int>(seams);
+    const WrittenPattern words = write_pattern(plan, {22.0, 32.0}, {}, "shape");
+    const ReadLimbs hands = check_plan(plan, state);
+    check_reads_back(pattern_as_text(words), hands);
+    check_reads_back(pattern_as_markdown(words), hands);
+    check_reads_back(app::pattern_html(words, app::PiecesArt{}), hands);
+    check_reads_back(app::pattern_knitspeak(plan, {}), hands);
+    CHECK(app::pattern_json(plan).find("\"by\":\"three-needle\"") != std::string::npos);
+    CHECK(pattern_as_text(words).find("Three-needle bind off with ") != std::string::npos);
+  }
+  CHECK(together > 5);
+}
+
 TEST_CASE("limbs round trip: two rounds, cast on together, bound off or grafted to each other") {
   std::int32_t rings = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {

@@ -185,7 +185,8 @@ TEST_CASE("numbers or auto, counts or auto, directions and gauges read back as t
                         Case{"rows", "contours", "contours"},
                         Case{"sizes", "gauge", "gauge"},
                         Case{"metric", "geodesic", "geodesic"},
-                        Case{"follow-mains", "on", "on"}}) {
+                        Case{"follow-mains", "on", "on"},
+                        Case{"graft", "three-needle", "three-needle"}}) {
     CAPTURE(c.key, c.text);
     const ParameterInfo& info = *find_parameter(c.key);
     Parameters p;
@@ -252,7 +253,7 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
                                                "last-anchor",     "resample", "close"};
   const std::vector<std::string_view> of_nearest{"stacking-penalty", "follow-mains"};
   const std::vector<std::string_view> of_contours{"field-smoothing", "smoothing-length", "smallest-limb",
-                                                  "round-start"};
+                                                  "round-start", "graft"};
   const auto among = [](const std::vector<std::string_view>& keys, std::string_view key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };

@@ -111,6 +111,33 @@ TEST_CASE("pieces: a torus that lies is cast on provisionally and grafted") {
   CHECK(plan.piece(0).inner != plan.piece(1).inner);
 }
 
+TEST_CASE("pieces: rims are bound off together where that is wished and their stitches pair one by one") {
+  LimbOptions three;
+  three.three_needle = true;
+  std::size_t together = 0, apart = 0;
+  for (const double width : {0.04, 0.05, 0.06}) {
+    const State state = run_of(torus(48, 24, 1.0, 0.4), width);
+    const LimbPlan plan = plan_limbs(state, three);
+    const LimbEnd& end = plan.pieces.back().end;
+    REQUIRE(end.kind == LimbEndKind::grafted);
+    const bool one_by_one = std::all_of(end.grafts.begin(), end.grafts.end(),
+                                        [](const LimbGraft& graft) { return graft == LimbGraft{}; });
+    CHECK(end.three_needle == one_by_one);
+    CHECK_FALSE(plan_limbs(state).pieces.back().end.three_needle);
+    (one_by_one ? together : apart) += 1;
+    const WrittenPattern pattern = write_pattern(plan, {22.0, 32.0}, {}, "ring");
+    const std::string text = told(pattern);
+    CHECK(has_words(text, "Three-needle bind off with ") == one_by_one);
+    CHECK(has_words(text, "Graft to ") == !one_by_one);
+    CHECK(has_words(text, "do not pair one by one") == !one_by_one);
+    CHECK(has_words(all_of(pattern.materials), "A third needle of that size") == one_by_one);
+    CHECK(read_pattern(pattern_as_text(pattern)).mistakes.empty());
+    CHECK(read_pattern(pattern_as_markdown(pattern)).mistakes.empty());
+  }
+  CHECK(together + apart == 3);
+  CHECK(apart > 0);
+}
+
 TEST_CASE("pieces: two feet are made together, two horns are divided") {
   const State feet = run_of(test_support::arch(), 0.05);
   const std::string text = told(words_for(feet));
@@ -140,7 +167,7 @@ TEST_CASE("pieces: notes and materials tell holders, markers and gaps") {
   CHECK(has_words(all_of(pattern.materials), "Removable markers"));
   CHECK(has_words(all_of(pattern.notes), "Each gap is cast on once and picked up once"));
   CHECK_FALSE(has_words(all_of(pattern.notes), "provisional"));
-  CHECK(has_words(told(pattern), "(Order of work; 1 holder at once at most, 2 yarns begun:)"));
+  CHECK(has_words(told(pattern), "(Order of work; 2 holders at once at most, the yarn is begun twice:)"));
   CHECK(has_words(pattern_as_text(pattern), "\n\nBranch B: "));
   CHECK(has_words(pattern_as_markdown(pattern), "\n\n### Branch B: "));
   CHECK(read_pattern(pattern_as_text(pattern)).mistakes.empty());

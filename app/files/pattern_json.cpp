@@ -135,6 +135,7 @@ Json end_json(const knit::LimbNames& names, const knit::LimbPlan& plan, const kn
   Json json{{"kind", json_word(end.kind)}};
   if (end.piece >= 0) json["piece"] = names(end.piece);
   if (end.kind != knit::LimbEndKind::grafted) return json;
+  json["by"] = end.three_needle ? "three-needle" : "kitchener";
   json["slips_back"] = end.slips_back;
   json["others_first"] = end.other_first;
   json["grafts"] = Json::array();

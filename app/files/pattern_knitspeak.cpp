@@ -93,7 +93,8 @@ std::string speak_rounds(const knit::LimbPiece& piece) {
 
 constexpr const char* where_it_ends =
     "(Knitspeak has words for rounds. Headings, and lines that begin with Rejoin, Remove, Divide,\n"
-    "Join, Break, Do not break, Bind off and Graft, are this program's: other tools may not read them.)\n";
+    "Join, Break, Do not break, Bind off, Graft and Three-needle, are this program's: other tools may not "
+    "read them.)\n";
 
 }  // namespace
 

@@ -72,9 +72,10 @@ void name_pieces(PlannedPieces& planned, const PatternPieces& pieces, const knit
 }
 
 PlannedPieces planned_pieces(const knit::State& state, const PatternPieces& pieces,
-                             const knit::PatternOptions& options) {
+                             const knit::PatternOptions& options, knit::GraftBy graft) {
+  const bool three_needle = graft == knit::GraftBy::three_needle;
   PlannedPieces planned;
-  planned.plan = knit::plan_limbs(state);
+  planned.plan = knit::plan_limbs(state, {true, {}, three_needle});
   planned.cheapest_yarns = planned.plan.yarns;
   planned.cheapest_held = planned.plan.held_most;
   for (std::int32_t i = 0; i < planned.plan.count(); ++i) planned.letters.push_back(knit::tube_name(i));
@@ -85,7 +86,7 @@ PlannedPieces planned_pieces(const knit::State& state, const PatternPieces& piec
     planned.refused = std::move(*why);
     return planned;
   }
-  planned.plan = knit::plan_limbs(state, {true, tubes_in_order(planned, pieces.order)});
+  planned.plan = knit::plan_limbs(state, {true, tubes_in_order(planned, pieces.order), three_needle});
   planned.letters = pieces.order;
   planned.chosen = true;
   find_what_stands_on_what(state, planned);
@@ -94,7 +95,9 @@ PlannedPieces planned_pieces(const knit::State& state, const PatternPieces& piec
 }
 
 PlannedPieces planned_pieces(const Session& session) {
-  return planned_pieces(session.document->timeline.state(), session.document->pieces, session.view->pattern);
+  const knit::Timeline& timeline = session.document->timeline;
+  return planned_pieces(timeline.state(), session.document->pieces, session.view->pattern,
+                        timeline.parameters().pattern.graft);
 }
 
 std::optional<std::string> why_not_in_order(const PlannedPieces& planned,

@@ -28,7 +28,8 @@ struct PlannedPieces {
 
 // Requires limbs, and that they are known (limb_plan.h).
 PlannedPieces planned_pieces(const knit::State& state, const PatternPieces& pieces,
-                             const knit::PatternOptions& options);
+                             const knit::PatternOptions& options,
+                             knit::GraftBy graft = knit::GraftBy::kitchener);
 // Of the state that is shown. Requires something open, too.
 PlannedPieces planned_pieces(const Session& session);
 

@@ -114,6 +114,20 @@ bool limbs_are_known(const State& state) {
   return begun && static_cast<std::size_t>(worked) == state.fabric.joins().size();
 }
 
+namespace {
+
+void bind_off_together(LimbPlan& plan) {
+  plan.three_needle = true;
+  for (LimbPiece& piece : plan.pieces) {
+    const std::vector<LimbGraft>& grafts = piece.end.grafts;
+    piece.end.three_needle = piece.end.kind == LimbEndKind::grafted &&
+                             std::all_of(grafts.begin(), grafts.end(),
+                                         [](const LimbGraft& graft) { return graft == LimbGraft{}; });
+  }
+}
+
+}  // namespace
+
 LimbPlan plan_limbs(const State& state, const LimbOptions& options) {
   const LimbTubes tubes = limb_tubes_of(state);
   OrderedLimbs limbs = limbs_in_order(tubes, numbers_of(tubes, options.order));
@@ -121,6 +135,7 @@ LimbPlan plan_limbs(const State& state, const LimbOptions& options) {
   add_rounds(tubes, limbs.runs, limbs.markers, plan);
   give_roles(plan);
   if (options.twins_alike) shape_twins_alike(plan);
+  if (options.three_needle) bind_off_together(plan);
   plan.cost = limbs.cost;
   return plan;
 }

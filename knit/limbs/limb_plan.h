@@ -16,6 +16,7 @@ struct LimbOptions {
   bool twins_alike = true;
   std::vector<TubeId>
       order;  // that a person chose, of tubes with rows; empty, or no legal order: the fabric's
+  bool three_needle = false;  // instead of grafts, where stitches pair one by one
   friend bool operator==(const LimbOptions&, const LimbOptions&) = default;
 };
 

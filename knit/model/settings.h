@@ -37,8 +37,9 @@ enum class OnStall : std::uint8_t { continue_, stop };    // when no vertex lies
 enum class Resample : std::uint8_t { on, off };           // when a row more than doubles or halves
 // Whether stitches are moved on the surface to where they are at ease; by_itself: those of contours.
 enum class Settling : std::uint8_t { off, on, by_itself };
-enum class FollowMains : std::uint8_t { off, on };  // nearest: shaping stands beside mains
-enum class Weld : std::uint8_t { off, on };         // merge coincident vertices on import
+enum class FollowMains : std::uint8_t { off, on };              // nearest: shaping stands beside mains
+enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live rims become one seam
+enum class Weld : std::uint8_t { off, on };                     // merge coincident vertices on import
 
 struct MeshSettings {
   Weld weld = Weld::off;
@@ -136,6 +137,12 @@ struct SettleSettings {
   friend bool operator==(const SettleSettings&, const SettleSettings&) = default;
 };
 
+// What no stage reads: how the pattern is told.
+struct PatternSettings {
+  GraftBy graft = GraftBy::kitchener;
+  friend bool operator==(const PatternSettings&, const PatternSettings&) = default;
+};
+
 // In the order in which they are read.
 struct Settings {
   MeshSettings mesh;
@@ -145,6 +152,7 @@ struct Settings {
   RowsSettings rows;
   StitchSettings stitches;
   SettleSettings settle;
+  PatternSettings pattern;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -62,6 +62,8 @@ constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"}
 constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
 constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
+constexpr std::array<std::string_view, 2> graft_names{"kitchener", "three-needle"};
+
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
                         [](Parameters& p, int view) { give_sizes(p, static_cast<SizesFrom>(view)); }},
                        sizes_names};
@@ -236,6 +238,14 @@ constexpr std::array table{
     ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
                   "Settling", Stage::settle,
                   Count{field<&Settings::settle, &SettleSettings::most_iterations>(), 1, 500}, is_settled},
+    ParameterInfo{
+        "graft", "Seams by", "",
+        "How two rims of live stitches become one seam, as at the top of a ring. kitchener: grafted, a seam "
+        "that nobody sees, for a rounded toy. three-needle: bound off together where the stitches pair one "
+        "by "
+        "one; quicker and firmer, with a ridge, for a flat seam.",
+        "Pattern", Stage::done, choice<&Settings::pattern, &PatternSettings::graft>(graft_names),
+        is_of_contours},
 };
 
 }  // namespace

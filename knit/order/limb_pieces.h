@@ -80,6 +80,7 @@ struct LimbEnd {
   std::vector<LimbGraft> grafts;  // in working order of the needle
   std::int32_t slips_back = 0;    // stitches put back before grafting
   std::int32_t other_first = 0;   // grafted: the first of the holder's stitches, which come backwards
+  bool three_needle = false;      // grafted: bound off together, the stitches pair one by one
   friend bool operator==(const LimbEnd&, const LimbEnd&) = default;
 };
 

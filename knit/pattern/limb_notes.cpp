@@ -50,7 +50,7 @@ void add_marker_lines(const LimbPlan& plan, const Used& used, std::vector<std::s
   if (holders > 0)
     lines.push_back("Removable markers: " + std::to_string(holders) + ", one for each holder" +
                     (late > 0 ? ", and one in another colour: a second marker is asked for " +
-                                    count_words(late, "time", "times") + "."
+                                    (late == 1 ? "once" : std::to_string(late) + " times") + "."
                               : "."));
   if (!plan.gaps.empty())
     lines.push_back("Short threads to mark " + count_words(plan.gaps.size(), "gap", "gaps") + ".");
@@ -83,6 +83,9 @@ std::vector<std::string> materials_of_limbs(const LimbPlan& plan, const PatternS
   lines.push_back("Needles: " + needle_text(needle_of(sizes.gauge, options)) +
                   ", or the size that gives the gauge: a set of five double-pointed" +
                   (needs_circular(sizes) ? " and, for the wide parts, a 40 cm (16 in) circular." : "."));
+  if (std::any_of(plan.pieces.begin(), plan.pieces.end(),
+                  [](const LimbPiece& piece) { return piece.end.three_needle; }))
+    lines.emplace_back("A third needle of that size, for the three-needle bind off.");
   add_holder_lines(plan, sizes, lines);
   if (is_stuffed(plan)) lines.emplace_back("Stuffing.");
   add_marker_lines(plan, used, lines);
@@ -155,6 +158,21 @@ bool gap_goes_on_holder(const LimbPlan& plan) {
   });
 }
 
+// Whether a gap is cast on and picked up in one line.
+bool one_join_does_both(const LimbPlan& plan) {
+  const auto both = [](const LimbDeal& deal) {
+    return std::any_of(deal.items.begin(), deal.items.end(), [&](const LimbItem& cast) {
+      return cast.kind == LimbItemKind::cast_on &&
+             std::any_of(deal.items.begin(), deal.items.end(), [&](const LimbItem& picked) {
+               return picked.kind == LimbItemKind::pick_up && picked.gap == cast.gap;
+             });
+    });
+  };
+  return std::any_of(plan.pieces.begin(), plan.pieces.end(), [&](const LimbPiece& piece) {
+    return std::any_of(piece.deals.begin(), piece.deals.end(), both);
+  });
+}
+
 void add_gap_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
   if (plan.gaps.empty()) return;
   notes.emplace_back(
@@ -167,10 +185,12 @@ void add_gap_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
                       : ""));
   notes.emplace_back(
       "\"Pick up 2 sts along gap 1\": lift one loop of that cast-on edge onto the needle for each st, "
-      "without "
-      "knitting; the next rnd works them. Each gap is cast on once and picked up once, so it closes "
-      "without "
-      "a hole.");
+      "without knitting; the next rnd works them. Each gap is cast on once and picked up once, so it closes "
+      "without a hole." +
+      std::string(one_join_does_both(plan)
+                      ? " Where one Join has both for the same gap, do each as Rnd 1 comes "
+                        "to it."
+                      : ""));
 }
 
 void add_piece_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
@@ -195,8 +215,8 @@ void add_piece_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
                                 [](const LimbPiece& piece) { return piece.round_count() <= 2; });
   if (tiny)
     notes.emplace_back(
-        "A piece of one or two rnds stands where loops meet or part at nearly the same height; nothing is "
-        "missing.");
+        "A piece of one or two rnds is no mistake: two limbs begin or meet there, one right above the "
+        "other.");
 }
 
 }  // namespace
@@ -210,10 +230,11 @@ std::vector<std::string> notes_of_limbs(const LimbPlan& plan, const LimbNames& n
                                  "needle after it. What stands in brackets by "
                                  "itself is a remark."};
   notes.emplace_back(
-      "Lines that begin with Divide, Join or Rejoin knit nothing. They list, from the marker on, what lies "
-      "on "
-      "the needle when Rnd 1 begins; \"keep\" means that sts stay there. A new yarn is joined at the first "
-      "of them.");
+      "Lines that begin with Divide, Join or Rejoin knit nothing. They list, from the marker on, the sts "
+      "that "
+      "Rnd 1 is then worked over; \"keep\" means that sts stay on the needle. Where a line says Rejoin yarn, "
+      "a "
+      "new yarn is joined before the first st of its list, and the marker goes there.");
   add_gap_notes(plan, notes);
   add_marker_notes(plan, names, notes);
   add_piece_notes(plan, notes);

@@ -48,7 +48,7 @@ std::string held_for_graft(const LimbPlan& plan, const LimbNames& names, std::in
   for (std::int32_t other = 0; other < plan.count(); ++other) {
     const LimbEnd& end = plan.piece(other).end;
     if (end.kind == LimbEndKind::grafted && end.piece == number)
-      return "held for " + names(other) + " (graft)";
+      return "held for " + names(other) + (end.three_needle ? " (three-needle bind off)" : " (graft)");
   }
   return "held";
 }
@@ -62,7 +62,7 @@ std::string words_of_end(const LimbPlan& plan, const LimbNames& names, std::int3
     case LimbEndKind::goes_on:
       return "goes on as " + names(piece.end.piece);
     case LimbEndKind::grafted:
-      return "grafted to " + names(piece.end.piece);
+      return (piece.end.three_needle ? "bound off with " : "grafted to ") + names(piece.end.piece);
     case LimbEndKind::closed:
       break;
   }

@@ -143,9 +143,12 @@ std::string graft_sentence(const LimbPlan& plan, const LimbNames& names, const L
   std::string back;
   if (end.slips_back == 1) back = "slip last st back, ";
   if (end.slips_back > 1) back = "slip last " + stitches_text(end.slips_back) + " back, ";
-  return "Graft to " + names(end.piece) + " (" + stitches_text(held) +
-         "), wrong sides together, its sts backwards from st " + number(first) + " to st " +
-         number(first % held + 1) + ": " + back + graft_words(end.grafts) + ". (0 sts)";
+  const auto pairs = static_cast<std::int32_t>(end.grafts.size());
+  return (end.three_needle ? "Three-needle bind off with " : "Graft to ") + names(end.piece) + " (" +
+         stitches_text(held) + "), wrong sides together, its sts backwards from st " + number(first) +
+         " to st " + number(first % held + 1) + ": " + back +
+         (end.three_needle ? "bind off " + plural(pairs, "pair", "pairs") : graft_words(end.grafts)) +
+         ". (0 sts)";
 }
 
 }  // namespace

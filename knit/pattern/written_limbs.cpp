@@ -83,10 +83,14 @@ class Writer {
   void step(std::string words) { all_.push_back({std::nullopt, std::move(words), InstructionKind::step}); }
 
   void overview() {
-    const std::string holders = plan_.held_most == 0
-                                    ? "no holder"
-                                    : plural(plan_.held_most, "holder", "holders") + " at once at most";
-    remark("Order of work; " + holders + ", " + plural(plan_.yarns, "yarn", "yarns") + " begun:");
+    const std::int32_t needed = holders_needed(plan_);
+    const std::string holders =
+        needed == 0 ? "no holder" : plural(needed, "holder", "holders") + " at once at most";
+    const std::string yarns = plan_.yarns == 1 ? "all with one yarn"
+                              : plan_.yarns == 2
+                                  ? "the yarn is begun twice"
+                                  : "the yarn is begun " + std::to_string(plan_.yarns) + " times";
+    remark("Order of work; " + holders + ", " + yarns + ":");
     for (const PieceFacts& facts : facts_) remark(overview_line(facts));
   }
 
@@ -166,7 +170,7 @@ class Writer {
     }
     if (twin < 0) return;
     add_as_twin(first, end, twin, from);
-    if (as_twin) remark("Stuff it before it closes, as " + names_(twin) + ".");
+    if (as_twin) remark("Stuff it before it closes, like " + names_(twin) + ".");
   }
 
   void add_as_twin(std::int32_t first, std::int32_t end, std::int32_t twin, std::int32_t from) {
@@ -223,12 +227,14 @@ class Writer {
     const bool joined = piece.end.kind == LimbEndKind::held || piece.end.kind == LimbEndKind::goes_on;
     if (!stuffed_ || !joined || widest_of(piece) < wide_enough_to_stuff || piece.round_count() <= long_limb)
       return;
-    if (begins_alone(piece)) {
-      remark(std::string("Pull the cast-on hole shut with its tail. Stuff ") +
-             (end - first > 1 ? "each before it is joined." : "it before it is joined."));
-    } else if (is_divided_next(first)) {
-      remark("Stuff what is made so far, up to a finger below the needle, before it is divided.");
-    }
+    const bool divided = is_divided_next(first), alone = begins_alone(piece);
+    if (!alone && !divided) return;
+    std::string words = alone ? "Pull the cast-on hole shut with its tail. " : "";
+    if (divided)
+      words += "Stuff what is made so far, up to a finger below the needle, before it is divided.";
+    else
+      words += std::string("Stuff ") + (end - first > 1 ? "each" : "it") + " before it is joined.";
+    remark(words);
   }
 
   void graft_remarks(std::int32_t first) {
@@ -239,10 +245,21 @@ class Writer {
     if (inner >= 0)
       remark("Push " + names_(inner) +
              " to the inside, wrong sides together; stuff the space between, if you like, "
-             "before the last sts are grafted.");
+             "before the last sts are " +
+             (piece.end.three_needle ? "bound off." : "grafted."));
     const bool one_by_one = std::all_of(piece.end.grafts.begin(), piece.end.grafts.end(),
                                         [](const LimbGraft& graft) { return graft == LimbGraft{}; });
-    if (one_by_one)
+    if (piece.end.three_needle)
+      remark(
+          "Hold both needles side by side. With a third needle knit the first st of the front one together "
+          "with the "
+          "first of the back one, then the next two, and pass the first new st over the second; so on to the "
+          "end. "
+          "The ridge stays outside.");
+    else if (plan_.three_needle)
+      remark(
+          "Here the sts do not pair one by one, so they are grafted: a three-needle bind off would pucker.");
+    else if (one_by_one)
       remark(
           "The sts pair one by one: a three-needle bind off joins them too, in place of the graft; it leaves "
           "a ridge.");

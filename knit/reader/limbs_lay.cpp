@@ -386,7 +386,7 @@ bool LimbWorker::take_held(std::int32_t count, std::size_t piece, std::int32_t f
 
 // --- grafting ----------------------------------------------------------------------------------------------------
 
-bool LimbWorker::graft(LimbScan at) {
+bool LimbWorker::graft(LimbScan at, bool three_needle) {
   const std::string_view words = at.rest();
   const auto name = at.name();
   if (!name || !at.take(" (")) return not_understood(words);
@@ -422,7 +422,7 @@ bool LimbWorker::graft(LimbScan at) {
   Loop other;
   for (std::int32_t i = 0; i < held; ++i)
     other.push_back(holder->second[static_cast<std::size_t>((*first - 1 - i + held) % held)].stitch);
-  if (!finish_piece() || !graft_words(at.rest().substr(0, end), other, slips)) return false;
+  if (!finish_piece() || !graft_words(at.rest().substr(0, end), other, slips, three_needle)) return false;
   holders_.erase(holder);
   needle_.clear();
   has_needle_ = yarn_ = false;
@@ -470,10 +470,22 @@ std::optional<std::vector<GraftStep>> graft_steps(std::string_view words) {
   return steps;
 }
 
+// "bind off 39 pairs"
+std::optional<std::vector<GraftStep>> pair_steps(std::string_view words) {
+  LimbScan at(words);
+  if (!at.take("bind off ")) return std::nullopt;
+  const auto count = at.number();
+  if (!count || *count < 1 || *count > most_stitches) return std::nullopt;
+  if (!at.take(*count == 1 ? " pair" : " pairs") || !at.done()) return std::nullopt;
+  return std::vector<GraftStep>(static_cast<std::size_t>(*count));
+}
+
 }  // namespace
 
-bool LimbWorker::graft_words(std::string_view words, const Loop& other, std::int32_t slips) {
-  const auto steps = graft_steps(words);
+bool LimbWorker::graft_words(std::string_view words, const Loop& other, std::int32_t slips,
+                             bool three_needle) {
+  const auto steps = three_needle ? pair_steps(words) : graft_steps(words);
+  const std::string done = three_needle ? " bound off." : " grafted.";
   if (!steps) return not_understood(words);
   if (slips >= on_needle()) return fail("all sts are slipped back.");
   Loop own = needle_;
@@ -483,7 +495,7 @@ bool LimbWorker::graft_words(std::string_view words, const Loop& other, std::int
     if (step.own > 1 && step.others > 1) return fail("several sts are grafted to several.");
     if (i + static_cast<std::size_t>(step.own) > own.size() ||
         k + static_cast<std::size_t>(step.others) > other.size())
-      return fail("more is grafted than there is.");
+      return fail(three_needle ? "more is bound off than there is." : "more is grafted than there is.");
     for (std::int32_t a = 0; a < step.own; ++a) {
       for (std::int32_t b = 0; b < step.others; ++b)
         read_.grafts.push_back(
@@ -493,10 +505,10 @@ bool LimbWorker::graft_words(std::string_view words, const Loop& other, std::int
     k += static_cast<std::size_t>(step.others);
   }
   if (i != own.size())
-    return fail(std::to_string(i) + " of " + count_text(on_needle()) + " on the needle are grafted.");
+    return fail(std::to_string(i) + " of " + count_text(on_needle()) + " on the needle are" + done);
   if (k == other.size()) return true;
   return fail(std::to_string(k) + " of the " + count_text(static_cast<std::int64_t>(other.size())) +
-              " held are grafted.");
+              " held are" + done);
 }
 
 }  // namespace knit

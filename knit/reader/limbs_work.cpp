@@ -225,7 +225,8 @@ bool LimbWorker::line(std::string_view words) {
   if (at.take("Remove the waste yarn of ")) return loops(at);
   if (at.take("Divide: ")) return divide(at);
   if (at.take("Join with ")) return join(at);
-  if (at.take("Graft to ")) return graft(at);
+  if (at.take("Graft to ")) return graft(at, false);
+  if (at.take("Three-needle bind off with ")) return graft(at, true);
   if (at.take("Break yarn")) return break_yarn(at);
   if (at.take("Do not break yarn. Go on with ")) {
     const auto name = at.name();

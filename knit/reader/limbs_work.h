@@ -96,8 +96,8 @@ class LimbWorker {
   bool join(LimbScan at);
   bool move(LimbScan at);
   bool set_aside(LimbScan at);
-  bool graft(LimbScan at);
-  bool graft_words(std::string_view words, const Loop& other, std::int32_t slips);
+  bool graft(LimbScan at, bool three_needle);
+  bool graft_words(std::string_view words, const Loop& other, std::int32_t slips, bool three_needle);
   bool lay(std::string_view items, Laying& laying);
   bool lay_kept(std::int32_t count, Laying& laying);
   bool lay_across(std::int32_t count, std::int32_t gap, Laying& laying);

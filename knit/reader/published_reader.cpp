@@ -21,10 +21,10 @@ bool has_held_stitches(std::string_view text) {
       if (part.use == PublishedUse::take && sure) return true;
       if (put && (part.use == PublishedUse::join_ends || part.use == PublishedUse::take)) return true;
       if (put_is_last && (is_round || part.use == PublishedUse::add)) return true;
-      const bool puts =
+      const bool holds =
           (part.use == PublishedUse::hold && worked) || (part.use == PublishedUse::insert && is_round);
-      put = put || puts;
-      put_is_last = put_is_last || puts;
+      put = put || holds;
+      put_is_last = put_is_last || holds;
       worked = worked || is_round || part.use == PublishedUse::add;
     }
   }

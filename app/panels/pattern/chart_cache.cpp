@@ -19,9 +19,10 @@ std::uint64_t key_of(const knit::State& state) {
   return hasher.value();
 }
 
-std::uint64_t key_of(std::uint64_t run, const std::vector<std::string>& order) {
+std::uint64_t key_of(std::uint64_t run, const std::vector<std::string>& order, knit::GraftBy graft) {
   knit::Hasher hasher;
   hasher.add(run);
+  hasher.add(static_cast<std::uint64_t>(graft));
   for (const std::string& letters : order) knit::hash_into(hasher, std::string_view(letters));
   return hasher.value();
 }
@@ -50,7 +51,8 @@ void ChartCache::make_pieces(const Session& session, std::uint64_t planned) {
   const knit::Timeline& timeline = session.document->timeline;
   const PatternPieces& said = session.document->pieces;
   if (planned != planned_) {
-    pieces_ = planned_pieces(timeline.furthest(), said, session.view->pattern);
+    pieces_ =
+        planned_pieces(timeline.furthest(), said, session.view->pattern, timeline.parameters().pattern.graft);
     piece_charts_.clear();
   }
   planned_ = planned;
@@ -69,7 +71,7 @@ void ChartCache::refresh(const Session& session) {
   const knit::State& state = timeline.furthest();
   const knit::Gauge& gauge = timeline.parameters().stitch.gauge;  // as for a file
   const PatternPieces& said = session.document->pieces;
-  const std::uint64_t planned = key_of(key_of(state), said.order);
+  const std::uint64_t planned = key_of(key_of(state), said.order, timeline.parameters().pattern.graft);
   const std::uint64_t key = key_of(planned, timeline.parameters(), session.view->pattern, said);
   if (key == key_) return;
   key_ = key;
