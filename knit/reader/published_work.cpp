@@ -172,17 +172,14 @@ void PublishedWorker::prose(const Tokens& tokens) {
   if (!has_needle_) return;
   const bool worked =
       any_of_words(tokens, {"k", "knit", "work", "inc", "dec", "increase", "decrease", "continue"});
-  if (line_is_bad_ && !was_bad) {
-    go_on_with(stated);
-  } else if (stated && is_needle_known() && *stated != needle_.count() && stated != also_right_) {
-    if (counted) too_many_ = needle_.count() - *stated;
-    if (counted)
-      blame(stitches_are(needle_.count()) + " on the needle, the line says " + std::to_string(*stated) +
-            holders_.forgotten(*stated - needle_.count(), line_) + ".");
-    if (counted || worked) go_on_with(stated);
-  } else if (stated && !is_needle_known()) {
-    go_on_with(stated);
-  }
+  const bool newly_bad = line_is_bad_ && !was_bad;
+  if (newly_bad || (stated && !is_needle_known())) return go_on_with(stated);
+  if (!stated || *stated == needle_.count() || stated == also_right_) return;
+  if (counted) too_many_ = needle_.count() - *stated;
+  if (counted)
+    blame(stitches_are(needle_.count()) + " on the needle, the line says " + std::to_string(*stated) +
+          holders_.forgotten(*stated - needle_.count(), line_) + ".");
+  if (counted || worked) go_on_with(stated);
 }
 
 // Whether it changes what is on the needle, in a way that its count proves.

@@ -81,10 +81,10 @@ class PublishedWorker {
 
   // Rounds.
   void round(const RoundLabel& label, const Tokens& tokens);
-  void work(const Tokens& words, bool stated_here);
+  void work(const Tokens& told, bool stated_here);
   void take_implied();
   void is_live_already(std::vector<PublishedPart>& parts) const;
-  void work_parts(const std::vector<PublishedPart>& parts, std::optional<std::int64_t> stated);
+  void work_parts(const std::vector<PublishedPart>& told, std::optional<std::int64_t> stated);
   void work_in_order(std::vector<PublishedPart> parts, std::optional<std::int64_t> stated);
   std::vector<WorkPart> read_parts(const std::vector<PublishedPart>& parts, Hand& hand);
   void round_part(const PublishedPart& part, const WorkPart& work, Hand& hand);
