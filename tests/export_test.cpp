@@ -353,7 +353,7 @@ TEST_CASE("a torus from side to side: its tubes and events in the report, the ma
   std::size_t tubes = 0, splits = 0;
   for (const std::string& line : lines_of(map_text(session))) {
     tubes += line.rfind("# tube ", 0) == 0 ? 1 : 0;
-    splits += line.rfind("# split: A > B C, arcs ", 0) == 0 ? 1 : 0;
+    splits += line.rfind("# split: A > C B, arcs ", 0) == 0 ? 1 : 0;
   }
   CHECK(tubes == 4);
   CHECK(splits == 1);

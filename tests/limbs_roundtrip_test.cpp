@@ -290,6 +290,7 @@ TEST_CASE("limbs round trip: rims that are bound off together are the same graph
     check_reads_back(app::pattern_html(words, app::PiecesArt{}), hands);
     check_reads_back(app::pattern_knitspeak(plan, {}), hands);
     CHECK(app::pattern_json(plan).find("\"by\":\"three-needle\"") != std::string::npos);
+    check_json(plan, hands);
     CHECK(pattern_as_text(words).find("Three-needle bind off with ") != std::string::npos);
   }
   CHECK(together > 5);
@@ -319,7 +320,7 @@ TEST_CASE("limbs round trip: two rounds, cast on together, bound off or grafted 
 
 TEST_CASE("limbs round trip: any order that can be worked, and no other") {
   std::int32_t worked = 0, refused = 0;
-  for (unsigned seed = 0; seed < test_support::repeated(120U); ++seed) {
+  for (unsigned seed = 0; seed < test_support::repeated(300U); ++seed) {
     CAPTURE(seed);
     const State state = test_support::RandomFabric(seed).run(4);
     if (!has_limbs(state)) continue;
@@ -336,5 +337,5 @@ TEST_CASE("limbs round trip: any order that can be worked, and no other") {
     if (cost) CHECK(cheapest_order(limb_tubes_of(state)).cost <= cost->cost);
   }
   if (test_support::whole()) CHECK(worked > 10);
-  CHECK(refused > 10);
+  if (test_support::whole()) CHECK(refused > 10);
 }

@@ -33,6 +33,7 @@ std::string letters_told(std::size_t piece) {
 
 enum class EndTold : std::uint8_t { held, goes_on, closed, grafted };
 constexpr std::array<std::string_view, 4> ends_told{"held", "goes on", "closed", "grafted"};
+constexpr std::array<std::string_view, 2> grafts_told{"kitchener", "three-needle"};
 
 // A whole number that a list of numbers holds, or -1.
 std::int64_t whole_in(const PiecesDocument& value) {
@@ -364,7 +365,8 @@ bool PiecesJsonReader::end() {
 }
 
 bool PiecesJsonReader::graft(const std::string& place, JsonFields& fields) {
-  only_fields(fields, {"kind", "piece", "slips_back", "others_first", "grafts", "pairs"});
+  only_fields(fields, {"kind", "piece", "by", "slips_back", "others_first", "grafts", "pairs"});
+  const bool three_needle = fields.choice("by", grafts_told) == 1;
   const auto piece = piece_in(fields, "piece");
   const std::int32_t slips = count_in(fields, "slips_back", 0), first = count_in(fields, "others_first", 0);
   const PiecesDocument& grafts = fields.array("grafts");
@@ -386,6 +388,10 @@ bool PiecesJsonReader::graft(const std::string& place, JsonFields& fields) {
     if (a < 1 || b < 1 || (a > 1 && b > 1))
       return fail(place + ".grafts[" + std::to_string(g) + "]",
                   "must be two numbers, of which one is 1: own stitches and the other's.");
+    if (three_needle && a != b)
+      return fail(place + ".grafts[" + std::to_string(g) + "]",
+                  "three needles bind off one stitch with one; these are " + std::to_string(a) + " and " +
+                      std::to_string(b) + ".");
     if (a > own - i || b > others - k) return fail(place, "more is grafted than there is.");
     for (std::int64_t x = 0; x < a; ++x) {
       for (std::int64_t y = 0; y < b; ++y)

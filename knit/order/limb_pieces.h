@@ -112,6 +112,7 @@ struct LimbPlan {
   std::int32_t held_most = 0;      // holders at once, while rounds are worked
   std::int32_t yarns = 0;          // that are begun
   double cost = 0.0;               // of the order (limb_order.h)
+  bool three_needle = false;       // is requested; an end says whether it is
   [[nodiscard]] const LimbPiece& piece(std::int32_t i) const { return pieces[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(pieces.size()); }
   friend bool operator==(const LimbPlan&, const LimbPlan&) = default;
