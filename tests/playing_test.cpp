@@ -123,6 +123,47 @@ TEST_CASE("in slow motion the last step of a row stays for a while, however time
   CHECK(session.document->timeline.position() == closing + 10);
 }
 
+TEST_CASE(
+    "the times take two seconds at the usual speed and a tenth of the bar, and a step by hand is one step",
+    "[playing]") {
+  Session session = test_support::example_session("thesis-sphere");
+  apply(session, ToLast{});
+  const knit::Timeline& timeline = session.document->timeline;
+  const Prelude prelude = prelude_of(timeline);
+  CHECK(timeline.step(prelude.steps).place.stage == knit::Stage::cast_on);
+  CHECK(timeline.step(prelude.steps - 1).place.stage == knit::Stage::timing);
+  REQUIRE(prelude.steps > 900);  // three seconds of single steps
+  CHECK(prelude.share(timeline.known()) <= 0.1);
+  apply(session, ToFirst{});
+  apply(session, SetSpeed{Playback{}.steps_per_second});
+  apply(session, SetPlaying{});
+  double seconds = 0.0;
+  while (timeline.position() <= prelude.steps) {
+    apply(session, PassTime{0.01});
+    seconds += 0.01;
+    REQUIRE(seconds < 10.0);
+  }
+  CHECK(seconds == Approx(2.0).margin(0.03));
+  const std::size_t there = timeline.position();
+  apply(session, PassTime{0.1});
+  CHECK(timeline.position() == there + 30);
+  apply(session, SetPlaying{true, -1});  // and back, across the border
+  apply(session, PassTime{0.2});
+  CHECK(timeline.position() < prelude.steps);
+  apply(session, ToFirst{});
+  apply(session, StepBy{});
+  CHECK(timeline.position() == 1);
+}
+
+TEST_CASE("a short run's times are played step for step", "[playing]") {
+  const Session session = finished_small_session();
+  const Prelude prelude = prelude_of(session.document->timeline);
+  CHECK(prelude.steps > 0);
+  CHECK(prelude.stride >= 1.0);
+  CHECK(Prelude{}.share(100) == 0.0);
+  CHECK(Prelude{100, 10.0}.share(190) == Approx(0.1));
+}
+
 TEST_CASE("as fast as it goes is as many steps as a tick works out", "[playing]") {
   Session session = test_support::small_session();
   session.document->timeline =

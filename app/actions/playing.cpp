@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "knit/quality/measures.h"
 
@@ -19,6 +21,25 @@ constexpr double pace_growth = 1.5;   // from one step to the next
 std::size_t slow_reach() {
   return static_cast<std::size_t>(
       std::ceil(std::log(fastest_steps_per_second / slowest_pace) / std::log(pace_growth)));
+}
+
+constexpr std::size_t prelude_units = 600;  // of the usual speed's steps: two seconds
+constexpr std::size_t least_units = 60;     // however short what follows is
+constexpr std::size_t prelude_part = 10;    // at most one in so many
+
+// How far `seconds` lead from a place between two positions, at `pace` steps a second, `stride` times as fast in the
+// prelude. Never past the start.
+double moved(double at, const Prelude& prelude, double pace, double seconds, bool forward) {
+  const auto border = static_cast<double>(prelude.steps);
+  const double inside = pace * prelude.stride;
+  if (forward) {
+    const double until = at < border ? (border - at) / inside : 0.0;
+    if (seconds <= until) return seconds * inside;
+    return std::max(0.0, border - at) + (seconds - until) * pace;
+  }
+  const double until = at > border ? (at - border) / pace : 0.0;
+  if (seconds <= until) return seconds * pace;
+  return std::max(0.0, at - border) + (seconds - until) * inside;
 }
 
 bool unlimited(double steps_per_second) { return steps_per_second >= fastest_steps_per_second; }
@@ -112,11 +133,35 @@ double slow_pace(double full, std::size_t distance) {
   return std::min(full, slow);
 }
 
+double Prelude::share(std::size_t known) const {
+  if (known == 0 || steps == 0) return 0.0;
+  const double units = static_cast<double>(steps) / stride;
+  const auto rest = static_cast<double>(known - std::min(known, steps));
+  return units / (units + rest);
+}
+
+Prelude prelude_of(const knit::Timeline& timeline) {
+  constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
+  Prelude prelude;
+  prelude.steps = timeline.position_of({knit::Stage::tubes, last, last});
+  const std::size_t rest = timeline.known() - prelude.steps;
+  // While the rest is not known, it is taken to be long.
+  const std::size_t part = timeline.complete() ? rest / (prelude_part - 1) : prelude_units;
+  const std::size_t most = std::clamp(part, least_units, prelude_units);
+  if (prelude.steps > most) prelude.stride = static_cast<double>(prelude.steps) / static_cast<double>(most);
+  return prelude;
+}
+
 Due steps_due(const Session& session, double seconds) {
   const Playback& playback = session.view->playback;
   if (session.view->slow_motion) return slow_steps_due(session, seconds);
   if (unlimited(playback.steps_per_second)) return {seconds > 0.0 ? steps_per_tick : 0, 0.0};
-  const double due = playback.owed + seconds * playback.steps_per_second;
+  const knit::Timeline& timeline = session.document->timeline;
+  const bool forward = playback.direction > 0;
+  const auto position = static_cast<double>(timeline.position());
+  const double at = forward ? position + playback.owed : position - playback.owed;
+  const double due =
+      playback.owed + moved(at, prelude_of(timeline), playback.steps_per_second, seconds, forward);
   const double whole = std::floor(due);
   return {static_cast<std::size_t>(whole), due - whole};
 }

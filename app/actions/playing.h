@@ -6,6 +6,7 @@
 
 #include "app/session/session.h"
 #include "app/session/travel.h"
+#include "knit/run/timeline.h"
 
 namespace app {
 
@@ -18,6 +19,16 @@ bool is_interesting(const knit::Step& step, const knit::Parameters& parameters);
 // Steps a second so many steps before or after the nearest such: a few there, `full` far away, and in
 // proportion to the one before from step to step.
 double slow_pace(double full, std::size_t distance);
+
+// What comes before the first stitch, the times and the tubes, has a step a vertex: it is played in strides, so that it
+// takes at most a tenth of the playing time, and about two seconds at the usual speed. By hand a step stays a step.
+struct Prelude {
+  std::size_t steps = 0;  // positions up to here are in it
+  double stride = 1.0;    // steps in the time of one
+  // Its part of the timeline's bar, by the time that it takes; `known`: steps of the whole run so far.
+  [[nodiscard]] double share(std::size_t known) const;
+};
+Prelude prelude_of(const knit::Timeline& timeline);
 
 struct Due {
   std::size_t steps = 0;

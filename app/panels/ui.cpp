@@ -6,6 +6,7 @@
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/splitters.h"
+#include "app/panels/kit/stop_ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/panels/pattern/pattern.h"
@@ -77,6 +78,8 @@ void draw_captions_alone(const Session& session, PanelMemory& memory, const Scen
 }
 
 bool click_waits(PanelMemory& memory) { return memory.own<PendingClick>().waits; }
+
+bool panels_are_working(PanelMemory& memory) { return ways_are_tried(memory); }
 
 void forget_what_was_seen(PanelMemory& memory) {
   RunCache run = std::move(memory.own<RunCache>());

@@ -36,6 +36,8 @@ void draw_captions_alone(const Session& session, PanelMemory& memory, const Scen
 
 // A click waits to see whether it becomes a double click: a frame is due without an event.
 bool click_waits(PanelMemory& memory);
+// A worker of the panels is at it: a frame is due when it has done something.
+bool panels_are_working(PanelMemory& memory);
 // But for what is known of the run.
 void forget_what_was_seen(PanelMemory& memory);
 

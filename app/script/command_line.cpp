@@ -39,7 +39,7 @@ struct Words {
   std::vector<std::string> piece_names;
   std::string piece_order;
   bool markers = false, stars = false;
-  bool explain = false;
+  bool explain = false, ways_on = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
 };
 
@@ -122,6 +122,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
       ->allow_extra_args(false);
   app.add_option("--why", words.why, "say which step made stitch:ROW:ITEM or refused vertex:ID, and why");
+  app.add_flag("--ways-on", words.ways_on,
+               "of a run that stopped: try what else knits the mesh, and say what does");
   app.add_flag("--explain", words.explain,
                "print the pseudo-code with the line that just ran, and the values");
   app.add_option("--point", words.point, "light this variable of the pseudo-code in the view");
@@ -237,6 +239,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.sweep = words.sweep;
   line.diff = words.diff;
   line.why = words.why;
+  line.ways_on = words.ways_on;
   line.explain = words.explain;
   line.point = words.point;
   for (const std::string& text : line.breaks) {
@@ -327,7 +330,7 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
 // With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
 std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
-                    line.explain || line.at || line.knit_along;
+                    line.explain || line.ways_on || line.at || line.knit_along;
   const bool sets = !line.settings.empty() || !line.preset.empty();
   const bool saves = line.picture || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),

@@ -37,7 +37,7 @@ struct CommandLine {
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h
   std::string diff, why;
-  bool explain = false;
+  bool explain = false, ways_on = false;
   std::string point;                        // a variable of the pseudo-code
   std::string lesson;                       // its key or file; empty: none
   std::optional<std::int32_t> lesson_page;  // from 1

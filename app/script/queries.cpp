@@ -3,6 +3,7 @@
 #include "app/actions/hosting.h"
 #include "app/compare/compare_runs.h"
 #include "app/compare/sweep_work.h"
+#include "app/compare/ways_on.h"
 #include "app/explain/code_variables.h"
 #include "app/explain/pseudo_code.h"
 #include "app/explain/step_table.h"
@@ -59,6 +60,19 @@ std::variant<Loaded, std::string> load_source(const Session& session, const Save
 }
 
 }  // namespace
+
+Answer ways_answer(Session& session) {
+  work_out(session);
+  const knit::Timeline& timeline = session.document->timeline;
+  if (timeline.stop() == nullptr)
+    return {exit_done, "", "the run did not stop, so it needs no other way; leave --ways-on out."};
+  const WaysOnWork work(timeline);
+  work.wait();
+  std::string lines;
+  for (const FoundWay& found : work.found())
+    lines += found.way.words + ": " + found.result() + ": " + found.way.options + "\n";
+  return {exit_done, lines, lines.empty() ? words_of(work) : ""};
+}
 
 Answer diff_answer(Session& session, const std::filesystem::path& other) {
   const auto read = read_saved_run(other);

@@ -34,6 +34,10 @@ Answer explain_answer(const Session& session);
 // --point NAME: one of its variables, lit in pictures.
 std::optional<std::string> fault_of_point(const std::string& variable);
 
+// --ways-on: what else knits a mesh whose run stopped, each tried to the end; a line each with the rows and the options
+// that make it.
+Answer ways_answer(Session& session);
+
 // --diff OTHER.json: what differs from the run of another session, which is pinned. diff_query.cpp
 Answer diff_answer(Session& session, const std::filesystem::path& other);
 

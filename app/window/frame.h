@@ -64,6 +64,8 @@ class FrameDrawer {
   [[nodiscard]] bool busy() {
     return glue_.busy() || click_waits(panels_) || since_step_s_ < motion_s || unfinished_;
   }
+  // Panels wait for a worker of theirs: looking now and then is enough.
+  [[nodiscard]] bool waits_for_panels() { return panels_are_working(panels_); }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
  private:

@@ -37,6 +37,7 @@ void answer_in_window(Session& session, const CommandLine& line) {
     if (!answer.error.empty()) notify(session, Notice::Kind::warning, answer.error);
   };
   if (!line.why.empty()) give(why_answer(session, line.why));
+  if (line.ways_on) give(ways_answer(session));
   if (!line.diff.empty()) give(diff_answer(session, line.diff));
 }
 

@@ -96,8 +96,11 @@ FrameShape shape_of(const Window& window, double seconds, int samples) {
 
 double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
+  // What panels wait for is looked at twenty times a second, and drawn then.
+  const bool panels_wait = drawer.waits_for_panels();
   if (idle) {
-    window.wait(0.5);
+    window.wait(panels_wait ? 0.05 : 0.5);
+    if (panels_wait) pace.frames_due = 1;
   } else if (pace.frames_due == 0 && window.input().empty() && only_waiting(session)) {
     window.wait(0.05);
   } else {

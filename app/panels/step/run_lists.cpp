@@ -5,6 +5,7 @@
 #include "app/explain/why_words.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
+#include "app/panels/kit/stop_ways.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step_parts.h"
@@ -260,6 +261,7 @@ void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
   const std::size_t count = count_problems(frame);
   if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
+  draw_stop_ways(frame, "problems/");
   draw_repairs(frame);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(count));

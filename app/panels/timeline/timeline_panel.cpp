@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/actions/playing.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/run_cache.h"
@@ -363,7 +364,9 @@ void draw_track(PanelFrame& frame) {
                        style::packed(theme().raised), frame.units(3.0f));
     return;
   }
-  const Track track{at.x + margin, at.x + room.x - margin, top, bottom, timeline->known()};
+  const Prelude prelude = prelude_of(*timeline);
+  const Track track{at.x + margin, at.x + room.x - margin,          top, bottom, timeline->known(),
+                    prelude.steps, prelude.share(timeline->known())};
   ImGui::InvisibleButton("track", room);
   frame.mark("track");
   if (ImGui::IsItemActive()) {

@@ -7,6 +7,11 @@ namespace app {
 
 // The empty state: what to do while nothing is open.
 void draw_welcome(PanelFrame& frame);
+// At the first start: one line that says what this is, and the first lesson.
+void draw_first_start(PanelFrame& frame);
+inline constexpr const char* first_lesson = "what-it-does";
+// Why the run stopped where it is shown, and the ways on.
+void draw_stop_card(PanelFrame& frame);
 // A session from before a crash.
 void draw_rescue(PanelFrame& frame);
 // What would make a mesh fit that is not.

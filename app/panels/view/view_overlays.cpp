@@ -171,6 +171,8 @@ void draw_waiting(PanelFrame& frame) {
 
 void draw_view_overlays(PanelFrame& frame) {
   draw_welcome(frame);
+  draw_first_start(frame);
+  draw_stop_card(frame);
   draw_picking(frame);
   draw_positions(frame);
   draw_waiting(frame);

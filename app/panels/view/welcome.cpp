@@ -17,7 +17,6 @@ namespace {
 
 constexpr float card_width = 440.0f;
 constexpr std::size_t most_shown = 5;  // recent files; the others are in the menu
-constexpr const char* first_lesson = "what-it-does";
 
 void accent_button_look() {
   ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));

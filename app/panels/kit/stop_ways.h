@@ -1,0 +1,34 @@
+// The ways on from a stopped run, tried beside the window: for whoever offers them as buttons.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/compare/ways_on.h"
+#include "app/panels/kit/frame.h"
+#include "app/session/run_key.h"
+
+namespace app {
+
+// Begun when a stopped run is first seen, and anew for another run.
+class StopWays {
+ public:
+  void refresh(const knit::Timeline& timeline);
+  [[nodiscard]] const WaysOnWork* work() const { return work_.get(); }  // null: the run did not stop
+  // Since it was last asked, once more after the end: what was found last is still to be drawn.
+  bool was_at_it();
+
+ private:
+  RunKey key_;
+  bool at_it_ = false;
+  std::shared_ptr<WaysOnWork> work_;
+};
+
+// Buttons that take one of the ways, and what cannot be tried but by hand; `mark`: before their names. Nothing where the
+// run did not stop.
+void draw_stop_ways(PanelFrame& frame, const std::string& mark);
+
+// Some are being tried: a frame is due when they are.
+bool ways_are_tried(PanelMemory& memory);
+
+}  // namespace app
