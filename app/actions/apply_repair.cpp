@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
+#include "app/session/presets.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -24,6 +25,29 @@ void show_repaired(Session& session, Loaded loaded, const Source& source,
   before->document = show_loaded(session, std::move(loaded), source, start);
   if (before->document) before->document->before_repair.reset();
   session.document->before_repair = std::move(before);
+}
+
+// A preset that was chosen goes with the person to the next mesh.
+struct ChosenPreset {
+  const Preset* preset = nullptr;
+  knit::Parameters parameters;
+};
+
+ChosenPreset preset_before(const Session& session) {
+  if (!session.document) return {};
+  const knit::Parameters& now = session.document->timeline.wished_parameters();
+  return {chosen_preset(now, session.document->defaults), now};
+}
+
+void keep_preset(Session& session, const ChosenPreset& before) {
+  if (before.preset == nullptr || !session.document) return;
+  knit::Timeline& timeline = session.document->timeline;
+  const knit::Parameters wanted = carried_over(*before.preset, before.parameters, timeline.base_parameters());
+  if (knit::fault_of(wanted, timeline.input())) return;
+  timeline.tune(wanted);
+  notify(session, Notice::Kind::info,
+         "The preset \"" + std::string(before.preset->title) +
+             "\" counts for this mesh too; another is in the menu Presets.");
 }
 
 // Asked for by name, and nothing of that kind was there.
@@ -43,14 +67,19 @@ void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const
                  const knit::RepairWish& repairs, std::chrono::steady_clock::time_point start) {
   const Source source{{}, path, {}};
   if (auto* loaded = std::get_if<Loaded>(&opened)) {
+    const ChosenPreset before = preset_before(session);
     if (!loaded->repaired.empty() && session.document)
       show_repaired(session, std::move(*loaded), source, start);
     else
       show_loaded(session, std::move(*loaded), source, start);
+    keep_preset(session, before);
     return tell_what_was_whole(session, repairs);
   }
   auto& unfit = std::get<NotOpened>(opened);
-  session.jobs->repair_offer.reset();
+  // Of a piece that was chosen in the offer and cannot be made fit: the others are still to choose from.
+  const bool was_offered = session.jobs->repair_offer && session.jobs->repair_offer->source.file == path;
+  const bool stays = was_offered && repairs.piece() > 0;
+  if (!stays || unfit.plan) session.jobs->repair_offer.reset();
   if (unfit.plan) {
     session.view->dialogs.open_dialog_open = false;
     session.jobs->repair_offer = RepairOffer{source, std::move(unfit.sentence), std::move(unfit.plan)};
@@ -81,7 +110,9 @@ void take(Session& session, const RepairAndOpen& /*action*/) {
     notify(session, Notice::Kind::error, *error);
     return;
   }
+  const ChosenPreset before = preset_before(session);
   show_repaired(session, std::get<Loaded>(*opened), offer.source, start);
+  keep_preset(session, before);
   session.view->list = RunList::problems;  // there it is said what was done
 }
 

@@ -24,7 +24,7 @@ std::size_t slow_reach() {
 }
 
 constexpr std::size_t prelude_units = 600;  // of the usual speed's steps: two seconds
-constexpr std::size_t least_units = 60;     // however short what follows is
+constexpr std::size_t least_units = 150;    // however short what follows is: half a second
 constexpr std::size_t prelude_part = 10;    // at most one in so many
 
 // How far `seconds` lead from a place between two positions, at `pace` steps a second, `stride` times as fast in the

@@ -120,6 +120,21 @@ std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, kn
   return loaded;
 }
 
+namespace {
+
+constexpr std::size_t most_pieces_tried = 12;
+
+// Where the largest piece cannot be made fit, the next that can.
+std::optional<knit::RepairPlan> plan_of_any_piece(const knit::Mesh& mesh, std::size_t piece) {
+  auto plan = knit::plan_repairs(mesh, piece);
+  if (plan || piece > 0) return plan;
+  const std::size_t pieces = std::min(knit::pieces_to_choose(mesh, {}), most_pieces_tried);
+  for (std::size_t number = 2; number <= pieces && !plan; ++number) plan = knit::plan_repairs(mesh, number);
+  return plan;
+}
+
+}  // namespace
+
 std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::RepairWish& wish,
                                           knit::Progress* progress) {
   knit::ObjNotes notes;
@@ -135,7 +150,7 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, con
     return std::move(*ready);
   }
   NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = knit::plan_repairs(*mesh, wish.piece()))
+  if (auto plan = plan_of_any_piece(*mesh, wish.piece()))
     unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
   return unfit;
 }

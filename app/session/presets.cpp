@@ -62,6 +62,34 @@ std::string preset_keys() {
   return keys;
 }
 
+namespace {
+
+bool chooses_all(const Preset& preset, const knit::Parameters& parameters) {
+  return std::all_of(preset.settings.begin(), preset.settings.end(), [&](const PresetSetting& setting) {
+    const knit::ParameterInfo* info = knit::find_parameter(setting.key);
+    return info == nullptr || !std::holds_alternative<knit::Choice>(info->kind) ||
+           knit::value_text(*info, parameters) == setting.value;
+  });
+}
+
+}  // namespace
+
+const Preset* chosen_preset(const knit::Parameters& now, const knit::Parameters& at_opening) {
+  for (const Preset& preset : table)
+    if (chooses_all(preset, now) && !chooses_all(preset, at_opening)) return &preset;
+  return nullptr;
+}
+
+knit::Parameters carried_over(const Preset& preset, const knit::Parameters& now, knit::Parameters onto) {
+  std::vector<knit::Setting> settings;
+  for (const PresetSetting& setting : preset.settings) {
+    if (const knit::ParameterInfo* info = knit::find_parameter(setting.key))
+      settings.emplace_back(info, knit::value_text(*info, now));
+  }
+  knit::set_values(settings, onto);
+  return onto;
+}
+
 knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters) {
   std::vector<knit::Setting> settings;
   for (const PresetSetting& setting : preset.settings) {

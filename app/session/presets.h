@@ -27,4 +27,10 @@ std::string preset_keys();  // "thesis, best-rows or knitters-gauge"
 // The parameters with the preset's settings; what it does not name stays.
 knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters);
 
+// The preset that was chosen for a mesh: all that it chooses is in force, and was not so when the mesh was opened. A number
+// of it may have been changed since: a gauge is still a gauge. Null: none.
+const Preset* chosen_preset(const knit::Parameters& now, const knit::Parameters& at_opening);
+// What it names, as it is in force now, for another mesh.
+knit::Parameters carried_over(const Preset& preset, const knit::Parameters& now, knit::Parameters onto);
+
 }  // namespace app

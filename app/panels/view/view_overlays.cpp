@@ -1,14 +1,17 @@
 // What floats over the view: notices, the banner while a vertex is picked, a word while long work goes on.
 #include <algorithm>
+#include <memory>
 #include <string>
 
 #include "app/actions/opening.h"
+#include "app/explain/found_words.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/overlays.h"
 #include "app/panels/view/view.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "app/session/learning.h"
 #include "app/session/outbox.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
@@ -71,9 +74,42 @@ void draw_notice(PanelFrame& frame, std::size_t i) {
   ImGui::PopID();
 }
 
+// What was found in a mesh of one's own: there until it is put away, or the run is gone through.
+struct FoundLine {
+  std::shared_ptr<const knit::Input> input;
+  std::string words;
+  bool away = false;
+};
+
+bool shows_found(const PanelFrame& frame) {
+  const Session& session = frame.session;
+  if (!session.document || session.document->source.file.empty() || session.learning->lesson) return false;
+  auto& found = frame.own<FoundLine>();
+  if (found.input != session.document->timeline.input_pointer())
+    found = {session.document->timeline.input_pointer(), shape_words(session.document->timeline.input()),
+             false};
+  return !found.away && session.document->timeline.position() == 0;
+}
+
+void draw_found(PanelFrame& frame) {
+  auto& found = frame.own<FoundLine>();
+  const float side = ImGui::GetFrameHeight();
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side;
+  ImGui::PushTextWrapPos(end - frame.units(8.0f));
+  const std::string knitted = knitted_words(frame.session);
+  text(found.words + (knitted.empty() ? "" : " " + knitted));
+  ImGui::PopTextWrapPos();
+  frame.mark("found");
+  ImGui::SameLine(end);
+  if (icon_button("found away", Icon::cross, ImVec2(side, side))) found.away = true;
+  frame.mark("found/away");
+  tooltip(frame, "Puts this line away.");
+}
+
 // The newest on top; when there are many, they scroll.
 void draw_notices(PanelFrame& frame) {
-  if (frame.session.outbox->notices.empty()) return;
+  const bool found = shows_found(frame);
+  if (frame.session.outbox->notices.empty() && !found) return;
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = view.width - 2.0f * margin;
@@ -82,6 +118,8 @@ void draw_notices(PanelFrame& frame) {
   push_raised_look(frame);
   ImGui::Begin("Notices", nullptr, floating);
   pop_raised_look();
+  if (found) draw_found(frame);
+  if (found && !frame.session.outbox->notices.empty()) ImGui::Separator();
   for (std::size_t i = frame.session.outbox->notices.size(); i-- > 0;) {
     draw_notice(frame, i);
     if (i > 0) ImGui::Separator();

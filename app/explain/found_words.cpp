@@ -1,0 +1,73 @@
+#include "app/explain/found_words.h"
+
+#include <array>
+#include <vector>
+
+#include "app/session/document.h"
+#include "app/session/run_figures.h"
+#include "knit/import/check_topology.h"
+#include "knit/model/words.h"
+#include "knit/rows/first_choice.h"
+#include "knit/run/machine.h"
+
+namespace app {
+
+namespace {
+
+constexpr std::array<const char*, 4> axis_words{"x", "y", "z", "its axis"};
+
+std::string name_of_axis(knit::AxisKind kind) { return axis_words.at(static_cast<std::size_t>(kind)); }
+
+// Whether every level along it is a ring, as the run itself finds out.
+bool has_rings(const knit::Input& input, knit::AxisKind axis) {
+  Knobs knobs{knit::first_parameters(input), {}};
+  knobs.base.timing.axis.kind = axis;
+  knobs.base.timing.kind = knit::TimingKind::linear;
+  RunTally run;
+  while (go_on(run, input, knobs, 100000, knit::Stage::tubes)) {
+  }
+  return !run.stop && as_chosen(knobs.base, run.state).rows.source == knit::RowSource::rings;
+}
+
+// "x", "x and y", "x, y and z"
+std::string listed(const std::vector<std::string>& names) {
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return words;
+}
+
+std::string ring_words(const knit::Input& input) {
+  if (input.mesh.triangles.size() > most_searched_triangles) return "";
+  std::vector<std::string> axes;
+  for (const knit::AxisKind axis : {knit::AxisKind::x, knit::AxisKind::y, knit::AxisKind::z})
+    if (has_rings(input, axis)) axes.push_back(name_of_axis(axis));
+  return axes.empty() ? "; rings along no axis" : "; rings along " + listed(axes);
+}
+
+}  // namespace
+
+std::string shape_words(const knit::Input& input) {
+  const glm::dvec3 size = input.bounds.high - input.bounds.low;
+  const std::size_t handles = knit::handles_of(input);
+  const std::string handle_words =
+      handles == 0 ? "no handle" : knit::plural(static_cast<std::int64_t>(handles), "handle", "handles");
+  return "Closed, " +
+         knit::plural(static_cast<std::int64_t>(input.mesh.triangles.size()), "triangle", "triangles") +
+         ", " + knit::short_number(size.x) + " x " + knit::short_number(size.y) + " x " +
+         knit::short_number(size.z) + " units" + ring_words(input) + "; " + handle_words + ".";
+}
+
+std::string knitted_words(const Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::State& state = timeline.furthest();
+  const knit::Parameters chosen = as_chosen(timeline.parameters_of_stop(), state);
+  if (!state.timing || chosen.rows.source == knit::RowSource::by_itself) return "";
+  std::string words = "Knitted along " + name_of_axis(chosen.timing.axis.kind) +
+                      (chosen.rows.source == knit::RowSource::rings ? " from rings" : " from contours");
+  if (state.tubes)
+    words += ", as " + knit::plural(static_cast<std::int64_t>(state.tubes->order.size()), "tube", "tubes");
+  return words + ".";
+}
+
+}  // namespace app
