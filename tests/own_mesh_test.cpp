@@ -67,6 +67,7 @@ TEST_CASE("own mesh: where the largest piece cannot be made fit, one that can is
   apply(session, OpenFile{offered});
   REQUIRE(session.jobs->repair_offer);
   CHECK(contains(session.jobs->repair_offer->plan->steps.front().would, "piece 2"));
+  CHECK(contains(session.jobs->repair_offer->finding, "No piece before piece 2 can be repaired."));
   // The one that cannot be: said, and the other is still to choose.
   apply(session, OpenFile{offered, {true, {knit::keeping_piece(1)}}});
   CHECK(session.jobs->repair_offer);

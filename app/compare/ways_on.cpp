@@ -193,6 +193,13 @@ struct WaysOnWork::Shared {
     return FoundWay{way, run.state.fabric.rows().size(), run.state.fabric.stitch_count()};
   }
 
+  // With the same rows and stitches it is no choice. Requires the mutex.
+  [[nodiscard]] bool is_known(const FoundWay& way) const {
+    return std::any_of(found.begin(), found.end(), [&](const FoundWay& other) {
+      return other.rows == way.rows && other.stitches == way.stitches;
+    });
+  }
+
   void try_all() {
     for (const WayOn& way : ways) {
       std::optional<FoundWay> one;
@@ -203,7 +210,7 @@ struct WaysOnWork::Shared {
       }
       const std::lock_guard lock(mutex);
       ++tried;
-      if (one) found.push_back(std::move(*one));
+      if (one && !is_known(*one)) found.push_back(std::move(*one));
       if (found.size() >= enough_ways || cancelled.load(std::memory_order_relaxed)) break;
     }
     const std::lock_guard lock(mutex);

@@ -150,8 +150,14 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, con
     return std::move(*ready);
   }
   NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = plan_of_any_piece(*mesh, wish.piece()))
+  if (auto plan = plan_of_any_piece(*mesh, wish.piece())) {
+    for (const knit::RepairStep& step : plan->steps) {
+      const std::size_t kept = knit::piece_kept(step.kind);
+      if (kept > 1 && wish.piece() == 0)
+        unfit.sentence += " No piece before piece " + std::to_string(kept) + " can be repaired.";
+    }
     unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
+  }
   return unfit;
 }
 
