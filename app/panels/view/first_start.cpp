@@ -28,7 +28,8 @@ bool is_first_start(const PanelFrame& frame) {
 
 void draw_first_start(PanelFrame& frame) {
   bool& away = frame.own<FirstStartAway>().away;
-  if (away || !is_first_start(frame) || !frame.session.outbox->notices.empty()) return;
+  if (away || !is_first_start(frame) || frame.timeline()->position() > 0) return;
+  if (!frame.session.outbox->notices.empty()) return;
   if (frame.session.program->rescued || frame.session.jobs->repair_offer) return;
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
@@ -42,7 +43,7 @@ void draw_first_start(PanelFrame& frame) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   pop_raised_look();
-  wrapped_text("This shows step by step how a 3D mesh becomes a pattern to knit by hand. Space plays it.");
+  wrapped_text("Step by step from a 3D mesh to a pattern to knit by hand. Space plays it.");
   if (ImGui::Button("Start lesson 1")) frame.wish(StartLesson{first_lesson});
   frame.mark("first-start/lesson");
   tooltip(frame, "What it does: a few pages, with a mesh to try things on.");
