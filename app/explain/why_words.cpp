@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/text.h"
+#include "app/session/document.h"
+#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why_tubes.h"
 #include "knit/model/measured.h"
@@ -75,8 +77,26 @@ struct ElementWords {
   std::string operator()(const knit::VertexElement& v) const { return "vertex " + str(v.vertex); }
 };
 
+// As steps are counted for people, from 1.
+std::string step_number(std::size_t step) { return str(static_cast<std::int64_t>(step) + 1); }
+std::string made_words(std::size_t step) { return " Made at step " + step_number(step) + "."; }
+
 std::string said_by(const knit::Timeline& timeline, std::size_t step) {
   return knit::narrate(timeline.step(step), timeline.parameters_of_step(step));
+}
+
+// What became the stitch that a refused vertex was measured for.
+std::string taken_instead_words(const knit::Timeline& timeline, const knit::StitchElement& stitch) {
+  const auto chosen = knit::chosen_by(timeline, stitch);
+  if (!chosen) return "";
+  const auto* accepted = knit::get_if<knit::CandidateMeasured>(timeline.step(*chosen));
+  const auto* missed = knit::get_if<knit::BandMissed>(timeline.step(*chosen));
+  const std::string is = " became stitch " + str(stitch.stitch + 1) + " instead, ";
+  if (accepted != nullptr)
+    return " Vertex " + str(accepted->candidate) + is + knit::short_number(accepted->distance) + " away.";
+  return missed == nullptr
+             ? ""
+             : " Vertex " + str(missed->taken) + is + knit::short_number(missed->distance) + " away.";
 }
 
 std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStory& story) {
@@ -87,7 +107,8 @@ std::string refusal_words(const knit::Timeline& timeline, const knit::VertexStor
   return "Passed over in row " + str(story.row) + ": it lies " + knit::short_number(s->distance) +
          " from stitch " + str(s->stitch) + ", too " +
          (s->verdict == knit::Verdict::too_near ? "near" : "far") + " for the band " +
-         knit::short_number(band.low) + " to " + knit::short_number(band.high) + ".";
+         knit::short_number(band.low) + " to " + knit::short_number(band.high) + "." +
+         taken_instead_words(timeline, {story.row, s->stitch});
 }
 
 // With one tube nobody needs its name.
@@ -258,13 +279,30 @@ std::string stitch_words(const knit::Timeline& timeline, const knit::StitchEleme
   const auto chosen = knit::chosen_by(timeline, stitch);
   // What chose its vertex tells more than what kept it.
   std::string words = said_by(timeline, chosen.value_or(*made));
-  if (chosen) words += " Kept at step " + str(static_cast<std::int64_t>(*made) + 1) + ".";
+  words += chosen ? " Kept at step " + step_number(*made) + "." : made_words(*made);
+  const std::string refused = knit::why_refused_before(timeline, stitch);
+  if (!refused.empty()) words += " " + refused;
   words += tube_words(timeline, stitch.row);
   const auto moved = knit::moved_by(timeline, stitch);
   if (!moved) return words + went;
   const bool spread = knit::is<knit::RowResampled>(timeline.step(*moved));
   words += spread ? " The row was spread evenly afterwards." : " Moved when the gap was shared out.";
   return words + went;
+}
+
+// " It is the 3rd of the row's 6 K2tog." and why it stands there.
+std::string label_words(const knit::Timeline& timeline, const knit::LabelElement& label) {
+  const std::string why = knit::why_label(timeline, label);
+  std::string words = why.empty() ? "" : " " + why;
+  const knit::Join* join = timeline.furthest().fabric.join_into(label.row);
+  if (join == nullptr || label.cell >= static_cast<std::int32_t>(join->labels.size())) return words;
+  const auto begin = join->labels.begin();
+  const knit::Label is = join->labels[static_cast<std::size_t>(label.cell)];
+  if (!knit::is_shaping(is)) return words;
+  const auto number = std::count(begin, begin + label.cell + 1, is);
+  const auto all = std::count(begin, join->labels.end(), is);
+  return words + " It is " + std::string(knit::name_of(is)) + " " + str(number) + " of " + str(all) +
+         " in the row, in working order.";
 }
 
 }  // namespace
@@ -302,7 +340,23 @@ std::string why_words(const knit::Timeline& timeline, const knit::Element& thing
   const auto made = knit::made_by(timeline, thing);
   if (!made) return "There is no such thing so far.";
   const std::int32_t row = std::visit(Parts{}, thing).row;
-  return said_by(timeline, *made) + (row < 0 ? " " + deal_words(timeline, row) : tube_words(timeline, row));
+  const auto* label = std::get_if<knit::LabelElement>(&thing);
+  return said_by(timeline, *made) + (label != nullptr ? label_words(timeline, *label) : "") +
+         made_words(*made) + (row < 0 ? " " + deal_words(timeline, row) : tube_words(timeline, row));
+}
+
+std::optional<std::int32_t> row_named(const std::string& text) {
+  const std::size_t head = text.rfind("row", 0) == 0 ? 3 : std::string::npos;
+  if (head == std::string::npos || text.size() < 5 || (text[head] != ' ' && text[head] != ':'))
+    return std::nullopt;
+  const auto row = whole_number<std::int32_t>(text.substr(head + 1));
+  return row && *row >= 1 ? row : std::nullopt;
+}
+
+std::string cause(const Session& session) {
+  if (!session.document || stop_shown(session) != nullptr) return "";
+  const knit::Timeline& timeline = session.document->timeline;
+  return timeline.position() == 0 ? "" : knit::cause_of(timeline, timeline.position() - 1);
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/session/session.h"
 #include "knit/insight/why.h"
 
 namespace app {
@@ -17,5 +18,11 @@ std::optional<knit::Element> thing_named(const std::string& text);
 
 // One or two sentences: what made, chose and moved it, or what became of it. Requires a vertex of the mesh.
 std::string why_words(const knit::Timeline& timeline, const knit::Element& thing);
+
+// "row 7" or "row:7", from 1. Nothing where it cannot be read.
+std::optional<std::int32_t> row_named(const std::string& text);
+
+// What decided in the last step, beside its sentence; empty where there is nothing to add.
+std::string cause(const Session& session);
 
 }  // namespace app

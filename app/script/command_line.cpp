@@ -121,7 +121,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
       ->allow_extra_args(false);
-  app.add_option("--why", words.why, "say which step made stitch:ROW:ITEM or refused vertex:ID, and why");
+  app.add_option("--why", words.why,
+                 "say which step made stitch:ROW:ITEM or refused vertex:ID, or why row:ROW has its count");
   app.add_flag("--ways-on", words.ways_on,
                "of a run that stopped: try what else knits the mesh, and say what does");
   app.add_flag("--explain", words.explain,

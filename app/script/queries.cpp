@@ -14,6 +14,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/program.h"
+#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why_tubes.h"
 #include "knit/model/settings_table.h"
@@ -132,6 +133,7 @@ Answer explain_answer(const Session& session) {
   if (!at) return {exit_usage, "", "nothing is open that could be explained."};
   const PseudoCode& code = *at->code;
   std::string text = place_line(*at) + "\t" + std::string(code.title) + "\n" + sentence(session) + "\n";
+  if (const std::string why = cause(session); !why.empty()) text += why + "\n";
   for (std::size_t i = 0; i < code.lines.size(); ++i)
     text += std::string(1, mark_of(*at, i)) + " " + padded(i + 1) + "  " + shown_text(code.lines[i]) + "\n";
   for (const Variable& variable : variables_of(session)) {
@@ -258,6 +260,8 @@ std::string vertex_text(const knit::Timeline& timeline, const knit::VertexElemen
 
 std::string stitch_text(const knit::Timeline& timeline, const knit::StitchElement& stitch, std::size_t made) {
   std::string text;
+  for (const std::size_t step : knit::refused_before(timeline, stitch))
+    text += step_text(timeline, "refused", step);
   if (const auto chosen = knit::chosen_by(timeline, stitch)) text += step_text(timeline, "chosen", *chosen);
   text += step_text(timeline, "made", made);
   if (const auto moved = knit::moved_by(timeline, stitch)) text += step_text(timeline, "moved", *moved);
@@ -268,13 +272,34 @@ std::string stitch_text(const knit::Timeline& timeline, const knit::StitchElemen
 }  // namespace
 
 std::optional<std::string> fault_of_why(const std::string& thing) {
-  if (thing_named(thing)) return std::nullopt;
+  if (thing_named(thing) || row_named(thing)) return std::nullopt;
   return "--why cannot be \"" + thing +
-         "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or "
+         "\"; give row:ROW, stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM "
+         "or "
          "vertex:ID, rows from 1 and items from 0; ROW -1 is the first deal, with its bridge.";
 }
 
+namespace {
+
+// "row 7": why it has its number of stitches, and the step that decided.
+Answer why_row_answer(Session& session, std::int32_t row) {
+  work_out(session);
+  const knit::Timeline& timeline = session.document->timeline;
+  const std::string why = knit::why_count(timeline, row);
+  const auto decided = knit::count_decided_by(timeline, row);
+  if (why.empty() || !decided)
+    return {exit_usage, "",
+            "the run has no row " + std::to_string(row) + "; its last is " +
+                std::to_string(timeline.furthest().fabric.row_count()) + "."};
+  apply(session, SeekTo{*decided + 1});
+  return {exit_done, why + "\n" + step_text(timeline, "decided", *decided), ""};
+}
+
+}  // namespace
+
 Answer why_answer(Session& session, const std::string& thing) {
+  const auto row = row_named(thing);
+  if (row && session.document) return why_row_answer(session, *row);
   const auto asked = thing_named(thing);
   if (!asked || !session.document) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
   work_out(session);

@@ -12,7 +12,7 @@
 
 namespace app {
 
-// --why stitch:ROW:ITEM|vertex:ID: the step, its numbers and its sentence. why_query.cpp
+// --why row:ROW|stitch:ROW:ITEM|vertex:ID: the step, its numbers and its sentence. why_query.cpp
 std::optional<std::string> fault_of_why(const std::string& thing);
 Answer why_answer(Session& session, const std::string& thing);
 

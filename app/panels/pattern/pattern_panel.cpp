@@ -15,6 +15,7 @@
 #include "app/panels/pattern/pattern_parts.h"
 #include "app/panels/pattern/piece_list.h"
 #include "app/session/view.h"
+#include "knit/insight/narrate.h"
 #include "knit/model/settings_table.h"
 
 namespace app {
@@ -272,13 +273,32 @@ void draw_pattern_fields(PanelFrame& frame) {
   draw_style(frame, *fields.shown);
 }
 
+// Why the pattern ends early, or is none: what the run stopped for, and the way there.
+void draw_stop(PanelFrame& frame) {
+  const knit::Timeline& timeline = *frame.timeline();
+  const knit::Step* stop = timeline.stop();
+  if (stop == nullptr) return;
+  const bool some = frame.own<ChartCache>().has_pattern();
+  wrapped_text("The run stopped after step " + with_commas(timeline.known()) +
+                   (some ? ", so the pattern ends early. " : ", so there is no pattern. ") +
+                   knit::narrate(*stop, timeline.parameters_of_stop()),
+               theme().problem);
+  frame.mark("pattern/stop");
+  if (timeline.position() == timeline.known()) return;
+  if (ImGui::SmallButton("Show where it stopped")) frame.wish(SeekTo{timeline.known()});
+  frame.mark("pattern/to-stop");
+  tooltip(frame, "To the last step of the run, where it stopped.");
+}
+
 }  // namespace
 
 template <>
 void draw_side<SidePanel::pattern>(PanelFrame& frame) {
   draw_pattern_fields(frame);
   if (frame.timeline() != nullptr) frame.own<ChartCache>().refresh(frame.session);
+  if (frame.timeline() != nullptr) draw_stop(frame);
   if (frame.timeline() == nullptr || !frame.own<ChartCache>().has_pattern()) {
+    if (frame.timeline() != nullptr && frame.timeline()->stop() != nullptr) return;
     wrapped_text("The pattern appears once the stitches have their labels.", theme().faint_text);
   } else {
     if (!frame.timeline()->complete()) wrapped_text("As far as the run is worked out.", theme().faint_text);

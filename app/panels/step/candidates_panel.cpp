@@ -14,6 +14,7 @@
 #include "app/panels/step/candidate_list.h"
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
+#include "knit/insight/causes.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -269,6 +270,21 @@ void wish_why(PanelFrame& frame, const knit::Candidate& candidate) {
   }
 }
 
+// Of one that became a stitch also what was refused just before it.
+std::string tip_of(const PanelFrame& frame, const knit::Candidate& candidate) {
+  if (candidate.step == knit::no_step) return "Click: show it.";
+  const bool taken =
+      candidate.verdict == CandidateVerdict::accepted || candidate.verdict == CandidateVerdict::taken;
+  const std::int32_t row = frame.own<CandidateList>().table().row;
+  // From 0, the stitch after the anchor is the anchor's number.
+  const std::string refused =
+      taken ? knit::why_refused_before(*frame.timeline(), {row, candidate.stitch}) : "";
+  const std::string head =
+      taken ? "Stitch " + std::to_string(candidate.stitch + 1) + " of row " + std::to_string(row) + ".\n"
+            : "";
+  return head + refused + (refused.empty() ? "" : "\n\n") + "Click: go to the step that says so.";
+}
+
 void draw_line(PanelFrame& frame, const knit::Candidate& candidate, bool lit, bool selected) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -280,7 +296,7 @@ void draw_line(PanelFrame& frame, const knit::Candidate& candidate, bool lit, bo
   if (ImGui::Selectable(("##" + order).c_str(), lit, ImGuiSelectableFlags_SpanAllColumns))
     wish_why(frame, candidate);
   frame.mark("candidate/" + order);
-  tooltip(frame, reached ? "Click: go to the step that says so." : "Click: show it.");
+  if (ImGui::IsItemHovered()) tooltip(frame, tip_of(frame, candidate));
   ImGui::SameLine(0.0f, 0.0f);
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
   text(order);

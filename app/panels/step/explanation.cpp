@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "app/explain/why_words.h"
+#include "app/lessons/lesson.h"
+#include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/sides.h"
@@ -122,12 +125,25 @@ void draw_lists(PanelFrame& frame) {
   }
 }
 
+// What decided, under what was done; not while it plays, where it would come and go, nor where it is to be guessed.
+void draw_cause(PanelFrame& frame) {
+  const bool guessing = asked_vertex(frame.session) || open_question(frame.session) != nullptr ||
+                        frame.session.view->playback.playing;
+  const std::string words = guessing ? "" : cause(frame.session);
+  if (words.empty()) return;
+  push_font(frame.fonts.small);
+  glossary_wrapped_text(frame, words, theme().text);
+  pop_font();
+  frame.mark("cause");
+}
+
 // Takes the same room for most sentences, so that what stands below keeps still while the run plays.
 void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
   const float top = ImGui::GetCursorPosY();
   const float width = ImGui::GetContentRegionAvail().x;
   glossary_wrapped_text(frame, words, colour);
   frame.mark("sentence");
+  draw_cause(frame);
   const float least = (width < frame.units(400.0f) ? 3.0f : 2.0f) * ImGui::GetTextLineHeight();
   const float spare = top + least - (ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
   if (spare > 0.0f) {

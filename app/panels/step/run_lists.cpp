@@ -3,6 +3,8 @@
 #include <string>
 
 #include "app/explain/why_words.h"
+#include "app/lessons/lesson.h"
+#include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/stop_ways.h"
@@ -10,6 +12,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
+#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
 #include "knit/insight/why.h"
@@ -62,6 +65,15 @@ void wish_why(PanelFrame& frame, std::int32_t row) {
   if (row > 1) frame.wish(SeekPlace{{knit::Stage::stitches, row, 0}});
 }
 
+// Why it has its stitches, unless that is to be guessed, and where a click leads.
+std::string row_tip(const PanelFrame& frame, knit::RowId number) {
+  const bool guessing = asked_vertex(frame.session) || open_question(frame.session) != nullptr;
+  const std::string why = guessing ? "" : knit::why_count(*frame.timeline(), number);
+  return why + (why.empty() ? "" : "\n\n") +
+         "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
+         "gives it its stitches, or counts its change.";
+}
+
 void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -76,9 +88,7 @@ void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
     }
   }
   frame.mark("row/" + label);
-  tooltip(frame,
-          "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
-          "gives it its stitches, or counts its change.");
+  if (ImGui::IsItemHovered()) tooltip(frame, row_tip(frame, number));
   const knit::Row* row = state.fabric.find_row(number);
   if (row == nullptr) {  // in the making
     ImGui::TableNextColumn();
