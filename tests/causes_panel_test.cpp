@@ -20,6 +20,10 @@ TEST_CASE("causes: one click on a row says under the sentence why it has its sti
   CHECK_FALSE(why.empty());
   CHECK(cause(desk.session).ends_with(why));
   CHECK(desk.ui.controls.count("cause") == 1);
+  desk.act({SetPredicting{true}});  // verdicts are to be guessed
+  desk.settle();
+  CHECK(desk.ui.controls.count("cause") == 0);
+  desk.act({SetPredicting{false}});
   // Not while it plays, nor under a step that decides nothing.
   desk.session.view->playback.playing = true;
   desk.settle();

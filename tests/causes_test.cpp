@@ -7,8 +7,10 @@
 #include "app/script/queries.h"
 #include "app/session/document.h"
 #include "knit/insight/cause_parts.h"
+#include "knit/insight/longest_wale.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/stitch_size.h"
+#include "knit/quality/measures.h"
 #include "knit/rows/rows.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -221,6 +223,26 @@ TEST_CASE("causes: the why of a label says its step and which of its kind it is"
     }
   }
   FAIL("no third k2tog");
+}
+
+TEST_CASE("causes: how long the longest wale is, and where") {
+  app::Session session = test_support::example_session("thesis-sphere");
+  const app::Answer answer = app::why_answer(session, "longest wale");
+  CHECK(answer.exit_code == app::exit_done);
+  const Timeline& timeline = session.document->timeline;
+  const auto longest = longest_wale(timeline.furthest().fabric);
+  REQUIRE(longest);
+  CHECK(longest->length == Approx(wale_figures(timeline.furthest()).high));
+  CHECK(contains(answer.out, "The longest wale: it is " + short_number(longest->length) + " long, "));
+  const auto end = [](const StitchRef& ref) {
+    return "stitch " + std::to_string(ref.stitch + 1) + " of row " + std::to_string(ref.row);
+  };
+  CHECK(contains(answer.out, " h, from " + end(longest->below) + " to " + end(longest->above) + "."));
+  const ColumnEdgeElement other{2, longest->row == 2 && longest->cell == 0 ? 1 : 0};
+  CHECK(contains(app::why_words(timeline, other), " It is "));
+  CHECK_FALSE(contains(app::why_words(timeline, other), "longest"));
+  CHECK_FALSE(longest_wale(Fabric()));
+  CHECK_FALSE(app::fault_of_why("longest wale"));
 }
 
 TEST_CASE("causes: ordinals") {

@@ -7,6 +7,7 @@
 #include "app/base/text.h"
 #include "app/session/document.h"
 #include "knit/insight/causes.h"
+#include "knit/insight/longest_wale.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/why_tubes.h"
 #include "knit/model/measured.h"
@@ -290,6 +291,24 @@ std::string stitch_words(const knit::Timeline& timeline, const knit::StitchEleme
   return words + went;
 }
 
+// " It is 0.0851 long, 1.18 h, from stitch 3 of row 6 to stitch 4 of row 7." of a wale, and whether none is longer.
+std::string length_words(const knit::Timeline& timeline, const knit::Element& thing) {
+  const auto* edge = std::get_if<knit::ColumnEdgeElement>(&thing);
+  if (edge == nullptr || edge->row < 0) return "";
+  const knit::Fabric& fabric = timeline.furthest().fabric;
+  const auto wale = knit::wale_at(fabric, edge->row, edge->edge);
+  if (!wale) return "";
+  const double heights = wale->length / timeline.parameters_of_stop().stitch.height;
+  const auto longest = knit::longest_wale(fabric);
+  const bool is_longest = longest && longest->row == wale->row && longest->cell == wale->cell;
+  const auto name = [](const knit::StitchRef& ref) {
+    return words_of(knit::Element(knit::StitchElement{ref.row, ref.stitch}));
+  };
+  return " " + std::string(is_longest ? "The longest wale: it" : "It") + " is " +
+         knit::short_number(wale->length) + " long, " + knit::short_number(heights) + " h, from " +
+         name(wale->below) + " to " + name(wale->above) + ".";
+}
+
 // " It is the 3rd of the row's 6 K2tog." and why it stands there.
 std::string label_words(const knit::Timeline& timeline, const knit::LabelElement& label) {
   const std::string why = knit::why_label(timeline, label);
@@ -342,7 +361,13 @@ std::string why_words(const knit::Timeline& timeline, const knit::Element& thing
   const std::int32_t row = std::visit(Parts{}, thing).row;
   const auto* label = std::get_if<knit::LabelElement>(&thing);
   return said_by(timeline, *made) + (label != nullptr ? label_words(timeline, *label) : "") +
-         made_words(*made) + (row < 0 ? " " + deal_words(timeline, row) : tube_words(timeline, row));
+         length_words(timeline, thing) + made_words(*made) +
+         (row < 0 ? " " + deal_words(timeline, row) : tube_words(timeline, row));
+}
+
+std::optional<knit::ColumnEdgeElement> longest_wale_of(const knit::Timeline& timeline) {
+  const auto longest = knit::longest_wale(timeline.furthest().fabric);
+  return longest ? std::optional(knit::ColumnEdgeElement{longest->row, longest->cell}) : std::nullopt;
 }
 
 std::optional<std::int32_t> row_named(const std::string& text) {

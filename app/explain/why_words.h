@@ -22,6 +22,9 @@ std::string why_words(const knit::Timeline& timeline, const knit::Element& thing
 // "row 7" or "row:7", from 1. Nothing where it cannot be read.
 std::optional<std::int32_t> row_named(const std::string& text);
 
+// The column edge of the longest wale; none before rows are joined.
+std::optional<knit::ColumnEdgeElement> longest_wale_of(const knit::Timeline& timeline);
+
 // What decided in the last step, beside its sentence; empty where there is nothing to add.
 std::string cause(const Session& session);
 

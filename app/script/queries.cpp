@@ -271,15 +271,30 @@ std::string stitch_text(const knit::Timeline& timeline, const knit::StitchElemen
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view longest_wale_words = "longest wale";
+
+}  // namespace
+
 std::optional<std::string> fault_of_why(const std::string& thing) {
-  if (thing_named(thing) || row_named(thing)) return std::nullopt;
+  if (thing_named(thing) || row_named(thing) || thing == longest_wale_words) return std::nullopt;
   return "--why cannot be \"" + thing +
-         "\"; give row:ROW, stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM "
-         "or "
-         "vertex:ID, rows from 1 and items from 0; ROW -1 is the first deal, with its bridge.";
+         "\"; give row:ROW, longest wale, stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
+         "label:ROW:ITEM or vertex:ID, rows from 1 and items from 0; ROW -1 is the first deal, with its "
+         "bridge.";
 }
 
 namespace {
+
+// Of the whole run, where it has to be known to tell which is meant.
+std::optional<knit::Element> thing_asked(Session& session, const std::string& thing) {
+  if (!session.document) return std::nullopt;
+  if (thing != longest_wale_words) return thing_named(thing);
+  work_out(session);
+  const auto longest = longest_wale_of(session.document->timeline);
+  return longest ? std::optional<knit::Element>(*longest) : std::nullopt;
+}
 
 // "row 7": why it has its number of stitches, and the step that decided.
 Answer why_row_answer(Session& session, std::int32_t row) {
@@ -300,8 +315,8 @@ Answer why_row_answer(Session& session, std::int32_t row) {
 Answer why_answer(Session& session, const std::string& thing) {
   const auto row = row_named(thing);
   if (row && session.document) return why_row_answer(session, *row);
-  const auto asked = thing_named(thing);
-  if (!asked || !session.document) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
+  const auto asked = thing_asked(session, thing);
+  if (!asked) return {exit_usage, "", "nothing can be said about \"" + thing + "\"."};
   work_out(session);
   const knit::Timeline& timeline = session.document->timeline;
   const auto* vertex = std::get_if<knit::VertexElement>(&*asked);

@@ -11,8 +11,6 @@ namespace knit {
 
 namespace {
 
-std::string str(std::int64_t number) { return std::to_string(number); }
-
 // What a row's steps say of its count.
 struct CountRead {
   const TubeTaken* taken = nullptr;
@@ -49,7 +47,8 @@ std::string holds_text(const CountRead& read) {
 }
 
 std::string limits_text(std::int32_t below) {
-  return "on the " + str(below) + " below there may be " + str(fewest_on(below)) + " to " + str(2 * below);
+  return "on the " + whole_text(below) + " below there may be " + whole_text(fewest_on(below)) + " to " +
+         whole_text(2 * below);
 }
 
 // What the rows above hold, in stitches; as far as they are looked at.
@@ -72,14 +71,15 @@ std::string ahead_text(const std::vector<double>& ideals, std::int32_t row, cons
   text += "; ";
   const auto own = static_cast<std::int32_t>(rounded(chosen.ideal));
   const auto next = static_cast<std::int32_t>(rounded(ideals.front()));
-  const std::string then = "row " + str(row + 1) + " could have ";
+  const std::string then = "row " + whole_text(row + 1) + " could have ";
   if (next > 2 * own)
-    return text + "on " + str(own) + " " + then + "at most " + str(2 * own) + ", on " + str(chosen.count) +
-           " up to " + str(2 * chosen.count) + ".";
+    return text + "on " + whole_text(own) + " " + then + "at most " + whole_text(2 * own) + ", on " +
+           whole_text(chosen.count) + " up to " + whole_text(2 * chosen.count) + ".";
   if (next < fewest_on(own))
-    return text + "on " + str(own) + " " + then + "no fewer than " + str(fewest_on(own)) + ", on " +
-           str(chosen.count) + " as few as " + str(fewest_on(chosen.count)) + ".";
-  return text + "with " + str(chosen.count) + " here all of them together come nearest to what they hold.";
+    return text + "on " + whole_text(own) + " " + then + "no fewer than " + whole_text(fewest_on(own)) +
+           ", on " + whole_text(chosen.count) + " as few as " + whole_text(fewest_on(chosen.count)) + ".";
+  return text + "with " + whole_text(chosen.count) +
+         " here all of them together come nearest to what they hold.";
 }
 
 std::string reason_text(const State& run, std::int32_t row, const CountRead& read) {
@@ -94,10 +94,10 @@ std::string reason_text(const State& run, std::int32_t row, const CountRead& rea
     case CountReason::at_least_three:
       return holds + ", but a round needs 3.";
     case CountReason::at_most_double:
-      return holds + ", but a row at most doubles what it is worked on: 2 x " + str(chosen.below) + " = " +
-             str(2 * chosen.below) + ".";
+      return holds + ", but a row at most doubles what it is worked on: 2 x " + whole_text(chosen.below) +
+             " = " + whole_text(2 * chosen.below) + ".";
     case CountReason::at_least_half:
-      return holds + ", but a row has at least half of what it is worked on: " + str(chosen.below) +
+      return holds + ", but a row has at least half of what it is worked on: " + whole_text(chosen.below) +
              " / 2 = " + short_number(0.5 * chosen.below) + ".";
     case CountReason::room_ahead:
       return holds + (limits.empty() ? "" : "; " + limits) + ". " +
@@ -126,10 +126,10 @@ std::string loops_text(const Fabric& fabric, std::int32_t row, const LiveStitche
     text += (i == 0                  ? ""
              : i + 1 == parts.size() ? " and "
                                      : ", ") +
-            (i == 0 ? stitch_count_text(count) : str(count)) + " of ";
+            (i == 0 ? stitch_count_text(count) : whole_text(count)) + " of ";
     const Row* of = fabric.find_row(from);
-    text += of == nullptr ? "the bridge of deal " + str(-from)
-                          : "row " + str(from) + " (tube " + tube_name(of->tube) + ")";
+    text += of == nullptr ? "the bridge of deal " + whole_text(-from)
+                          : "row " + whole_text(from) + " (tube " + tube_name(of->tube) + ")";
   }
   return text + ".";
 }

@@ -6,14 +6,12 @@
 
 #include "knit/insight/cause_parts.h"
 #include "knit/insight/causes.h"
-#include "knit/stitches/stitch_index.h"
 
 namespace knit {
 
 namespace {
 
-std::string str(std::int64_t number) { return std::to_string(number); }
-std::string cell_text(std::int32_t cell) { return "cell " + str(cell + 1); }
+std::string cell_text(std::int32_t cell) { return "cell " + whole_text(cell + 1); }
 
 // A label of a join, and what stands about it.
 struct LabelAt {
@@ -25,6 +23,8 @@ struct LabelAt {
   [[nodiscard]] Label label() const { return label(cell); }
   [[nodiscard]] std::int32_t cells() const { return static_cast<std::int32_t>(join.labels.size()); }
   [[nodiscard]] std::int32_t shaping() const { return std::abs(join.change()); }
+  // By sections; each brings two at most.
+  [[nodiscard]] std::int32_t mains_wanted() const { return (shaping() + 1) / 2; }
   [[nodiscard]] std::int32_t wrapped(std::int32_t at) const { return (at % cells() + cells()) % cells(); }
   [[nodiscard]] LabelAt from(std::int32_t other) const { return {fabric, join, other}; }
   [[nodiscard]] std::ptrdiff_t number_of_mains() const {
@@ -50,8 +50,9 @@ struct LabelAt {
   }
   [[nodiscard]] std::string stitch_below_text(std::int32_t at) const {
     const StitchRef ref = join.from.at(at);
-    if (ref.row < 0) return "stitch " + str(ref.stitch + 1) + " of the bridge of deal " + str(-ref.row);
-    return "stitch " + str(ref.stitch + 1) + " of row " + str(ref.row);
+    if (ref.row < 0)
+      return "stitch " + whole_text(ref.stitch + 1) + " of the bridge of deal " + whole_text(-ref.row);
+    return "stitch " + whole_text(ref.stitch + 1) + " of row " + whole_text(ref.row);
   }
 };
 
@@ -72,23 +73,23 @@ std::string followed_text(const LabelAt& at) {
   const std::string every =
       at.join.spacing == 1 ? "each main" : "every " + nth_text(at.join.spacing) + " main";
   const std::string head = "Rule R3: " + every + " of the row below goes on, as " +
-                           str(mains_wanted(at.join.below, at.join.above)) + " are wanted for " +
-                           change_text(at);
+                           whole_text(at.mains_wanted()) + " are wanted for " + change_text(at);
   if (from >= below.size()) return head + ".";
   const std::int32_t moved = at.cell - below[from];
-  const std::string where = "; this one stands on stitch " + str(below[from] + 1) + " there";
-  return head + where + (moved > 0 ? ", moved on by the " + str(moved) + " made before it." : ".");
+  const std::string where = "; this one stands on stitch " + whole_text(below[from] + 1) + " there";
+  return head + where + (moved > 0 ? ", moved on by the " + whole_text(moved) + " made before it." : ".");
 }
 
 std::string main_text(const LabelAt& at) {
   const Join& join = at.join;
-  const std::int32_t wanted = mains_wanted(join.below, join.above);
-  const std::string are_wanted =
-      str(wanted) + (wanted == 1 ? " main is wanted for " : " mains are wanted for ") + change_text(at);
-  const std::string had = str(static_cast<std::int64_t>(at.mains_below().size()));
+  const std::int32_t wanted = at.mains_wanted();
+  const std::string are_wanted = whole_text(wanted) +
+                                 (wanted == 1 ? " main is wanted for " : " mains are wanted for ") +
+                                 change_text(at);
+  const std::string had = whole_text(static_cast<std::int64_t>(at.mains_below().size()));
   switch (join.rule) {
     case Rule::from_cast_on:
-      return "Rule R0: on the cast on each of its " + str(join.below) +
+      return "Rule R0: on the cast on each of its " + whole_text(join.below) +
              " stitches gets a main, and the increases are spread between them.";
     case Rule::plain:
       return "Rule R1: the row has as many stitches as the one below, so its mains stay where they are.";
@@ -101,7 +102,7 @@ std::string main_text(const LabelAt& at) {
       return "Rule R4: " + are_wanted + ", the row below has " + had + "; so a main every " +
              plural(join.spacing, "cell", "cells") + " from the first" +
              (join.remainder > 0
-                  ? ", and what is left over, " + str(join.remainder) + ", on the last spacing."
+                  ? ", and what is left over, " + whole_text(join.remainder) + ", on the last spacing."
                   : ".");
     case Rule::dense:
       return "A section had no room for two cells a label, so each stitch of the smaller row gets a main.";
@@ -162,9 +163,9 @@ std::string shared_text(const LabelAt& at) {
   };
   const bool grows = cells_above(join);
   const std::string text = "The stitches of " + std::string(grows ? "this row" : "the row below") +
-                           " in cells " + str(first + 1) + " and " + str(second + 1) + " share stitch " +
-                           str(shared.stitch + 1) + (grows ? " below" : " of this row") + ", " + away(first) +
-                           " and " + away(second) +
+                           " in cells " + whole_text(first + 1) + " and " + whole_text(second + 1) +
+                           " share stitch " + whole_text(shared.stitch + 1) +
+                           (grows ? " below" : " of this row") + ", " + away(first) + " and " + away(second) +
                            " away: so the wales are shortest all around (least sum of squares).";
   return text + leaning_text(at, first, second);
 }

@@ -12,7 +12,9 @@ namespace knit {
 std::string why_picked(const Timeline& timeline, std::int32_t row);
 std::string why_contour_count(const Timeline& timeline, std::int32_t row);
 
-// "every vertex", "every 2nd vertex"; "2nd"
+inline std::string whole_text(std::int64_t number) { return std::to_string(number); }
+
+// "2nd"
 inline std::string nth_text(std::int32_t n) {
   const std::int32_t last_two = n % 100, last = n % 10;
   const bool teens = last_two >= 11 && last_two <= 13;

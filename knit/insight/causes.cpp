@@ -47,6 +47,17 @@ bool decides_count(const Event& what) {
          is<GapShared>(what);
 }
 
+// The rule that spaced the mains, told of the first of them.
+std::string why_spacing(const Timeline& timeline, std::int32_t row) {
+  const Join* join = planned_join(timeline.furthest(), row);
+  if (join == nullptr) return "";
+  const auto first = std::find(join->labels.begin(), join->labels.end(), Label::main);
+  if (first == join->labels.end()) return "";
+  const std::string why = why_label(timeline, {row, static_cast<std::int32_t>(first - join->labels.begin())});
+  const std::size_t of_the_first = why.find("; this one");
+  return of_the_first == std::string::npos ? why : why.substr(0, of_the_first) + ".";
+}
+
 bool is_last_of_row(const Timeline& timeline, std::size_t step) {
   const Place& at = timeline.step(step).place;
   if (step + 1 == timeline.known()) return timeline.complete();
@@ -120,6 +131,7 @@ std::string cause_of(const Timeline& timeline, std::size_t step) {
   std::string text;
   if (main != nullptr) text = why_label(timeline, {did.place.row, main->cell});
   if (shaping != nullptr) text = why_label(timeline, {did.place.row, shaping->cell});
+  if (is<SpacingChosen>(did)) text = why_spacing(timeline, did.place.row);
   if (did.place.row < 1 || !(decides_count(did.what) || is_last_of_row(timeline, step))) return text;
   const std::string count = why_count(timeline, did.place.row);
   return text + (text.empty() || count.empty() ? "" : " ") + count;

@@ -8,7 +8,6 @@
 
 #include "app/explain/why_words.h"
 #include "app/lessons/lesson.h"
-#include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/sides.h"
@@ -16,6 +15,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step.h"
 #include "app/panels/step/step_parts.h"
+#include "app/session/learning.h"
 #include "app/session/view.h"
 #include "knit/model/words.h"
 
@@ -127,9 +127,8 @@ void draw_lists(PanelFrame& frame) {
 
 // What decided, under what was done; not while it plays, where it would come and go, nor where it is to be guessed.
 void draw_cause(PanelFrame& frame) {
-  const bool guessing = asked_vertex(frame.session) || open_question(frame.session) != nullptr ||
-                        frame.session.view->playback.playing;
-  const std::string words = guessing ? "" : cause(frame.session);
+  const bool hidden = gives_away_causes(frame.session) || frame.session.view->playback.playing;
+  const std::string words = hidden ? "" : cause(frame.session);
   if (words.empty()) return;
   push_font(frame.fonts.small);
   glossary_wrapped_text(frame, words, theme().text);
@@ -228,6 +227,10 @@ float step_height(const PanelFrame& frame, float wanted) {
 }
 
 }  // namespace
+
+bool gives_away_causes(const Session& session) {
+  return session.learning->prediction != nullptr || open_question(session) != nullptr;
+}
 
 template <>
 void draw_side<SidePanel::step>(PanelFrame& frame) {

@@ -3,8 +3,6 @@
 #include <string>
 
 #include "app/explain/why_words.h"
-#include "app/lessons/lesson.h"
-#include "app/lessons/predict.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/stop_ways.h"
@@ -67,8 +65,7 @@ void wish_why(PanelFrame& frame, std::int32_t row) {
 
 // Why it has its stitches, unless that is to be guessed, and where a click leads.
 std::string row_tip(const PanelFrame& frame, knit::RowId number) {
-  const bool guessing = asked_vertex(frame.session) || open_question(frame.session) != nullptr;
-  const std::string why = guessing ? "" : knit::why_count(*frame.timeline(), number);
+  const std::string why = gives_away_causes(frame.session) ? "" : knit::why_count(*frame.timeline(), number);
   return why + (why.empty() ? "" : "\n\n") +
          "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
          "gives it its stitches, or counts its change.";

@@ -15,6 +15,9 @@ void draw_candidates(PanelFrame& frame);
 void draw_problems(PanelFrame& frame);
 void draw_breaks(PanelFrame& frame);
 
+// Whether something is to be guessed, which what decided beside it would give away.
+bool gives_away_causes(const Session& session);
+
 // How many lines the list of problems has.
 std::size_t count_problems(const PanelFrame& frame);
 
