@@ -151,6 +151,10 @@ TEST_CASE("causes: each label says which rule and which neighbour decided, and n
       const std::string why = why_label(timeline, {join->to, cell});
       REQUIRE(why.size() > 20);
       const Label label = join->labels[static_cast<std::size_t>(cell)];
+      if (join->rule == Rule::nearest && label == Label::main) {
+        const Row* below = timeline.furthest().fabric.row_below(join->to);
+        CHECK(contains(why, "spread evenly") == (below != nullptr && below->on.empty()));
+      }
       if (!is_shaping(label) || join->rule == Rule::from_cast_on || join->rule == Rule::dense) continue;
       ++shaping;
       CHECK(contains(why, "is " + std::string(name_of(label))));

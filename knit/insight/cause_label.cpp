@@ -43,6 +43,11 @@ struct LabelAt {
     const Join* made = below != nullptr ? fabric.join_into(below->id) : nullptr;
     return made != nullptr ? made->mains : std::vector<std::int32_t>{};
   }
+  // Whether the stitch below was cast on, so that no main stands there.
+  [[nodiscard]] bool on_cast_on() const {
+    const StitchRef ref = join.from.at(ends_of(join, cell).below);
+    return ref.row > 0 && fabric.join_into(ref.row) == nullptr;
+  }
   // The place among the mains of the join, from 0.
   [[nodiscard]] std::int32_t number_of_main() const {
     return static_cast<std::int32_t>(
@@ -110,9 +115,9 @@ std::string main_text(const LabelAt& at) {
       return are_wanted + ", with sections of the smaller row as even as can be: a main every " +
              plural(join.spacing, "stitch", "stitches") + ".";
     case Rule::nearest:
-      if (at.mains_below().empty())
+      if (at.on_cast_on())
         return "Mains are wales; they are spread evenly over the round that they begin on.";
-      return "Mains are wales: it goes on from the main below it, " +
+      return "Mains are wales: it goes on from the one below it, " +
              at.stitch_below_text(ends_of(join, at.cell).below) + ", along its link.";
   }
   return "";
