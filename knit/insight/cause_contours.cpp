@@ -13,7 +13,6 @@ namespace {
 
 // What a row's steps say of its count.
 struct CountRead {
-  const TubeTaken* taken = nullptr;
   const CutFound* cut = nullptr;
   const LengthMeasured* measured = nullptr;
   const CountChosen* chosen = nullptr;
