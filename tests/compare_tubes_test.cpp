@@ -4,7 +4,7 @@
 
 #include "app/compare/compare_runs.h"
 #include "app/compare/sweep_work.h"
-#include "app/panels/compare/sweep_cache.h"
+#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/kit/widgets.h"
 #include "app/script/queries.h"
 #include "app/session/document.h"

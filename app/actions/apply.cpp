@@ -154,6 +154,7 @@ struct Apply {
   void operator()(const Tune& a) {
     if (!open()) return;
     if (refuse(a.parameters)) return;
+    forget_refused();
     remember_knobs(session);
     note_before_change(session);
     if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
@@ -182,9 +183,10 @@ struct Apply {
   void operator()(const EditFromHere& a) {
     if (!open() || refuse(a.parameters)) return;
     if (auto why = knit::why_not_from_here(timeline().parameters(), a.parameters, timeline().state().next)) {
-      notify(session, Notice::Kind::error, std::move(*why));
+      notify_refused(std::move(*why));
       return;
     }
+    forget_refused();
     remember_knobs(session);
     note_before_change(session);
     timeline().edit_from_here(a.parameters);
@@ -220,8 +222,16 @@ struct Apply {
   }
   bool refuse(const knit::Parameters& wished) {
     const auto fault = knit::fault_of(wished, timeline().input());
-    if (fault) notify(session, Notice::Kind::error, *fault);
+    if (fault) notify_refused(*fault);
     return fault.has_value();
+  }
+  // What was said of refused values goes with the first that are taken.
+  void notify_refused(std::string words) {
+    notify(session, Notice::Kind::error, std::move(words));
+    session.outbox->notices.back().of_values = true;
+  }
+  void forget_refused() {
+    std::erase_if(session.outbox->notices, [](const Notice& notice) { return notice.of_values; });
   }
   void operator()(const RemoveEdit& a) {
     if (!open() || a.index >= timeline().edits().size()) return;

@@ -1,5 +1,6 @@
 #include "app/actions/hosting.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/actions/background_work.h"
@@ -26,7 +27,16 @@ void offer_rescued(Session& session, std::optional<Rescued> rescued) {
 }
 
 void notify(Session& session, Notice::Kind kind, std::string words) {
-  session.outbox->notices.push_back({kind, std::move(words)});
+  Notice notice{kind, std::move(words)};
+  auto& notices = session.outbox->notices;
+  const auto same = std::find_if(notices.begin(), notices.end(), [&](const Notice& before) {
+    return before.kind == notice.kind && before.text == notice.text;
+  });
+  if (same != notices.end()) {
+    notice.times = static_cast<std::uint16_t>(std::min(same->times + 1, 9999));
+    notices.erase(same);
+  }
+  notices.push_back(std::move(notice));
 }
 
 void notify_saved(Session& session, const std::filesystem::path& path,

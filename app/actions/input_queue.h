@@ -95,8 +95,10 @@ class InputQueue {
   // - the pointer does not move after a button changed, and no button changes after the wheel turned;
   // - no button goes up after the pointer moved: what is dragged goes where it is dropped;
   // - a modifier does not change after any other key, button or wheel (else Ctrl would seem held, or not);
-  // - text and editing keys stay in the order in which they were typed;
+  // - text and editing keys stay in the order in which they were typed, and before a click that comes after them;
   // - the focus does not change after anything else did.
+  // After what may open or leave a field (a click, Tab, Enter, Escape, a shortcut that opens something) keys and
+  // text wait for a few frames, until it is known whose they are.
   // What would break a rule, and all that comes after it, waits.
   std::vector<InputEvent> take_frame();
 
@@ -104,6 +106,7 @@ class InputQueue {
 
  private:
   std::deque<InputEvent> events_;
+  int settling_ = 0;  // frames that keys still wait
 };
 
 }  // namespace app

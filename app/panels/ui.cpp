@@ -4,6 +4,7 @@
 
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/kit/commands.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/splitters.h"
 #include "app/panels/kit/stop_ways.h"
@@ -34,9 +35,23 @@ LayoutWish layout_wish(const Session& session) {
           session.learning->lesson ? lesson_height : 0.0f};
 }
 
+namespace {
+
+// Where most numbers are: who types one there means none of the view's layers.
+bool over_fields(const Layout& layout) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const auto over = [&](const Box& box) {
+    return at.x >= box.x && at.x < box.right() && at.y >= box.y && at.y < box.bottom();
+  };
+  return over(layout.parameters) || over(layout.explanation);
+}
+
+}  // namespace
+
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
                 const Fonts& fonts) {
-  PanelFrame frame{session, memory, scene, layout, fonts, pressed_commands(session)};
+  PanelFrame frame{session, memory, scene, layout, fonts, {}};
+  if (!number_field_open(memory)) frame.actions = pressed_commands(session, !over_fields(layout));
   memory.controls.clear();
   if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
   draw_menu(frame);

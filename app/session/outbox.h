@@ -5,13 +5,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace app {
 
 struct Notice {
   enum class Kind : std::uint8_t { info, warning, error } kind = Kind::info;
+  bool of_values = false;   // refuses parameters: it goes when some are taken
+  std::uint16_t times = 1;  // that it was said
   std::string text;
+
+  Notice() = default;
+  Notice(Kind of_kind, std::string words) : kind(of_kind), text(std::move(words)) {}
   friend bool operator==(const Notice&, const Notice&) = default;
 };
 

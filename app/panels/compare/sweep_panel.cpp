@@ -5,8 +5,9 @@
 #include <string>
 
 #include "app/base/text.h"
-#include "app/panels/compare/sweep_cache.h"
+#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/compare/sweep_plot.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/sides.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
@@ -82,23 +83,27 @@ void draw_range(PanelFrame& frame, SweepAxis& axis, const std::string& mark) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float whole = ImGui::GetContentRegionAvail().x;
   const float third = std::floor((whole - 2.0f * gap) / 3.0f);
-  const auto speed = static_cast<float>(0.004 * std::max(1e-9, std::abs(axis.to)));
+  const knit::ParameterInfo& info = *knit::find_parameter(axis.key);
+  const auto* of_number = std::get_if<knit::Number>(&info.kind);
+  const auto* of_count = std::get_if<knit::Count>(&info.kind);
+  const double low = of_number != nullptr ? of_number->low : static_cast<double>(of_count->low);
+  const double high = of_number != nullptr ? of_number->high : static_cast<double>(of_count->high);
   const auto number = [&](const char* name, const char* words, double& value) {
-    const std::string shape = std::string(words) + " %.4g";
-    ImGui::SetNextItemWidth(third);
-    ImGui::DragScalar(("##" + mark + name).c_str(), ImGuiDataType_Double, &value, speed, nullptr, nullptr,
-                      shape.c_str());
+    const std::string full = knit::number_text(value);
+    const std::string shown = std::string(words) + " " + shown_number(value);
+    const bool open_ended = high >= knit::no_limit;
+    const NumberShape shape{shown, full, value, low, high, open_ended ? DragPace::ratio : DragPace::linear};
+    edit_number(frame, ("##" + mark + name).c_str(), value, shape, third);
     frame.mark(mark + "/" + name);
-    tooltip(frame, "Drag to change it, Ctrl+click to type.");
+    tooltip(frame, "Drag to change it, click to type." + exact_words(shown_number(value), full));
     ImGui::SameLine(0.0f, gap);
   };
   number("from", "from", axis.from);
   number("to", "to", axis.to);
-  ImGui::SetNextItemWidth(third);
-  ImGui::DragInt(("##" + mark + "count").c_str(), &axis.count, 0.5f, least_sweep_values, most_sweep_values,
-                 "%d values");
+  edit_number(frame, ("##" + mark + "count").c_str(), axis.count, least_sweep_values, most_sweep_values,
+              " values", third);
   frame.mark(mark + "/count");
-  tooltip(frame, "How many values, both ends in. Drag to change it, Ctrl+click to type.");
+  tooltip(frame, "How many values, both ends in. Drag to change it, click to type.");
 }
 
 std::string label_of(const std::string& key) { return std::string(knit::find_parameter(key)->label); }
@@ -211,9 +216,7 @@ std::string run_words(const SweepPlan& plan, const SweepRun& run) {
 
 void tooltip_at_pointer(const PanelFrame& frame, const std::string& words) {
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(frame.units(340.0f));
-  text(words);
-  ImGui::PopTextWrapPos();
+  text(wrapped_at_blanks(words, frame.units(340.0f)));
   ImGui::EndTooltip();
 }
 

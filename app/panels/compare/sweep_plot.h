@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/panels/compare/sweep_cache.h"
+#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/kit/frame.h"
 
 namespace app {

@@ -12,10 +12,12 @@
 #include "app/actions/navigate.h"
 #include "app/base/text.h"
 #include "app/files/figures.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -122,15 +124,16 @@ void draw_stretch(PanelFrame& frame) {
 void draw_rate(PanelFrame& frame) {
   FigureDialog& dialog = frame.own<FigureDialog>();
   label(frame, "Frames");
-  ImGui::SetNextItemWidth(frame.units(64.0f));
-  ImGui::InputInt("##frames", &dialog.frames, 0, 0);
+  edit_number(frame, "##frames", dialog.frames, 1, most_frames, "", frame.units(64.0f));
   frame.mark("figure/frames");
   tooltip(frame, "At most so many, spread evenly; the last one shows the end.");
   ImGui::SameLine();
   faint_text("at");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(frame.units(52.0f));
-  ImGui::InputDouble("##rate", &dialog.rate, 0.0, 0.0, "%.4g");
+  const NumberShape rate{
+      shown_number(dialog.rate), knit::number_text(dialog.rate), dialog.rate, slowest_rate, fastest_rate,
+      DragPace::linear};
+  edit_number(frame, "##rate", dialog.rate, rate, frame.units(52.0f));
   frame.mark("figure/rate");
   ImGui::SameLine();
   std::string words = "a second";
@@ -152,9 +155,13 @@ void draw_size(PanelFrame& frame) {
   if (dialog.size == own_size && dialog.own[0] == 0) dialog.own = {before.width, before.height};
   label(frame, "");
   if (dialog.size == own_size) {
-    ImGui::SetNextItemWidth(frame.units(136.0f));
-    ImGui::InputInt2("##own", dialog.own.data());
+    edit_number(frame, "##width", dialog.own[0], smallest_side, largest_side, "", frame.units(64.0f));
     frame.mark("figure/own");
+    ImGui::SameLine();
+    faint_text("x");
+    ImGui::SameLine();
+    edit_number(frame, "##height", dialog.own[1], smallest_side, largest_side, "", frame.units(64.0f));
+    frame.mark("figure/own-height");
     ImGui::SameLine();
     faint_text("pixels");
   } else {
@@ -203,7 +210,9 @@ void close_figure_dialog(PanelFrame& frame) {
   ImGui::CloseCurrentPopup();
 }
 
-void draw_figure_buttons(PanelFrame& frame, bool entered) {
+// `keys`: whether Enter and Escape are the dialog's.
+void draw_figure_buttons(PanelFrame& frame, bool keys) {
+  const bool entered = keys && (key_pressed(Key::Enter) || key_pressed(Key::KeypadEnter));
   const bool picture = frame.own<FigureDialog>().wanted == Kind::picture;
   const std::string path = path_of(frame.own<FigureDialog>());
   const auto fault = picture ? fault_of(picture_wished(frame)) : fault_of(animation_wished(frame));
@@ -229,11 +238,12 @@ void draw_figure_buttons(PanelFrame& frame, bool entered) {
   ImGui::SameLine();
   const bool cancelled = ImGui::Button("Cancel", ImVec2(frame.units(90.0f), 0.0f));
   frame.mark("figure/cancel");
-  if (cancelled || key_pressed(Key::Escape)) close_figure_dialog(frame);
+  if (cancelled || (keys && key_pressed(Key::Escape))) close_figure_dialog(frame);
 }
 
 void draw_figure_inside(PanelFrame& frame, bool begins) {
   const bool animation = frame.own<FigureDialog>().wanted == Kind::animation;
+  const bool typing = number_field_open(frame.memory);  // Enter takes a number then, Escape restores it
   draw_path(frame, begins);
   if (animation) {
     draw_stretch(frame);
@@ -244,7 +254,7 @@ void draw_figure_inside(PanelFrame& frame, bool begins) {
   if (animation && !frame.timeline()->complete())
     faint_text("The run is still being worked out; what is there so far is saved.");
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
-  draw_figure_buttons(frame, !begins && (key_pressed(Key::Enter) || key_pressed(Key::KeypadEnter)));
+  draw_figure_buttons(frame, !begins && !typing);
 }
 
 void begin(PanelFrame& frame) {

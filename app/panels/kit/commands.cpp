@@ -331,12 +331,20 @@ std::string words_of(const CommandInfo& info) {
 
 std::string tooltip_of(const CommandInfo& info) { return words_of(info) + " (" + keys_of(info) + ")"; }
 
-Actions pressed_commands(const Session& session) {
+bool is_of_numbers(const Chord& chord) {
+  if (chord.mods != none) return false;
+  const bool digit = chord.key >= Key::Digit0 && chord.key <= Key::Digit9;
+  return digit || chord.character == '.' || chord.character == ',' || chord.character == '-' ||
+         chord.character == '+';
+}
+
+Actions pressed_commands(const Session& session, bool numbers) {
   if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return {};
   Actions actions;
   for (const CommandInfo& info : table) {
-    const bool pressed = std::any_of(info.chords.begin(), info.chords.end(),
-                                     [&](const Chord& chord) { return is_pressed(chord, info.repeats); });
+    const bool pressed = std::any_of(info.chords.begin(), info.chords.end(), [&](const Chord& chord) {
+      return (numbers || !is_of_numbers(chord)) && is_pressed(chord, info.repeats);
+    });
     if (!pressed) continue;
     if (auto action = info.make(session)) actions.push_back(std::move(*action));
   }

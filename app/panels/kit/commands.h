@@ -49,7 +49,11 @@ std::string keys_of(const CommandInfo& info);     // "Esc", ", or -"
 std::string words_of(const CommandInfo& info);    // of a layer: with its name
 std::string tooltip_of(const CommandInfo& info);  // "Play or pause (Space)"
 
-// What the keys of this frame ask for; nothing while a person types or a menu or dialog is open.
-Actions pressed_commands(const Session& session);
+// Digits, points and signs, which a person who means a number types.
+bool is_of_numbers(const Chord& chord);
+
+// What the keys of this frame ask for; nothing while a person types or a menu or dialog is open. Without `numbers`
+// those of numbers are not for the view: the pointer is over fields.
+Actions pressed_commands(const Session& session, bool numbers = true);
 
 }  // namespace app

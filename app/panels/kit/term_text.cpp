@@ -28,12 +28,10 @@ float width_of(std::string_view words) {
 
 void show_meaning(PanelFrame& frame, const Term& term) {
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(frame.units(340.0f));
   push_font(frame.fonts.strong);
   text(with_capital(std::string(term.word)));
   pop_font();
-  text(term.meaning);
-  ImGui::PopTextWrapPos();
+  text(wrapped_at_blanks(term.meaning, frame.units(340.0f)));
   faint_text("Click: the glossary");
   ImGui::EndTooltip();
 }

@@ -110,10 +110,33 @@ bool wants_tooltip() {
 void tooltip(const PanelFrame& frame, std::string_view words) {
   if (!wants_tooltip()) return;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(frame.units(340.0f));
-  text(words);
-  ImGui::PopTextWrapPos();
+  text(wrapped_at_blanks(words, frame.units(340.0f)));
   ImGui::EndTooltip();
+}
+
+std::string wrapped_at_blanks(std::string_view words, float width) {
+  const auto wide = [](std::string_view part) {
+    return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+  };
+  std::string lines;
+  for (std::size_t begin = 0; begin <= words.size();) {
+    const std::size_t feed = std::min(words.find('\n', begin), words.size());
+    float x = 0.0f;
+    for (std::size_t at = begin; at < feed;) {
+      // A word goes with the blanks before it, unless it begins a line.
+      const std::size_t first = std::min(words.find_first_not_of(' ', at), feed);
+      const std::size_t end = std::min(words.find(' ', first), feed);
+      const float more = wide(words.substr(at, end - at));
+      const bool breaks = x > 0.0f && x + more > width;
+      if (breaks) lines += '\n';
+      lines.append(words.substr(breaks ? first : at, end - (breaks ? first : at)));
+      x = breaks ? wide(words.substr(first, end - first)) : x + more;
+      at = end;
+    }
+    if (feed < words.size()) lines += '\n';
+    begin = feed + 1;
+  }
+  return lines;
 }
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
@@ -128,9 +151,7 @@ void wrapped_text(std::string_view words) { wrapped_text(words, theme().text); }
 
 void wrapped_text(std::string_view words, Colour colour) {
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
-  ImGui::PushTextWrapPos(0.0f);
-  text(words);
-  ImGui::PopTextWrapPos();
+  text(wrapped_at_blanks(words, ImGui::GetContentRegionAvail().x));
   ImGui::PopStyleColor();
 }
 

@@ -60,6 +60,9 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
 // Buttons side by side of which one is chosen; gives the newly chosen one, or -1. Width 0: as wide as needed.
 int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width);
 
+// With line feeds where lines end, at blanks only: Dear ImGui itself breaks "0.05" after its point.
+std::string wrapped_at_blanks(std::string_view words, float width);
+
 // For the last item, wrapped.
 void tooltip(const PanelFrame& frame, std::string_view words);
 // Whether the last item is long enough under the pointer for a tooltip.

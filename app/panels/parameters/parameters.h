@@ -15,12 +15,11 @@ struct ChangeMode {
   bool from_here = false;  // a changed parameter counts from here on, not from the start
 };
 
-// A vertex number that is typed.
-struct VertexField {
-  TextBuffer text;
-  std::string shown;    // the value that `text` was made from
-  std::string trouble;  // why what was typed is refused
+// Why what was typed into a knob is refused; it goes when the knob has another value or is typed into again.
+struct KnobTrouble {
+  std::string value;  // of the knob, as text
+  std::string words;
 };
-using VertexFields = std::map<std::string, VertexField, std::less<>>;  // by parameter key
+using KnobTroubles = std::map<std::string, KnobTrouble, std::less<>>;  // by parameter key
 
 }  // namespace app

@@ -1,15 +1,20 @@
 // One parameter's control, drawn from its line in knit::parameter_table().
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/frame.h"
 #include "app/panels/kit/lesson_marks.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/parameters/knob_curve.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -37,44 +42,87 @@ struct Control {
     if (!knit::set_value(info, changed, text)) parameters = changed;
   }
 
-  // "%.4g mesh units" where it fits; one is "1 mesh unit".
-  [[nodiscard]] std::string format(const char* number, const std::string& shown) const {
-    if (info.unit.empty()) return number;
-    const std::string whole = with_unit(shown, info.unit);
-    const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
-    const bool fits = ImGui::CalcTextSize(whole.c_str()).x < room;
-    return fits ? number + whole.substr(shown.size()) : number;
+  // What a person typed, judged as a whole; what is refused leaves its sentence.
+  void take_typed(const std::string& text) const {
+    knit::Parameters changed = parameters;
+    auto trouble = knit::set_value(info, changed, text);
+    if (!trouble) trouble = knit::fault_of(changed, frame.timeline()->input());
+    if (!trouble) parameters = changed;
+    set_trouble(trouble.value_or(""));
+  }
+  void set_trouble(std::string words) const {
+    auto& troubles = frame.own<KnobTroubles>();
+    if (words.empty()) {
+      troubles.erase(std::string(info.key));
+    } else {
+      troubles[std::string(info.key)] = {knit::value_text(info, parameters), std::move(words)};
+    }
+  }
+  // A drag stays where all parameters are allowed together: it goes as far that way as halving finds.
+  template <class TextOf>
+  void take_dragged(double now, double wished, const TextOf& text_of) const {
+    constexpr int halvings = 8;
+    double reach = wished;
+    for (int i = 0; i < halvings; ++i) {
+      knit::Parameters changed = parameters;
+      if (!knit::set_value(info, changed, text_of(reach)) &&
+          !knit::fault_of(changed, frame.timeline()->input())) {
+        parameters = changed;
+        return set_trouble("");
+      }
+      reach = now + 0.5 * (reach - now);
+    }
   }
 
-  // Lengths are dragged in proportion to the mesh, others over decades.
+  // "0.05 mesh units" where it fits; one is "1 mesh unit".
+  [[nodiscard]] std::string fitted(const std::string& number, float wide) const {
+    if (info.unit.empty()) return number;
+    const std::string whole = with_unit(number, info.unit);
+    const float room = wide - 2.0f * ImGui::GetStyle().FramePadding.x;
+    return ImGui::CalcTextSize(whole.c_str()).x < room ? whole : number;
+  }
+
+  // Lengths are dragged in proportion to themselves: they have no end.
   void operator()(const knit::Number& number) const {
-    const double length = frame.timeline()->input().bounds.diagonal();
     const bool is_length = number.high >= knit::no_limit;
-    const bool automatic = knit::is_auto(number, parameters);
-    double value = knit::effective_value(number, parameters);
-    const double high = is_length ? length : number.high;
-    const bool zero_allowed = number.zero == knit::Zero::allowed;
-    const double low = number.low > 0.0 ? number.low : zero_allowed ? 0.0 : high * 1e-7;
-    const std::string digits = is_length || number.high >= 1000.0 ? "%.4g" : "%.2g";
-    const std::string shape = automatic ? "auto (" + knit::short_number(value) + ")"
-                                        : format(digits.c_str(), knit::short_number(value));
-    const float speed = static_cast<float>(is_length ? 0.0004 * length : 0.002 * high);
-    const ImGuiSliderFlags flags =
-        is_length || zero_allowed ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic;
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, &low, &high, shape.c_str(),
-                          flags)) {
-      set(knit::number_text(value));
+    const double value = knit::effective_value(number, parameters);
+    const std::string words = shown_number(value);
+    const double high = is_length ? frame.timeline()->input().bounds.diagonal() : number.high;
+    const bool from_zero = number.low > 0.0 || number.zero == knit::Zero::allowed;
+    const bool teaches = has_curve(info);
+    const float gap = frame.units(3.0f);
+    const float room = teaches ? width - ImGui::GetFrameHeight() - gap : width;
+    const NumberShape shape{knit::is_auto(number, parameters) ? "auto (" + words + ")" : fitted(words, room),
+                            knit::value_text(info, parameters),
+                            value,
+                            from_zero ? number.low : high * 1e-7,
+                            high,
+                            is_length ? DragPace::ratio : DragPace::linear,
+                            teaches ? [&] { draw_curve(frame, info); } : std::function<void()>()};
+    const auto marked = teaches ? curve_mark(frame, info, room) : std::nullopt;
+    const NumberChange change = number_field(frame, "##value", shape, room);
+    if (marked) take_typed(knit::number_text(*marked));
+    if (change.typed) take_typed(*change.typed);
+    if (change.dragged) take_dragged(value, *change.dragged, [](double to) { return knit::number_text(to); });
+    if (teaches) {
+      ImGui::SameLine(0.0f, gap);
+      draw_curve_button(frame, info);
     }
   }
 
   void operator()(const knit::Count& count) const {
-    int value = count.get(parameters);
+    const int value = count.get(parameters);
     const bool automatic = count.zero_means_auto && value == 0;
-    const std::string shape = automatic ? "auto" : format("%d", std::to_string(value));
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::DragInt("##value", &value, 0.1f, count.low, count.high, shape.c_str()))
-      set(std::to_string(value));
+    const NumberShape shape{automatic ? "auto" : fitted(std::to_string(value), width),
+                            knit::value_text(info, parameters),
+                            static_cast<double>(value),
+                            static_cast<double>(count.low),
+                            static_cast<double>(count.high),
+                            DragPace::whole};
+    const NumberChange change = number_field(frame, "##value", shape, width);
+    if (change.typed) take_typed(*change.typed);
+    if (change.dragged)
+      take_dragged(value, *change.dragged, [](double to) { return std::to_string(std::lround(to)); });
   }
 
   void operator()(const knit::Choice& choice) const {
@@ -117,10 +165,7 @@ struct Control {
 
   void operator()(const knit::GaugeChoice& choice) const {
     const knit::Gauge gauge = choice.get(parameters);
-    std::array<double, 2> parts{gauge.stitches, gauge.rounds};
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::DragScalarN("##gauge", ImGuiDataType_Double, parts.data(), 2, 0.05f, nullptr, nullptr, "%.4g"))
-      set(knit::number_text(parts[0]) + "," + knit::number_text(parts[1]));
+    number_parts(std::array{gauge.stitches, gauge.rounds}, 0.1, 1000.0, DragPace::ratio);
   }
 
   void operator()(const knit::PickedVertex& /*picked*/) const;
@@ -140,12 +185,29 @@ struct Control {
   }
 
   void direction_field(const glm::dvec3& direction) const {
-    std::array<double, 3> parts{direction.x, direction.y, direction.z};
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::DragScalarN("##direction", ImGuiDataType_Double, parts.data(), 3, 0.01f, nullptr, nullptr,
-                           "%.2f")) {
-      set(knit::number_text(parts[0]) + "," + knit::number_text(parts[1]) + "," +
-          knit::number_text(parts[2]));
+    number_parts(std::array{direction.x, direction.y, direction.z}, -1.0, 1.0, DragPace::linear);
+  }
+
+  // Several numbers that are one value, side by side.
+  template <std::size_t count>
+  void number_parts(const std::array<double, count>& parts, double low, double high, DragPace pace) const {
+    const float gap = frame.units(3.0f);
+    const float wide = std::floor((width - static_cast<float>(count - 1) * gap) / static_cast<float>(count));
+    const auto with_part = [&](std::size_t changed, const std::string& text) {
+      std::string words;
+      for (std::size_t i = 0; i < count; ++i)
+        words += (i > 0 ? "," : "") + (i == changed ? text : knit::number_text(parts[i]));
+      return words;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) ImGui::SameLine(0.0f, gap);
+      const NumberShape shape{shown_number(parts[i]), knit::number_text(parts[i]), parts[i], low, high, pace};
+      const NumberChange change = number_field(frame, ("##part" + std::to_string(i)).c_str(), shape, wide);
+      frame.mark("knob/" + std::string(info.key) + "/" + std::to_string(i));
+      if (change.typed) take_typed(with_part(i, *change.typed));
+      if (change.dragged)
+        take_dragged(parts[i], *change.dragged,
+                     [&](double to) { return with_part(i, knit::number_text(to)); });
     }
   }
 };
@@ -154,25 +216,12 @@ struct Control {
 void Control::operator()(const knit::PickedVertex& /*picked*/) const {
   const Picking kind = info.key == knit::keys::start ? Picking::start : Picking::end;
   const bool picking = frame.session.view->gaze.picking == kind;
-  VertexField& field = frame.own<VertexFields>()[std::string(info.key)];
   const std::string value = knit::value_text(info, parameters);
-  if (field.shown != value) {
-    field.shown = value;
-    field.text.set(value);
-    field.trouble.clear();
-  }
   const float button = frame.units(50.0f);
-  ImGui::SetNextItemWidth(width - button - frame.units(3.0f));
-  ImGui::InputText("##value", field.text.bytes.data(), field.text.bytes.size(),
-                   ImGuiInputTextFlags_AutoSelectAll);
+  const NumberShape shape{value, value, 0.0, 0.0, 0.0, DragPace::none};
+  const NumberChange change = number_field(frame, "##value", shape, width - button - frame.units(3.0f));
   frame.mark("knob/" + std::string(info.key));
-  if (ImGui::IsItemDeactivatedAfterEdit()) {
-    knit::Parameters changed = parameters;
-    auto trouble = knit::set_value(info, changed, field.text.text());
-    if (!trouble) trouble = knit::fault_of(changed, frame.timeline()->input());
-    field.trouble = trouble.value_or("");
-    if (!trouble) parameters = changed;
-  }
+  if (change.typed) take_typed(*change.typed);
   ImGui::SameLine(0.0f, frame.units(3.0f));
   if (picking) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().pressed));
   if (ImGui::Button("Pick", ImVec2(button, 0.0f))) frame.wish(SetPicking{picking ? Picking::nothing : kind});
@@ -181,15 +230,52 @@ void Control::operator()(const knit::PickedVertex& /*picked*/) const {
   tooltip(frame, "Then click the vertex in the view.");
 }
 
-std::string help_text(const PanelFrame& frame, const knit::ParameterInfo& info) {
+// All digits, where the field does not show them.
+std::string exact_value_words(const PanelFrame& frame, const knit::ParameterInfo& info) {
+  const knit::Parameters& now = frame.timeline()->parameters();
+  if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
+    const double value = knit::effective_value(*number, now);
+    return exact_words(shown_number(value), knit::number_text(value));
+  }
+  const bool several = std::holds_alternative<knit::GaugeChoice>(info.kind) ||
+                       std::holds_alternative<knit::DirectionChoice>(info.kind) ||
+                       std::holds_alternative<knit::AxisChoice>(info.kind);
+  const std::string text = knit::value_text(info, now);
+  return several && text.size() > 12 ? exact_words("", text) : "";
+}
+
+std::string help_text(PanelFrame& frame, const knit::ParameterInfo& info) {
   std::string help(info.help);
   help += "\n\nRange: " + knit::range_text(info);
   if (!info.unit.empty()) help += " (" + std::string(info.unit) + ")";
   help += ".\nDefault here: " + knit::value_text(info, frame.session.document->defaults) + ".";
-  const bool drags =
-      std::holds_alternative<knit::Number>(info.kind) || std::holds_alternative<knit::Count>(info.kind);
-  if (drags) help += "\nDrag to change it, Ctrl+click to type.";
-  return help;
+  const bool drags = std::holds_alternative<knit::Number>(info.kind) ||
+                     std::holds_alternative<knit::Count>(info.kind) ||
+                     std::holds_alternative<knit::GaugeChoice>(info.kind);
+  if (drags) help += "\nDrag to change it (with Shift slowly), click to type.";
+  if (const std::string curve = has_curve(info) ? curve_words(frame, info) : ""; !curve.empty())
+    help += "\n\n" + curve;
+  return help + exact_value_words(frame, info);
+}
+
+// Under the knob, as long as it has the value that it had then.
+void draw_trouble(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& parameters) {
+  auto& troubles = frame.own<KnobTroubles>();
+  const auto found = troubles.find(info.key);
+  if (found == troubles.end()) return;
+  if (found->second.value != knit::value_text(info, parameters)) {
+    troubles.erase(found);
+    return;
+  }
+  wrapped_text(found->second.words, theme().problem);
+  frame.mark("knob-trouble/" + std::string(info.key));
+}
+
+bool pointed_at(const PanelFrame& frame, const std::string& control) {
+  const auto found = frame.memory.controls.find(control);
+  if (found == frame.memory.controls.end()) return false;
+  const Box& box = found->second;
+  return ImGui::IsMouseHoveringRect(ImVec2(box.x, box.y), ImVec2(box.right(), box.bottom()));
 }
 
 void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters, float x) {
@@ -224,13 +310,13 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   bring_lit_into_view(frame, "knob/" + std::string(info.key));
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
-    tooltip(frame, help_text(frame, info));
+    // The button and the mark of the curve have tips of their own.
+    if (!pointed_at(frame, "curve/" + std::string(info.key)) &&
+        !pointed_at(frame, "curve-mark/" + std::string(info.key)))
+      tooltip(frame, help_text(frame, info));
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
-  const auto field = frame.own<VertexFields>().find(info.key);
-  if (field != frame.own<VertexFields>().end() && !field->second.trouble.empty()) {
-    wrapped_text(field->second.trouble, theme().problem);
-  }
+  draw_trouble(frame, info, parameters);
   ImGui::PopID();
 }
 
@@ -306,7 +392,7 @@ void draw_mode(PanelFrame& frame) {
 
 // What a change asks for. What is read before the run begins can only count from the start.
 void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
-  const bool held = ImGui::IsAnyItemActive();  // a drag goes on; a click is over
+  const bool held = number_dragged(frame);  // a click is over, and so is what was typed
   const bool from_start_only = !knit::can_change_at(info, knit::Place{});
   if (frame.own<ChangeMode>().from_here && !from_start_only) {
     frame.wish(EditFromHere{changed, held});

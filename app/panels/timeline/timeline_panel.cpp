@@ -6,7 +6,9 @@
 #include <string>
 
 #include "app/actions/playing.h"
+#include "app/base/text.h"
 #include "app/panels/kit/commands.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/tube_marks.h"
@@ -17,6 +19,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -98,20 +101,14 @@ void draw_speed(PanelFrame& frame, bool words_before) {
   double speed = frame.session.view->playback.steps_per_second;
   const double low = slowest_steps_per_second;
   const double high = fastest_steps_per_second;
-  const char* words = speed >= high  ? "as fast as it goes"
-                      : speed < 10.0 ? "%.1f steps a second"
-                                     : "%.0f steps a second";
-  ImGui::SetNextItemWidth(frame.units(speed_width));
-  // Its words must be readable wherever the grab stands.
-  ImGui::PushStyleColor(ImGuiCol_SliderGrab, style::vector(with_alpha(theme().accent, 120)));
-  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, style::vector(with_alpha(theme().accent, 160)));
-  const bool changed = ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &low, &high, words,
-                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  ImGui::PopStyleColor(2);
-  if (changed) frame.wish(SetSpeed{speed});
+  const std::string full = knit::number_text(speed);
+  const std::string shown =
+      speed >= high ? "as fast as it goes" : fixed_text(speed, speed < 10.0 ? 1 : 0) + " steps a second";
+  const NumberShape shape{shown, full, speed, low, high, DragPace::ratio};
+  if (edit_number(frame, "##speed", speed, shape, frame.units(speed_width))) frame.wish(SetSpeed{speed});
   frame.mark("speed");
-  tooltip(frame, "How fast it plays. Keys: " + keys_of(info_of(Command::slower)) + " slower, " +
-                     keys_of(info_of(Command::faster)) + " faster.");
+  tooltip(frame, "How fast it plays: drag, or click and type. Keys: " + keys_of(info_of(Command::slower)) +
+                     " slower, " + keys_of(info_of(Command::faster)) + " faster.");
 }
 
 void draw_ways_of_playing(PanelFrame& frame) {

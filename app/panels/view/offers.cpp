@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/files/load.h"
+#include "app/panels/kit/number_field.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/overlays.h"
 #include "app/session/jobs.h"
@@ -35,10 +36,10 @@ struct PieceAsked {
 
 void draw_piece_number(PanelFrame& frame, const RepairOffer& offer, std::size_t pieces) {
   int& number = frame.own<PieceAsked>().number;
-  ImGui::SetNextItemWidth(frame.units(110.0f));
-  ImGui::InputInt("##piece", &number);
+  const int last = static_cast<int>(std::min(pieces, knit::most_pieces));
+  number = std::clamp(number, 1, last);
+  edit_number(frame, "##piece", number, 1, last, "", frame.units(110.0f));
   frame.mark("repair/piece-number");
-  number = std::clamp(number, 1, static_cast<int>(std::min(pieces, knit::most_pieces)));
   ImGui::SameLine();
   if (ImGui::Button("Open this piece")) wish_piece(frame, offer, static_cast<std::size_t>(number));
   frame.mark("repair/open-piece");

@@ -59,9 +59,9 @@ void draw_notice(PanelFrame& frame, std::size_t i) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + bar + frame.units(8.0f));
   ImGui::BeginGroup();
   ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
-  ImGui::PushTextWrapPos(end - frame.units(8.0f));
-  text(name_of(notice.kind) + notice.text);
-  ImGui::PopTextWrapPos();
+  const std::string often = notice.times > 1 ? " (" + std::to_string(notice.times) + " times)" : "";
+  text(wrapped_at_blanks(name_of(notice.kind) + notice.text + often,
+                         end - frame.units(8.0f) - ImGui::GetCursorPosX()));
   ImGui::Dummy(ImVec2(0.0f, frame.units(1.0f)));
   ImGui::EndGroup();
   const float low = ImGui::GetItemRectMax().y;

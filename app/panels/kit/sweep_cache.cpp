@@ -1,4 +1,4 @@
-#include "app/panels/compare/sweep_cache.h"
+#include "app/panels/kit/sweep_cache.h"
 
 #include <algorithm>
 #include <array>
