@@ -271,6 +271,38 @@ close
   CHECK(steps_in(folder, "mixed.json") == session.document->timeline.position());
 }
 
+TEST_CASE(
+    "numbers clicked, typed, tabbed and dragged within frames that take long lose no digit and hide no "
+    "layer") {
+  if (!can_run()) return;
+  const Folder folder;
+  desk::Desk desk(width, height, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.session = test_support::example_session("thesis-sphere");
+  desk.settle();
+  const auto at = [&](const std::string& control) {
+    const MouseMove middle = desk.over(control);
+    return std::to_string(std::lround(middle.x)) + " " + std::to_string(std::lround(middle.y));
+  };
+  const std::string script = R"(
+start --save-report numbers.json --screenshot numbers.png
+at_once mousemove --window "$window" )" +
+                             at("knob/stitch-width") +
+                             R"( click 1 key --delay 8 0 period 1 2 Tab 0 period 0 9 Tab
+at_once mousemove --window "$window" )" +
+                             at("knob-label/stitch-width") +
+                             R"( key --delay 8 Escape 1 2 period comma
+at_once mousemove --window "$window" )" +
+                             at("speed") + R"( click 1 key --delay 8 1 2 0 period 5 Return
+close
+)";
+  REQUIRE(run_on_screen(folder, script) == "");
+  const Json report = Json::parse(read_text(folder.path() / "numbers.json"), nullptr, false);
+  REQUIRE(report.is_object());
+  CHECK(report["parameters"]["stitch-width"] == 0.12);
+  CHECK(report["parameters"]["stitch-height"] == 0.09);
+  CHECK(report["steps"] == 0);  // no key stepped or played
+}
+
 TEST_CASE("after a crash the real window offers the session, and a clean end leaves nothing") {
   if (!can_run()) return;
   const Folder folder;

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "app/base/text.h"
-#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/compare/sweep_plot.h"
 #include "app/panels/kit/number_field.h"
 #include "app/panels/kit/sides.h"
+#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
 #include "knit/model/settings_table.h"

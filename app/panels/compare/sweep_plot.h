@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/panels/kit/sweep_cache.h"
 #include "app/panels/kit/frame.h"
+#include "app/panels/kit/sweep_cache.h"
 
 namespace app {
 
