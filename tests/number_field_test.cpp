@@ -250,6 +250,7 @@ TEST_CASE("numbers on the screen have at most five digits, and all of them in th
   CHECK(shown_number(0.052631578947368421) == "0.052632");
   CHECK(shown_number(123456.0) == "123456");
   CHECK(shown_number(0.1) == "0.1");
+  CHECK(shown_number(1e-5) == "1e-05");
   CHECK(shown_number(0.0) == "0");
   CHECK(exact_words("0.052632", "0.05263157894736842") == "\nExactly 0.05263157894736842.");
   CHECK(exact_words("0.1", "0.1").empty());

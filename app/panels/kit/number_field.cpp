@@ -223,11 +223,11 @@ bool number_dragged(const PanelFrame& frame) { return frame.own<NumberFields>().
 
 std::string shown_number(double value) {
   std::array<char, 32> buffer{};
-  const bool plain = value == 0.0 || (std::abs(value) >= 1e-4 && std::abs(value) < 1e6);
-  const int length = std::snprintf(buffer.data(), buffer.size(), plain ? "%.5g" : "%.4e", value);
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%.5g", value);
   std::string words(buffer.data(), static_cast<std::size_t>(length));
   // Not "1e+05": whole numbers below a million are read more easily.
-  return words.find('e') != std::string::npos && plain ? fixed_text(value, 0) : words;
+  const bool whole = std::abs(value) >= 99999.5 && std::abs(value) < 1e6;
+  return whole ? fixed_text(value, 0) : words;
 }
 
 std::string exact_words(const std::string& shown, const std::string& full) {
