@@ -5,6 +5,7 @@
 #include "app/actions/action_entries_parts.h"
 #include "app/actions/parameters_text.h"
 #include "app/base/text.h"
+#include "app/explain/destination.h"
 #include "app/explain/glossary.h"
 #include "app/explain/why_words.h"
 #include "app/session/at.h"
@@ -137,6 +138,9 @@ void add_things(EntryList& list) {
   list.add({"Why is it there...", group::finding,
             "Goes to the step that made it, or decided on it; a number alone is a vertex.",
             ActionPrompt{"Thing", "stitch:2:0", read_about<ShowWhy>}, list.unless_open()});
+  for (const WhyQuestion& question : why_questions())
+    list.add({std::string(question.words), group::finding, std::string(question.help),
+              GoTo{std::string(question.where)}, list.unless_open()});
   list.add({"Select nothing", group::finding, "", Select{},
             list.session.document && list.session.document->travel.selected ? "" : "Nothing is selected."});
 }

@@ -53,6 +53,9 @@ constexpr ActionName named(For<ShowWhy>) { return {"Show why a thing is there", 
 constexpr ActionName named(For<ToTouch>) {
   return {"Go to a step that touches what is selected", control, "selected/forward"};
 }
+constexpr ActionName named(For<GoTo>) {
+  return {"Go to what is named", control, "menu/Why does this row have so many stitches?"};
+}
 constexpr ActionName named(For<GoBack>) {
   return {"Go back to where one was", control, "menu/Back to where you were"};
 }
@@ -165,6 +168,7 @@ constexpr ActionName named(For<CancelAnimation>) {
 constexpr ActionName named(For<ShowActionPalette>) {
   return {"Show all actions", control, "menu/All actions"};
 }
+constexpr ActionName named(For<ShowGoTo>) { return {"Ask where to go", control, "menu/Go to..."}; }
 constexpr ActionName named(For<ShowGlossary>) { return {"Show the glossary", control, "menu/Glossary"}; }
 constexpr ActionName named(For<ShowHelp>) { return {"Show keys and mouse", control, "menu/Keys and mouse"}; }
 constexpr ActionName named(For<ShowOpenDialog>) { return {"Choose a file to open", control, "welcome/open"}; }

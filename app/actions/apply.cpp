@@ -305,6 +305,7 @@ struct Apply {
   }
   void operator()(const PointAt& a) { session.learning->pointed_variable = a.variable; }
   void operator()(const ShowActionPalette& a) { session.view->dialogs.action_palette_open = a.open; }
+  void operator()(const ShowGoTo& a) { session.view->dialogs.go_to_open = a.open; }
   void operator()(const ShowGlossary& a) {
     session.view->dialogs.glossary_open = a.open;
     session.view->dialogs.glossary_term = a.term;

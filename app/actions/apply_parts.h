@@ -27,6 +27,7 @@ void stop_playing(Session& session);
 // apply_travel.cpp
 void take(Session& session, const StepDeep& action);
 void take(Session& session, const SetBreaks& action);
+void take(Session& session, const GoTo& action);
 void take(Session& session, const RunToBreak& action);
 void take(Session& session, const SetLoop& action);
 void take(Session& session, const SetSlowMotion& action);

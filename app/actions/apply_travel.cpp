@@ -1,10 +1,12 @@
 // Break conditions, the loop, slow motion, and steps over, into and out.
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "app/actions/apply_parts.h"
 #include "app/actions/navigate.h"
 #include "app/actions/playing.h"
+#include "app/explain/destination.h"
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -203,6 +205,26 @@ void take(Session& session, const ToTouch& action) {
                     : position > 0       ? knit::touch_before(timeline, thing, position - 1)
                                          : std::nullopt;
   if (step) jump_after(session, *step);
+}
+
+void take(Session& session, const GoTo& action) {
+  if (!session.document) return;
+  const auto found = destination_of(session, action.where);
+  if (const auto* none = std::get_if<NoDestination>(&found)) return tell(session, none->why);
+  const auto& there = std::get<Destination>(found);
+  if (there.thing) session.document->travel.selected = there.thing;
+  if (there.place && there.place->stage == knit::Stage::done) {
+    apply(session, ToLast{});
+  } else if (there.place) {
+    apply(session, SeekPlace{*there.place});
+  } else if (there.position) {
+    session.document->travel.left_by_seek.reset();
+    apply(session, SeekTo{*there.position});
+  }
+  session.view->playback.playing = false;
+  // An answer stays until it is put away, what is at a place until one goes on.
+  if (there.asks_why) return tell(session, there.words);
+  session.document->place_note = there.words;
 }
 
 void take(Session& session, const GoBack& /*action*/) {

@@ -143,7 +143,7 @@ bool is_one_of(const Action& action) {
 
 bool is_move(const Action& action) {
   return is_one_of<OpenExample, OpenFile, CloseMesh, OpenSession, StepBy, SeekTo, SeekPlace, ToFirst, ToLast,
-                   SetPlaying, EditFromHere, ShowWhy, ToTouch, GoBack, GoForward, StepDeep, RunToBreak,
+                   SetPlaying, EditFromHere, ShowWhy, ToTouch, GoTo, GoBack, GoForward, StepDeep, RunToBreak,
                    StartLesson, LeaveLesson, TurnLesson, Guess, RepairAndOpen, UndoRepair>(action);
 }
 

@@ -73,6 +73,7 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   draw_help(frame);
   draw_glossary(frame);
   draw_action_palette(frame);
+  draw_go_to(frame);
   draw_open_dialog(frame);
   draw_save_dialog(frame);
   draw_figure_dialog(frame);

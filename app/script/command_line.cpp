@@ -25,7 +25,7 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string session, diff, why, point;
+  std::string session, diff, why, point, go_to;
   std::vector<std::string> breaks, sweep;
   std::string mesh, example, preset, at, side, list, centre, positions, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
@@ -108,6 +108,9 @@ void declare(CLI::App& app, Words& words) {
   }
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
+  app.add_option(
+      "--go-to", words.go_to,
+      "go to what is named, from there, and say what is there: \"row 7\", \"widest round\", \"why row 7\"");
   app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
   app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
   app.add_option("--centre", words.centre, "what the centre shows: view, chart, or chart:B, of a piece");
@@ -241,6 +244,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.diff = words.diff;
   line.why = words.why;
   line.ways_on = words.ways_on;
+  line.go_to = words.go_to;
   line.explain = words.explain;
   line.point = words.point;
   for (const std::string& text : line.breaks) {
@@ -248,6 +252,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   }
   if (auto fault = fault_of_sweep(line.sweep)) return fault;
   if (auto fault = fault_of_point(line.point)) return fault;
+  if (auto fault = fault_of_go_to(line.go_to)) return fault;
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
 }
 
@@ -331,7 +336,7 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
 // With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
 std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
-                    line.explain || line.ways_on || line.at || line.knit_along;
+                    !line.go_to.empty() || line.explain || line.ways_on || line.at || line.knit_along;
   const bool sets = !line.settings.empty() || !line.preset.empty();
   const bool saves = line.picture || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),

@@ -48,6 +48,7 @@ struct CommandLine {
   int width = 1440, height = 900;  // of the picture or the window, in pixels of a plain screen
 
   bool side_given = false, centre_given = false;  // beside a session only what is given counts
+  std::string go_to;                              // as given: queries.h
 };
 
 // The program's answer without a window: help, a list, an error.

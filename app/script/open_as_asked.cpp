@@ -119,7 +119,8 @@ void warn_of_handles(Session& session) {
 // Only where nothing is asked about the run itself may a window come before a large mesh.
 bool opens_beside(const CommandLine& line) {
   const bool may = !line.headless && !line.at && line.lesson.empty() && line.why.empty() &&
-                   line.diff.empty() && !line.ways_on && line.sweep.empty() && !line.animation;
+                   line.go_to.empty() && line.diff.empty() && !line.ways_on && line.sweep.empty() &&
+                   !line.animation;
   if (!may) return false;
   if (!line.session.empty()) return is_long_to_open(line.session, true);
   const auto* file = line.open.get_if<OpenFile>();

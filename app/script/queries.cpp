@@ -5,6 +5,8 @@
 #include "app/compare/sweep_work.h"
 #include "app/compare/ways_on.h"
 #include "app/explain/code_variables.h"
+#include "app/explain/destination.h"
+#include "app/explain/destination_reader.h"
 #include "app/explain/pseudo_code.h"
 #include "app/explain/step_table.h"
 #include "app/explain/why_words.h"
@@ -334,6 +336,20 @@ Answer why_answer(Session& session, const std::string& thing) {
   if (const auto* stitch = std::get_if<knit::StitchElement>(&*asked))
     return {exit_done, text + stitch_text(timeline, *stitch, *made), ""};
   return {exit_done, text + step_text(timeline, "made", *made), ""};
+}
+
+std::optional<std::string> fault_of_go_to(const std::string& words) {
+  if (words.empty() || read_place_wish(words)) return std::nullopt;
+  return "--go-to cannot be \"" + words + "\". " + destination_forms();
+}
+
+Answer go_to_answer(Session& session, const std::string& words) {
+  if (!session.document) return {exit_usage, "", "nothing is open to go to \"" + words + "\" in."};
+  work_out(session);
+  const auto found = destination_of(session, words);
+  if (const auto* none = std::get_if<NoDestination>(&found)) return {exit_usage, "", "--go-to: " + none->why};
+  apply(session, GoTo{words});
+  return {exit_done, std::get<Destination>(found).words + "\n", ""};
 }
 
 }  // namespace app

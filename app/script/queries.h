@@ -16,6 +16,10 @@ namespace app {
 std::optional<std::string> fault_of_why(const std::string& thing);
 Answer why_answer(Session& session, const std::string& thing);
 
+// --go-to WORDS: goes there from the step shown; one line of what is there.
+std::optional<std::string> fault_of_go_to(const std::string& words);
+Answer go_to_answer(Session& session, const std::string& words);
+
 // --break COND. break_query.cpp
 std::optional<std::string> fault_of_break(const std::string& condition);
 std::vector<knit::BreakCondition> breaks_of(const std::vector<std::string>& texts);  // those without a fault

@@ -101,7 +101,12 @@ struct ShowWhy {
 };  // selects it and goes to the step that made or refused it
 struct ToTouch {
   int direction = 1;
-};                 // the next, or the last, step that had to do with what is selected
+};  // the next, or the last, step that had to do with what is selected
+// To what a person names: "row 7", "widest round", "why stitch 20:5" (app/explain/destination.h). What is there is said;
+// what is not there is said too, and one stays.
+struct GoTo {
+  std::string where;
+};
 struct GoBack {};  // to where one was before a jump
 struct GoForward {};
 enum class Depth : std::uint8_t { over, into, out };
@@ -241,6 +246,9 @@ struct CancelAnimation {};
 struct ShowActionPalette {
   bool open = true;
 };
+struct ShowGoTo {
+  bool open = true;
+};
 struct ShowGlossary {
   bool open = true;
   std::string term;  // to begin with; empty: the first
@@ -296,7 +304,7 @@ using ActionKinds =
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
-             SetPositions, SetPieceNames, SetPieceOrder>;
+             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -101,6 +101,7 @@ struct Dialogs {
   bool help_open = false;
   bool action_palette_open = false;
   bool glossary_open = false;
+  bool go_to_open = false;
   std::string glossary_term;
   bool open_dialog_open = false;
   friend bool operator==(const Dialogs&, const Dialogs&) = default;

@@ -36,6 +36,7 @@ void answer_in_window(Session& session, const CommandLine& line) {
     std::fputs(answer.out.c_str(), stdout);
     if (!answer.error.empty()) notify(session, Notice::Kind::warning, answer.error);
   };
+  if (!line.go_to.empty()) give(go_to_answer(session, line.go_to));
   if (!line.why.empty()) give(why_answer(session, line.why));
   if (line.ways_on) give(ways_answer(session));
   if (!line.diff.empty()) give(diff_answer(session, line.diff));

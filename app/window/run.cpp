@@ -107,6 +107,7 @@ int answer_queries(Session& session, const CommandLine& line) {
     if (code == exit_done) code = answer.exit_code;
   };
   if (line.ways_on) give(ways_answer(session));
+  if (!line.go_to.empty()) give(go_to_answer(session, line.go_to));
   if (line.explain) give(explain_answer(session));
   if (!line.why.empty()) give(why_answer(session, line.why));
   if (!line.sweep.empty()) give(sweep_answer(session, line.sweep));

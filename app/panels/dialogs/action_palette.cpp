@@ -266,7 +266,11 @@ const ActionEntry* draw_list(PanelFrame& frame, PaletteView& view) {
 void draw_foot(PanelFrame& frame, const PaletteView& view) {
   const ActionEntry* chosen = view.chosen();
   const float width = ImGui::GetContentRegionAvail().x;
-  if (chosen != nullptr && !chosen->why_not.empty()) {
+  const auto* action = chosen != nullptr ? std::get_if<Action>(&chosen->does) : nullptr;
+  if (action != nullptr && action->is<GoTo>()) {  // what is there is read before one goes
+    const bool there = chosen->why_not.empty();
+    wrapped_text(there ? chosen->help : chosen->why_not, there ? theme().text : theme().warning);
+  } else if (chosen != nullptr && !chosen->why_not.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().warning));
     text(cut_to_width(chosen->why_not, width));
     ImGui::PopStyleColor();
@@ -277,6 +281,19 @@ void draw_foot(PanelFrame& frame, const PaletteView& view) {
     if (helps) tooltip(frame, words);
   }
   frame.mark("action-foot");
+}
+
+// What is typed may name a place: then going there stands before all else.
+void add_destination(const PanelFrame& frame, PaletteView& view) {
+  const std::string typed = view.typed();
+  if (typed.empty() || !frame.session.document) return;
+  const DestinationLookup::Found& found = view.state.lookup.find(frame.session, typed);
+  const auto* there = std::get_if<Destination>(&found);
+  const auto* none = std::get_if<NoDestination>(&found);
+  if (none != nullptr && !none->understood) return;
+  view.found.insert(view.found.begin(), view.entries.size());
+  view.entries.push_back({"Go to: " + typed, "The run", there != nullptr ? there->words : "", GoTo{typed},
+                          none != nullptr ? none->why : "", "", false});
 }
 
 // The field lets go of the keyboard then; it is to have it again if the palette stays.
@@ -296,6 +313,7 @@ void draw_search(PanelFrame& frame, PaletteView& view) {
     state.follow = true;
   }
   view.found = find_entries(view.entries, state.searched, state.recent);
+  add_destination(frame, view);
   if (state.chosen >= view.found.size()) state.chosen = 0;
   move_choice(view);
   const ActionEntry* clicked = draw_list(frame, view);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/actions/action_entries.h"
+#include "app/panels/dialogs/destination_field.h"
 #include "app/panels/kit/commands.h"
 
 namespace app {
@@ -29,6 +30,7 @@ struct ActionPaletteState {
   std::string asking;               // the words of the entry for which something is typed; empty: searching
   std::vector<std::string> recent;  // words of entries, newest first
   std::shared_ptr<const ActionSources> sources;  // read when it opens
+  DestinationLookup lookup;                      // of what is typed, where it names a place
 };
 
 }  // namespace app

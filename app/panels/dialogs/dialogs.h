@@ -10,6 +10,7 @@ void draw_lesson(PanelFrame& frame);  // in the strip below the view
 void draw_help(PanelFrame& frame);
 void draw_glossary(PanelFrame& frame);
 void draw_action_palette(PanelFrame& frame);
+void draw_go_to(PanelFrame& frame);
 void draw_open_dialog(PanelFrame& frame);
 void draw_save_dialog(PanelFrame& frame);
 void draw_figure_dialog(PanelFrame& frame);  // size, stretch and rate of what is saved

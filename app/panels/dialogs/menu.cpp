@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/explain/destination.h"
 #include "app/files/export.h"
 #include "app/files/preferences_file.h"
 #include "app/panels/dialogs/dialogs.h"
@@ -184,8 +185,21 @@ void draw_edit_menu(PanelFrame& frame) {
   ImGui::EndMenu();
 }
 
+// Each about what is shown or selected; where nothing is, the answer says what to click.
+void draw_questions(PanelFrame& frame) {
+  for (const WhyQuestion& question : why_questions()) {
+    const std::string words(question.words);
+    const bool asked = ImGui::MenuItem(words.c_str(), nullptr, false, frame.timeline() != nullptr);
+    frame.mark("menu/" + words);
+    tooltip(frame, question.help);
+    if (asked) frame.wish(GoTo{std::string(question.where)});
+  }
+}
+
 void draw_why_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "Why", "menu/why")) return;
+  draw_questions(frame);
+  ImGui::Separator();
   for (const Command command :
        {Command::go_back, Command::go_forward, Command::next_touch, Command::last_touch})
     command_item(frame, command);
@@ -212,6 +226,8 @@ void draw_preset_menu(PanelFrame& frame) {
 
 void draw_go_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "Go", "menu/go")) return;
+  command_item(frame, info_of(Command::go_to), "Go to...", frame.timeline() != nullptr);
+  ImGui::Separator();
   for (const Command command : {Command::first, Command::last}) command_item(frame, command);
   ImGui::Separator();
   for (const Command command : {Command::back_item, Command::forward_item, Command::back_row,

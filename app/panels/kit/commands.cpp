@@ -107,6 +107,7 @@ Wish paste(const Session& /*session*/) {
 // Whatever is open on top; dialogs close themselves.
 Wish close(const Session& session) {
   if (session.view->dialogs.action_palette_open) return ShowActionPalette{false};
+  if (session.view->dialogs.go_to_open) return ShowGoTo{false};
   if (session.view->dialogs.glossary_open) return ShowGlossary{false, {}};
   if (session.view->dialogs.help_open) return ShowHelp{false};
   if (session.view->gaze.picking != Picking::nothing) return SetPicking{Picking::nothing};
@@ -141,6 +142,10 @@ const std::array table{
                 [](const Session&) -> Wish { return ToFirst{}; }},
     CommandInfo{Command::last, run, "To the end", on(Key::End), false,
                 [](const Session&) -> Wish { return ToLast{}; }},
+    CommandInfo{Command::go_to, run, "Go to a place by its name", on(Key::G, ctrl), false,
+                [](const Session& session) -> Wish {
+                  return session.document ? Wish(ShowGoTo{!session.view->dialogs.go_to_open}) : std::nullopt;
+                }},
     CommandInfo{Command::faster, run, "Play faster", typing('.', '+'), true, speed<3, 2>},
     CommandInfo{Command::slower, run, "Play slower", typing(',', '-'), true, speed<2, 3>},
     CommandInfo{Command::slow_motion, run, "Slow down where it matters", on(Key::M), false,
