@@ -261,3 +261,14 @@ TEST_CASE("rounds of pieces go by the pieces' names, letters, or words that only
   REQUIRE(texts.size() == 1);
   CHECK(texts[0] == "round 3 of Shin A");
 }
+
+TEST_CASE("where no step is a problem, what is remarked on the whole run is gone to") {
+  Session session = test_support::example_session("thesis-sphere");
+  apply(session, ToLast{});
+  CHECK(says(nowhere_at(session, "first problem").why, "No step of the run is a problem."));
+  session.document->closeness = closeness_now(*session.document);
+  const Destination remark = there(session, "first problem");
+  CHECK(says(remark.words, "No step is a problem; remark 1 of "));
+  CHECK(remark.thing);
+  CHECK(nowhere_at(session, "problem 999").understood);
+}

@@ -20,6 +20,8 @@
 #include "knit/insight/problems.h"
 #include "knit/limbs/limb_plan.h"
 #include "knit/model/words.h"
+#include "knit/quality/closeness.h"
+#include "knit/run/machine.h"
 #include "knit/stitches/operations.h"
 
 namespace app {
@@ -378,8 +380,7 @@ class Finder {
         problems.push_back(*problem);
     const bool stopped = timeline_.stop() != nullptr;
     if (stopped) problems.push_back({timeline_.known(), knit::ProblemKind::stopped, 0.0});
-    if (problems.empty())
-      return nowhere("The run has no problem" + std::string(timeline_.complete() ? "." : " so far."));
+    if (problems.empty()) return find_remark();
     const auto index = index_of(problems);
     if (!index)
       return nowhere("The run has " +
@@ -390,6 +391,34 @@ class Finder {
                              digits(static_cast<std::int64_t>(problems.size())) + ": ";
     if (step == timeline_.known()) return Destination{head + stop_words(), {}, step, {}, false};
     return Destination{head + said_by(step), {}, step + 1, {}, false};
+  }
+
+  // Where no step is unusual: what is remarked on the whole run, once that is measured, the worst first.
+  [[nodiscard]] Found find_remark() const {
+    const auto& closeness = session_.document->closeness;
+    const bool measured = closeness && closeness->coverage;
+    if (!measured)
+      return nowhere("No step of the run is a problem" +
+                     std::string(timeline_.complete() ? "." : " so far."));
+    const auto remarks =
+        knit::remarks_on(*closeness->coverage, knit::as_chosen(timeline_.parameters_of_stop(), run_));
+    const std::size_t index = wish_.which.kind == WhichOne::Kind::last
+                                  ? remarks.size() - 1
+                                  : static_cast<std::size_t>(wish_.which.count) - 1;
+    if (remarks.empty() || index >= remarks.size())
+      return nowhere("No step of the run is a problem, and it has " +
+                     knit::plural(static_cast<std::int64_t>(remarks.size()), "remark", "remarks") + ".");
+    const knit::Remark& remark = remarks[index];
+    Destination there{"No step is a problem; remark " + digits(static_cast<std::int64_t>(index) + 1) +
+                          " of " + digits(static_cast<std::int64_t>(remarks.size())) +
+                          " on the whole run: " + remark.words,
+                      {},
+                      {},
+                      {},
+                      false};
+    if (remark.at) there.thing = knit::StitchElement{remark.at->row, remark.at->stitch};
+    if (remark.uncovered()) there.thing = knit::VertexElement{remark.vertex};
+    return there;
   }
 
   // Of problems in the order of steps the one that is wished.
