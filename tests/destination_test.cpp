@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/explain/destination_reader.h"
+#include "app/script/queries.h"
 #include "app/session/outbox.h"
 #include "knit/model/words.h"
 #include "tests/support/catch.h"
@@ -271,4 +272,16 @@ TEST_CASE("where no step is a problem, what is remarked on the whole run is gone
   CHECK(says(remark.words, "No step is a problem; remark 1 of "));
   CHECK(remark.thing);
   CHECK(nowhere_at(session, "problem 999").understood);
+}
+
+TEST_CASE("a script goes to a place by its name and is told what is there") {
+  Session session = test_support::small_session();
+  const Answer answer = go_to_answer(session, "row 3");
+  CHECK(answer.exit_code == exit_done);
+  CHECK(answer.out.rfind("Row 3 has ", 0) == 0);
+  CHECK(answer.out.back() == '\n');
+  CHECK(session.document->timeline.state().fabric.row_count() == 3);
+  CHECK(go_to_answer(session, "row 999").exit_code == exit_usage);
+  CHECK_FALSE(fault_of_go_to("row 999"));
+  CHECK(test_support::is_one_sentence(fault_of_go_to("banana").value_or("")));
 }
