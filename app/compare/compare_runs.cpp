@@ -90,28 +90,40 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
   return lines;
 }
 
-std::optional<FirstRow> first_row_of(const knit::Fabric& a, const knit::Fabric& b) {
-  const auto size_in = [](const knit::Fabric& fabric, knit::RowId id) {
-    const knit::Row* row = fabric.find_row(id);
-    return row != nullptr ? knit::size_of(*row) : 0;
-  };
+std::int32_t size_in(const knit::Fabric& fabric, knit::RowId id) {
+  const knit::Row* row = fabric.find_row(id);
+  return row != nullptr ? knit::size_of(*row) : 0;
+}
+
+// How a row that both have differs; none: it is the same.
+std::optional<FirstRow> difference_at(const knit::Fabric& a, const knit::Fabric& b, knit::RowId id) {
+  FirstRow row{id, RowDiffers::size, size_in(a, id), size_in(b, id)};
+  if (row.a != row.b) return row;
+  row.how = RowDiffers::places;
+  const bool same = a.shared_row(id).content_hash() == b.shared_row(id).content_hash();
+  if (!same && a.row(id).stitches != b.row(id).stitches) return row;
+  // Worked on the same stitches otherwise dealt, it is made otherwise.
+  row.how = RowDiffers::shaping;
+  if (a.row(id).on != b.row(id).on) return row;
+  const knit::Join* in_a = a.join_into(id);
+  const knit::Join* in_b = b.join_into(id);
+  if ((in_a == nullptr) != (in_b == nullptr)) return row;
+  if (in_a != nullptr && in_a->labels != in_b->labels) return row;
+  return std::nullopt;
+}
+
+void compare_rows(const knit::Fabric& a, const knit::Fabric& b, RunDifference& result) {
   const knit::RowId both = std::min(a.row_count(), b.row_count());
+  result.rows = std::max(a.row_count(), b.row_count());
+  result.rows_differ = result.rows - both;
   for (knit::RowId id = 1; id <= both; ++id) {
-    FirstRow row{id, RowDiffers::size, size_in(a, id), size_in(b, id)};
-    if (row.a != row.b) return row;
-    row.how = RowDiffers::places;
-    const bool same = a.shared_row(id).content_hash() == b.shared_row(id).content_hash();
-    if (!same && a.row(id).stitches != b.row(id).stitches) return row;
-    // Worked on the same stitches otherwise dealt, it is made otherwise.
-    row.how = RowDiffers::shaping;
-    if (a.row(id).on != b.row(id).on) return row;
-    const knit::Join* in_a = a.join_into(id);
-    const knit::Join* in_b = b.join_into(id);
-    if ((in_a == nullptr) != (in_b == nullptr)) return row;
-    if (in_a != nullptr && in_a->labels != in_b->labels) return row;
+    const auto row = difference_at(a, b, id);
+    if (!row) continue;
+    ++result.rows_differ;
+    if (!result.first_row) result.first_row = row;
   }
-  if (a.row_count() == b.row_count()) return std::nullopt;
-  return FirstRow{both + 1, RowDiffers::missing, size_in(a, both + 1), size_in(b, both + 1)};
+  if (!result.first_row && a.row_count() != b.row_count())
+    result.first_row = FirstRow{both + 1, RowDiffers::missing, size_in(a, both + 1), size_in(b, both + 1)};
 }
 
 std::string padded(std::string text, std::size_t width, bool to_right) {
@@ -148,7 +160,7 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
         {std::string(info.key), std::string(info.label), std::move(in_a), std::move(in_b)});
   }
   result.edits_differ = a.knobs.edits != b.knobs.edits;
-  result.first_row = first_row_of(a.state.fabric, b.state.fabric);
+  compare_rows(a.state.fabric, b.state.fabric, result);
   result.figures = figure_lines(a, b);
   result.tubes = tube_lines(a.state, b.state, result.same_mesh);
   result.stop_a = a.figures.stop;
@@ -156,28 +168,37 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
   return result;
 }
 
-std::string words_of(const std::optional<FirstRow>& row) {
-  if (!row) return "All rows are the same, stitch by stitch.";
-  const std::string number = "Row " + std::to_string(row->row);
-  const std::string first = number + " is the first that differs: ";
-  switch (row->how) {
+namespace {
+
+std::string first_words(const FirstRow& row) {
+  switch (row.how) {
     case RowDiffers::size:
-      return first + knit::stitch_count_text(row->a) + " and " + std::to_string(row->b) + ".";
+      return std::to_string(row.a) + " stitches and " + std::to_string(row.b) + ".";
     case RowDiffers::places:
-      return first + knit::stitch_count_text(row->a) + " in both, in other places.";
+      return std::to_string(row.a) + " stitches in both, in other places.";
     case RowDiffers::shaping:
-      return first + knit::stitch_count_text(row->a) + " in both, made by other increases or decreases.";
+      return std::to_string(row.a) + " stitches in both, made by other increases or decreases.";
     case RowDiffers::missing:
       break;
   }
-  return first + "only " + (row->a > 0 ? "the first" : "the second") + " run has it.";
+  return std::string("only ") + (row.a > 0 ? "the first" : "the second") + " run has it.";
+}
+
+}  // namespace
+
+std::string rows_words(const RunDifference& difference) {
+  if (!difference.first_row) return "All rows are the same, stitch by stitch.";
+  const std::int32_t differ = difference.rows_differ;
+  return std::to_string(differ) + " of " + knit::plural(difference.rows, "row", "rows") +
+         (differ == 1 ? " differs" : " differ") + ", first row " + std::to_string(difference.first_row->row) +
+         ": " + first_words(*difference.first_row);
 }
 
 std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name) {
   if (!difference.any()) return "Nothing differs.\n";
   std::string text;
   if (!difference.same_mesh) text += "The meshes differ.\n";
-  text += words_of(difference.first_row) + "\n";
+  text += rows_words(difference) + "\n";
   for (const TubeLine& line : difference.tubes) {
     if (line.differs()) text += words_of(line) + "\n";
   }

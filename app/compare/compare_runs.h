@@ -43,6 +43,7 @@ struct RunDifference {
   std::vector<ParameterLine> parameters;  // those that differ from the start
   bool edits_differ = false;
   std::optional<FirstRow> first_row;
+  std::int32_t rows_differ = 0, rows = 0;  // of so many; rows of the longer run
   std::vector<FigureLine> figures;  // all of them, equal or not; those of tubes where a run has more than one
   std::vector<TubeLine> tubes;      // likewise
   std::string stop_a, stop_b;       // why they stopped; empty: finished
@@ -50,8 +51,8 @@ struct RunDifference {
 };
 RunDifference difference_of(const RunEnd& a, const RunEnd& b);
 
-// "Row 7 is the first that differs: 44 stitches and 45."
-std::string words_of(const std::optional<FirstRow>& row);
+// "29 of 64 rows differ, first row 7: 44 stitches and 45."
+std::string rows_words(const RunDifference& difference);
 // A line each; tables are aligned. The names head the two columns.
 std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name);
 

@@ -118,8 +118,7 @@ void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference
 }
 
 void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
-  const std::string words =
-      difference.any() ? words_of(difference.first_row) : "The two runs are the same so far.";
+  const std::string words = difference.any() ? rows_words(difference) : "The two runs are the same so far.";
   wrapped_text(words);
   frame.mark("compare/first-row");
   if (difference.first_row) {
