@@ -42,11 +42,12 @@ bool same(const knit::Timeline& a, const knit::Timeline& b) {
 // --- which fields of a part differ -------------------------------------------------------------------------
 
 Names different(const Travel& a, const Travel& b) {
-  const auto& [history, left_by_seek, selected, hits, running_to, loop, loop_places, kept] = a;
+  const auto& [history, left_by_seek, selected, sized, hits, running_to, loop, loop_places, kept] = a;
   return those_that_differ(
       {{"history", history.behind != b.history.behind || history.ahead != b.history.ahead},
        {"left_by_seek", left_by_seek != b.left_by_seek},
        {"selected", selected != b.selected},
+       {"sized", sized != b.sized},
        {"hits", hits.reach() != b.hits.reach()},
        {"running_to", running_to != b.running_to},
        {"loop", loop != b.loop},
@@ -159,7 +160,7 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 19, travel_fields = 8, change_fields = 5, view_fields = 12,
+constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 12,
                       gaze_fields = 11, learning_fields = 3, outbox_fields = 6, job_fields = 8,
                       program_fields = 3;
 
@@ -181,6 +182,7 @@ void fill(Document& document) {
   travel.history = {{document.timeline.place()}, {document.timeline.place()}};
   travel.left_by_seek = 200;
   travel.selected = knit::VertexElement{3};
+  travel.sized = knit::SizeRange{knit::Measured::course, 1.0, 1.5};
   travel.hits.refresh(document.timeline, {std::get<knit::BreakCondition>(knit::parse_break("row=3"))},
                       BreakHits::all);
   travel.running_to = 1;

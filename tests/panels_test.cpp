@@ -253,7 +253,39 @@ TEST_CASE("layers, rows and problems are clicked") {
   desk.session.view->list = RunList::problems;
   desk.settle();
   REQUIRE_FALSE(desk.ui.own<RunCache>().problems().empty());
-  CHECK(only<SeekTo>(desk.click("problem/0")).position == desk.ui.own<RunCache>().ranked()[0].step + 1);
+  const std::size_t worst = desk.ui.own<RunCache>().ranked()[0].step;
+  const Actions wishes = desk.click("problem/0");
+  REQUIRE(wishes.size() == 2);
+  CHECK(wishes[0].get<SeekTo>().position == worst + 1);
+  CHECK(wishes[1].get<LookAt>().thing == knit::thing_of_problem(desk.session.document->timeline.step(worst)));
+}
+
+TEST_CASE("a problem's mark on the timeline leads to its step and to what it is about") {
+  Desk desk;
+  knit::Parameters narrow = wide_band();
+  knit::give_epsilon(narrow, 0.001);
+  desk.open(narrow);
+  const auto problems = desk.ui.own<RunCache>().problems();
+  REQUIRE(problems.size() > 3);
+  const std::size_t step = problems[problems.size() / 2];
+  const Box track = desk.ui.controls.at("track");
+  const knit::Timeline& timeline = desk.session.document->timeline;
+  const float margin = desk.layout.scale * 6.0f;
+  const float share = static_cast<float>(step + 1) / static_cast<float>(timeline.known());
+  const float x = track.x + margin + share * (track.width - 2.0f * margin) + 1.0f;
+  const float low = track.bottom() - 4.0f;
+  const Actions wishes = desk.frames({MouseMove{x, low}, MouseClick{MouseButton::Left, true},
+                                      MouseClick{MouseButton::Left, false}, MouseLeave{}});
+  REQUIRE(count_of<LookAt>(wishes) == 1);
+  desk.act(wishes);
+  const std::size_t at = timeline.position();
+  REQUIRE(std::binary_search(problems.begin(), problems.end(), at - 1));
+  CHECK(desk.session.document->travel.selected == knit::thing_of_problem(timeline.step(at - 1)));
+  // Higher up a press goes where it is, as ever.
+  const Actions plain =
+      desk.frames({MouseMove{x + 40.0f, track.y + 0.5f * track.height}, MouseClick{MouseButton::Left, true},
+                   MouseClick{MouseButton::Left, false}, MouseLeave{}});
+  CHECK(count_of<LookAt>(plain) == 0);
 }
 
 TEST_CASE("menus open, choose, and close by Escape, meanwhile keys do nothing else") {

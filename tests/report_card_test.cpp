@@ -1,5 +1,9 @@
 // The report card: its figures, when they are there, where they stand, and what a click on it gives.
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "app/files/card.h"
@@ -116,6 +120,21 @@ knit::Quality fine_quality() {
   return quality;
 }
 
+constexpr std::array labels_of_card{"line/", "head/", "figure/", "missing/", "plot/", "tube/", "positions"};
+
+bool tip_is_shown() {
+  const ImGuiWindow* tip = ImGui::FindWindowByName("##Tooltip_00");
+  return tip != nullptr && tip->Active;
+}
+
+// Of the wishes the one place to go to.
+knit::Place sought(const Actions& wishes) {
+  REQUIRE(count_of<SeekPlace>(wishes) == 1);
+  for (const Action& wish : wishes)
+    if (const auto* seek = wish.get_if<SeekPlace>()) return seek->place;
+  return {};
+}
+
 }  // namespace
 
 TEST_CASE("a click on a tab shows its side, once, and R shows the next") {
@@ -146,17 +165,156 @@ TEST_CASE("a click on a row of the plot goes to that row, hovering only tells") 
   desk.session.document->timeline.seek(desk.session.document->timeline.known());
   desk.settle();
   const auto last = static_cast<std::int32_t>(desk.session.document->timeline.state().fabric.rows().size());
-  CHECK(desk.frames({desk.over("plot/rows", 0.6f), MouseLeave{}}).empty());
-  const knit::Place end = only<SeekPlace>(desk.click("plot/rows", 0.995f)).place;
+  const Actions hovered = desk.frames({desk.over("plot/rows", 0.6f), MouseLeave{}});
+  CHECK(count_of<HoverRounds>(hovered) == hovered.size());  // lights the row in the view, and no longer
+  REQUIRE(hovered.size() == 1);
+  const knit::Place end = sought(desk.click("plot/rows", 0.995f));
   CHECK(end.row == last);
   CHECK(end.stage == knit::Stage::pattern);
   const Actions wishes = desk.click("plot/rows", 0.55f);
-  const knit::Place middle = only<SeekPlace>(wishes).place;
+  const knit::Place middle = sought(wishes);
   CHECK(middle.row > 1);
   CHECK(middle.row < last);
   desk.act(wishes);
   CHECK(desk.session.document->timeline.place().row == middle.row);
-  CHECK(desk.click("plot/course").empty());
+}
+
+TEST_CASE("a click on a bar lights all that it counts, and once more no longer") {
+  Desk desk;
+  desk.open();
+  desk.session.view->side = SidePanel::report;
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
+  desk.settle();
+  const knit::State& state = desk.session.document->timeline.state();
+  const knit::StitchSize& stitch = desk.session.document->timeline.parameters().stitch;
+  const knit::Quality* quality = desk.ui.own<CardCache>().quality();
+  REQUIRE(quality != nullptr);
+  const auto check = [&](const char* plot, knit::Measured of, const knit::Histogram& histogram) {
+    INFO(plot);
+    std::size_t lit = 0, bars = 0;
+    for (std::size_t bin = 0; bin < histogram.bins.size(); ++bin) {
+      const float across = (static_cast<float>(bin) + 0.5f) / static_cast<float>(histogram.bins.size());
+      const Actions wishes = desk.click(plot, across);
+      if (histogram.bins[bin] == 0) {
+        CHECK(wishes.empty());
+        continue;
+      }
+      ++bars;
+      const auto& range = only<SelectSized>(wishes).range;
+      REQUIRE(range);
+      CHECK(range->of == of);
+      const auto things = knit::things_of_size(state, stitch, *range);
+      CHECK((of == knit::Measured::corner ? things.size() <= histogram.bins[bin] && !things.empty()
+                                          : things.size() == histogram.bins[bin]));
+      lit += things.size();
+    }
+    CHECK(bars > 2);
+    CHECK(lit > bars);
+  };
+  check("plot/course", knit::Measured::course, quality->course.histogram);
+  check("plot/wale", knit::Measured::wale, quality->wale.histogram);
+  check("plot/corner", knit::Measured::corner, quality->corner.histogram);
+  const auto& bins = quality->course.histogram.bins;
+  const auto most = static_cast<float>(std::max_element(bins.begin(), bins.end()) - bins.begin());
+  const float across = (most + 0.5f) / static_cast<float>(bins.size());
+  desk.act(desk.click("plot/course", across));
+  REQUIRE(desk.session.document->travel.sized);
+  desk.settle();
+  CHECK_FALSE(only<SelectSized>(desk.click("plot/course", across)).range);
+}
+
+TEST_CASE("a figure leads to what it is of, and says so") {
+  Desk desk;
+  desk.open();
+  desk.session.view->side = SidePanel::report;
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
+  desk.settle();
+  const knit::State& state = desk.session.document->timeline.state();
+  const knit::StitchSize& stitch = desk.session.document->timeline.parameters().stitch;
+  const knit::Quality quality = *desk.ui.own<CardCache>().quality();
+  const auto longest = [&](const char* figure, knit::Measured of, double size) {
+    INFO(figure);
+    const knit::Element thing = only<LookAt>(desk.click(figure)).thing;
+    const auto things = knit::things_of_size(state, stitch, {of, size});
+    CHECK(std::any_of(things.begin(), things.end(), [&](const auto& one) { return one.thing == thing; }));
+  };
+  longest("figure/course/max", knit::Measured::course, quality.course.high);
+  longest("figure/wale/max", knit::Measured::wale, quality.wale.high);
+  CHECK(sought(desk.click("figure/course/cv")).row == quality.uneven_row);
+  CHECK(quality.rows[static_cast<std::size_t>(quality.uneven_row) - 1].course_cv ==
+        quality.worst_course_cv_in_row);
+  CHECK(sought(desk.click("figure/most")).row == quality.most_shaped_row);
+  CHECK(std::abs(state.fabric.join_into(quality.most_shaped_row)->change()) == quality.shaping.max_in_a_row);
+  CHECK(only<SelectSized>(desk.click("figure/wale/p95")).range ==
+        knit::SizeRange{knit::Measured::wale, quality.wale.p95});
+  CHECK(std::holds_alternative<knit::ColumnEdgeElement>(only<LookAt>(desk.click("figure/sideways")).thing));
+  CHECK(desk.click("figure/course/mean").empty());
+}
+
+TEST_CASE("every label, head, figure and plot of the card has a tip") {
+  Desk desk(1440, 1200);
+  knit::Parameters parameters;
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.settle.settling = knit::Settling::on;
+  knit::give_width(parameters, 0.2);
+  desk.session.view->side = SidePanel::report;
+  const auto walk = [&](std::size_t least) {
+    const auto marks = desk.ui.controls;
+    std::size_t walked = 0;
+    for (const auto& [name, box] : marks) {
+      const bool is_label =
+          std::any_of(labels_of_card.begin(), labels_of_card.end(),
+                      [&, &of = name](const char* begin) { return of.rfind(begin, 0) == 0; });
+      if (!is_label) continue;
+      INFO(name);
+      desk.frames({desk.over(name, 0.5f), desk.over(name, 0.5f)});
+      CHECK(tip_is_shown());
+      ++walked;
+    }
+    desk.frames({MouseLeave{}});
+    desk.settle();
+    CHECK_FALSE(tip_is_shown());
+    CHECK(walked >= least);
+  };
+  desk.settle();
+  walk(15);  // nothing open: lines without figures
+  desk.session.document = Document({knit::make_input(test_support::arch()), parameters});
+  desk.session.document->timeline.extend_to_end();
+  desk.session.document->timeline.seek(desk.session.document->timeline.known());
+  desk.session.document->closeness = some_closeness();
+  desk.settle();
+  REQUIRE(desk.ui.controls.count("head/settled") == 1);
+  REQUIRE(desk.ui.controls.count("head/Longest") == 1);
+  walk(40);
+}
+
+TEST_CASE("figures end where their heads end, and those under no head stand beside their words") {
+  for (const float width : {1100.0f, 1280.0f, 1920.0f}) {
+    CAPTURE(width);
+    Desk desk(width, 960);
+    desk.open();
+    desk.session.view->side = SidePanel::report;
+    desk.session.document->timeline.seek(desk.session.document->timeline.known());
+    desk.session.document->closeness = some_closeness();
+    desk.settle();
+    const auto end = [&](const std::string& name) { return desk.ui.controls.at(name).right(); };
+    for (const char* line : {"course", "wale"}) {
+      for (const auto& [figure, head] : {std::pair{"mean", "mean"}, std::pair{"cv", "CV"},
+                                         std::pair{"p95", "95 %"}, std::pair{"max", "max"}})
+        CHECK(end("figure/" + std::string(line) + "/" + figure) ==
+              Approx(end(std::string("head/") + head)).margin(1.0));
+    }
+    CHECK(end("figure/sideways") == Approx(end("head/max")).margin(1.0));
+    for (const auto& [line, figure] :
+         {std::pair{"uncovered", "uncovered"}, std::pair{"stretched", "stretched"},
+          std::pair{"quads", "quads"}, std::pair{"decreases", "decreases"}}) {
+      const Box words = desk.ui.controls.at(std::string("line/") + line);
+      const Box number = desk.ui.controls.at(std::string("figure/") + figure);
+      CHECK(words.y == Approx(number.y).margin(1.0));
+      CHECK(number.x >= words.right());
+      CHECK(number.right() - words.x < 0.55f * desk.layout.explanation.width);
+    }
+  }
 }
 
 TEST_CASE("the card keeps to its column and nothing on it overlaps, at every stage and with nothing open") {
@@ -226,13 +384,14 @@ TEST_CASE("a figure is marked only beyond what a knitter would want") {
     CHECK(figure->outside == (figure->help.find("A knitter would want") != std::string::npos));
     return figure->outside;
   };
-  const std::array judged{"course/cv", "wale/cv", "sideways", "most", "knit-to-mesh/max"};
+  const std::array judged{"course/cv", "wale/cv", "wale/max", "sideways", "most", "knit-to-mesh/max"};
   for (const char* name : judged) {
     INFO(name);
     CHECK_FALSE(outside(name));
   }
   quality.course.cv = 0.051;
   quality.wale.cv = 0.151;
+  quality.wale.high = 2.01;
   quality.offset = 0.81;
   quality.shaping.max_in_a_row = 6;
   closeness.knit_to_mesh.max = 0.0101 * closeness.diagonal;
@@ -256,7 +415,7 @@ TEST_CASE("what is not there yet says when it will be") {
   quality.wale.count = 0;
   const auto stitches = card_groups(&quality, nullptr, false);
   CHECK(missing_of(stitches, "course").empty());
-  CHECK(missing_of(stitches, "shaping").empty());
+  CHECK(missing_of(stitches, "increases").empty());
   CHECK(missing_of(stitches, "quads") == "after the faces");
 }
 

@@ -102,6 +102,16 @@ std::variant<knit::Element, std::string> read_thing(const Session& session, cons
   return *thing;
 }
 
+// "wale:1.5" or "wale:1.5:2".
+Read read_sizes(const Session& /*session*/, const std::string& typed) {
+  const auto range = knit::size_range_named(typed);
+  if (range) return SelectSized{range};
+  return quoted(typed) +
+         " is no size; give course:FROM:TO in stitch widths, wale:FROM:TO in stitch heights or "
+         "corner:FROM:TO in "
+         "degrees; without TO: and more.";
+}
+
 template <class Wish>
 Read read_about(const Session& session, const std::string& typed) {
   auto thing = read_thing(session, typed);
@@ -135,6 +145,11 @@ void add_things(EntryList& list) {
   list.add({"Select stitch or face...", group::finding,
             "Also edge, column, face and label, or a vertex: lights it in the view, the chart and the lists.",
             ActionPrompt{"Thing", "stitch:2:0", read_about<Select>}, list.unless_open()});
+  list.add({"Look at a stitch or face...", group::finding, "As select; the view turns to it.",
+            ActionPrompt{"Thing", "stitch:2:0", read_about<LookAt>}, list.unless_open()});
+  list.add({"Light edges of a size...", group::finding,
+            "All course edges, wale edges or corners of a size: lights them in the view.",
+            ActionPrompt{"Size", "wale:1.5", read_sizes}, list.unless_open()});
   list.add({"Why is it there...", group::finding,
             "Goes to the step that made it, or decided on it; a number alone is a vertex.",
             ActionPrompt{"Thing", "stitch:2:0", read_about<ShowWhy>}, list.unless_open()});
@@ -142,7 +157,10 @@ void add_things(EntryList& list) {
     list.add({std::string(question.words), group::finding, std::string(question.help),
               GoTo{std::string(question.where)}, list.unless_open()});
   list.add({"Select nothing", group::finding, "", Select{},
-            list.session.document && list.session.document->travel.selected ? "" : "Nothing is selected."});
+            list.session.document &&
+                    (list.session.document->travel.selected || list.session.document->travel.sized)
+                ? ""
+                : "Nothing is selected."});
 }
 
 void add_comparing(EntryList& list) {

@@ -49,6 +49,12 @@ constexpr ActionName named(For<PasteParameters>) { return {"Paste parameters", c
 
 // Why, and finding one's way.
 constexpr ActionName named(For<Select>) { return {"Select a thing, or nothing", control, "selected/close"}; }
+constexpr ActionName named(For<LookAt>) {
+  return {"Look at what a figure or a mark is of", control, "track"};
+}
+constexpr ActionName named(For<SelectSized>) {
+  return {"Light all edges or corners of a size", control, "plot/wale"};
+}
 constexpr ActionName named(For<ShowWhy>) { return {"Show why a thing is there", control, "selected/why"}; }
 constexpr ActionName named(For<ToTouch>) {
   return {"Go to a step that touches what is selected", control, "selected/forward"};

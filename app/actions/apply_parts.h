@@ -14,6 +14,8 @@ namespace app {
 
 // apply_why.cpp
 void take(Session& session, const Select& action);
+void take(Session& session, const LookAt& action);
+void take(Session& session, const SelectSized& action);
 void take(Session& session, const ShowWhy& action);
 void take(Session& session, const ToTouch& action);
 void take(Session& session, const GoBack& action);

@@ -6,6 +6,7 @@
 #include "app/actions/apply_parts.h"
 #include "app/actions/navigate.h"
 #include "app/actions/playing.h"
+#include "app/actions/turn_view.h"
 #include "app/explain/destination.h"
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
@@ -187,11 +188,25 @@ bool is_of_mesh(const Session& session, const knit::Element& thing) {
 void take(Session& session, const Select& action) {
   if (!session.document || (action.thing && !is_of_mesh(session, *action.thing))) return;
   session.document->travel.selected = action.thing;
+  session.document->travel.sized.reset();
+}
+
+void take(Session& session, const LookAt& action) {
+  if (!session.document || !is_of_mesh(session, action.thing)) return;
+  take(session, Select{action.thing});
+  turn_to(session, action.thing);
+}
+
+void take(Session& session, const SelectSized& action) {
+  if (!session.document) return;
+  take(session, Select{});
+  session.document->travel.sized = action.range;
+  if (action.range) turn_to(session, *action.range);
 }
 
 void take(Session& session, const ShowWhy& action) {
   if (!session.document || !is_of_mesh(session, action.thing)) return;
-  session.document->travel.selected = action.thing;
+  take(session, Select{action.thing});
   if (const auto step = knit::made_by(session.document->timeline, action.thing)) jump_after(session, *step);
 }
 

@@ -31,6 +31,7 @@ Session finished_piece(const Session& session) {
   document.timeline.seek(document.timeline.known());
   document.pinned.reset();
   document.travel.selected.reset();
+  document.travel.sized.reset();
   View& view = *piece.view;
   view.layers.fill(false);
   for (const Layer layer : {Layer::faces, Layer::column_edges, Layer::row_edges})

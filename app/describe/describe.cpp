@@ -185,6 +185,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   describe_quantity(session, scene);
   describe_moves(session, scene);
   symbols_.describe(session, showing.height_px, scene);
+  describe_sized(session, scene);
   describe_selected(session, scene);
   describe_variable(session, scene);
   describe_motion(session, showing.appeared, scene);

@@ -1,6 +1,7 @@
 #include "app/describe/describe_selected.h"
 
 #include <algorithm>
+#include <span>
 
 #include "app/describe/describe_step.h"
 #include "app/describe/state_shown.h"
@@ -25,7 +26,7 @@ struct Glow {
   float width_px, diameter_px;
 };
 
-void light_up(const std::vector<glm::dvec3>& outline, const Glow& light, Scene& scene) {
+void light_up(std::span<const glm::dvec3> outline, const Glow& light, Scene& scene) {
   const std::size_t n = outline.size();
   if (n == 1) scene.points.push_back({glm::vec3(outline[0]), light.colour, light.diameter_px});
   const std::size_t sides = n == 2 ? 1 : n > 2 ? n : 0;
@@ -61,6 +62,14 @@ std::string describe_measuring(const Session& session, const knit::VertexElement
 }
 
 }  // namespace
+
+void describe_sized(const Session& session, Scene& scene) {
+  const auto& range = session.document->travel.sized;
+  if (!range) return;
+  const knit::StitchSize& stitch = session.document->timeline.parameters().stitch;
+  for (const knit::SizedThing& thing : knit::things_of_size(*StateShown(session), stitch, *range))
+    light_up(thing.outline(), {scene.theme->selected, 4.0F, 0.0F}, scene);
+}
 
 void describe_selected(const Session& session, Scene& scene) {
   const auto& selected = session.document->travel.selected;

@@ -7,6 +7,8 @@
 namespace app {
 
 void describe_selected(const Session& session, Scene& scene);
+// All edges or corners of a size, lit likewise. Requires something open.
+void describe_sized(const Session& session, Scene& scene);
 
 // What is asked, in the view: the vertex whose verdict is to be guessed, and what a page of a lesson lights.
 

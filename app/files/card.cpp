@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/session/document.h"
+#include "app/session/remarks.h"
 #include "app/session/shown.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
@@ -20,7 +21,18 @@ const char* const after_faces = "after the faces";
 std::size_t at(CardColumn column) { return static_cast<std::size_t>(column); }
 
 CardFigure figure_of(std::string name, std::string text, std::string help) {
-  return {"figure/" + std::move(name), std::move(text), std::move(help), false};
+  return {"figure/" + std::move(name), std::move(text), std::move(help), false, {}};
+}
+
+FigureWay row_way(knit::RowId row) { return row > 0 ? FigureWay(FigureRow{row}) : FigureWay(); }
+FigureWay course_way(const knit::EdgeAt& at) {
+  return at.known() ? FigureWay(knit::Element(knit::RowEdgeElement{at.row, at.edge})) : FigureWay();
+}
+FigureWay wale_way(const knit::EdgeAt& at) {
+  return at.known() ? FigureWay(knit::Element(knit::ColumnEdgeElement{at.row, at.edge})) : FigureWay();
+}
+FigureWay stitch_way(const knit::StitchRef& at) {
+  return at.row != 0 ? FigureWay(knit::Element(knit::StitchElement{at.row, at.stitch})) : FigureWay();
 }
 
 CardFigure judged(CardFigure figure, Judged what, double value) {
@@ -38,13 +50,14 @@ struct EdgeWords {
   std::string name, title, edges, unit, units;
 };
 
-CardLine spread_line(const EdgeWords& words, const knit::Spread& spread, Judged cv) {
+CardLine spread_line(const EdgeWords& words, const knit::Spread& spread, Judged cv, knit::Measured of) {
   CardLine line{words.name,
                 words.title,
                 "/ " + words.unit,
                 "Lengths of " + words.edges + ", counted in " + words.units + "; 1 is right.",
                 {},
-                ""};
+                "",
+                false};
   const auto put = [&](CardColumn column, const char* key, double value, int decimals,
                        const std::string& help) -> CardFigure& {
     line.figures[at(column)] = figure_of(words.name + "/" + key, fixed_text(value, decimals), help);
@@ -56,7 +69,8 @@ CardLine spread_line(const EdgeWords& words, const knit::Spread& spread, Judged 
                            "Coefficient of variation: standard deviation of the lengths of " + words.edges +
                                " over their mean; 0 is perfectly even.");
   uneven = judged(std::move(uneven), cv, spread.cv);
-  put(CardColumn::p95, "p95", spread.p95, 2, "95 % of " + words.edges + " are no longer than this.");
+  put(CardColumn::p95, "p95", spread.p95, 2, "95 % of " + words.edges + " are no longer than this.").way =
+      knit::SizeRange{of, spread.p95};
   put(CardColumn::max, "max", spread.high, 2,
       "The longest of " + words.edges + "; the shortest is " + fixed_text(spread.low, 2) + ".");
   return line;
@@ -64,7 +78,9 @@ CardLine spread_line(const EdgeWords& words, const knit::Spread& spread, Judged 
 
 CardLine course_line(const knit::Quality& quality, Judged judge) {
   const EdgeWords words{"course", "Course", "all course edges (along the rows)", "w", "stitch widths w"};
-  CardLine line = spread_line(words, quality.course, judge);
+  CardLine line = spread_line(words, quality.course, judge, knit::Measured::course);
+  line.figures[at(CardColumn::max)]->way = course_way(quality.longest_course);
+  line.figures[at(CardColumn::cv)]->way = row_way(quality.uneven_row);
   if (quality.long_course.count > 0) {
     line.figures[at(CardColumn::cv)]->help +=
         " In rows of 12 stitches or more: " + fixed_text(quality.long_course.cv, 3) +
@@ -75,7 +91,14 @@ CardLine course_line(const knit::Quality& quality, Judged judge) {
 
 CardLine wale_line(const knit::Quality& quality) {
   const EdgeWords words{"wale", "Wale", "all wale edges (from row to row)", "h", "stitch heights h"};
-  return spread_line(words, quality.wale, Judged::wale_cv);
+  CardLine line = spread_line(words, quality.wale, Judged::wale_cv, knit::Measured::wale);
+  line.figures[at(CardColumn::max)]->way = wale_way(quality.longest_wale);
+  // What makes wales uneven are the long ones.
+  if (quality.wale.high > knit::stretched_above)
+    line.figures[at(CardColumn::cv)]->way = knit::SizeRange{knit::Measured::wale, knit::stretched_above};
+  std::optional<CardFigure>& most = line.figures[at(CardColumn::max)];
+  most = judged(std::move(*most), Judged::longest_wale, quality.wale.high);
+  return line;
 }
 
 CardLine sideways_line(const knit::Quality& quality) {
@@ -88,6 +111,7 @@ CardLine sideways_line(const knit::Quality& quality) {
                        "of 12 stitches or more: " +
                            fixed_text(quality.long_offset, 2) + "."),
              Judged::sideways, quality.offset);
+  line.figures[at(CardColumn::max)]->way = wale_way(quality.leans_most);
   return line;
 }
 
@@ -141,57 +165,76 @@ CardLine mesh_to_knit_line(const knit::Closeness& closeness) {
                        "the mesh that came in to the knit mesh, open ends and all");
 }
 
-// Two figures of one kind, in the last two columns.
-CardLine pair_line(std::string name, const char* words, const char* unit, const char* help, CardFigure first,
-                   CardFigure second) {
-  CardLine line{std::move(name), words, unit, help, {}, ""};
-  line.figures[at(CardColumn::p95)] = std::move(first);
-  line.figures[at(CardColumn::max)] = std::move(second);
+// One figure that belongs under no head.
+CardLine single_line(std::string name, const char* words, const char* unit, const char* help,
+                     CardFigure figure) {
+  CardLine line{std::move(name), words, unit, help, {}, "", true};
+  line.figures[at(CardColumn::max)] = std::move(figure);
   return line;
 }
 
-// Of a closeness that came with its coverage.
+// Of a closeness that came with its coverage, or of none.
 CardLine uncovered_line(const knit::Closeness& closeness) {
   const knit::Coverage none;
   const knit::Coverage& coverage = closeness.coverage ? *closeness.coverage : none;
-  std::int64_t rows = 0;
-  double longest = 0.0;
-  for (const knit::Stretched& stretched : coverage.stretched) {
-    rows += stretched.to - stretched.from + 1;
-    longest = std::max(longest, stretched.longest);
-  }
   std::string where = "Share of the surface that no row covers, in %.";
   for (const knit::UncoveredPlace& place : coverage.uncovered.places) {
     where += (&place == &coverage.uncovered.places.front() ? " At " : ", ") +
              knit::vertex_text(place.vertex) + ": " + knit::percent_text(place.share);
   }
   if (!coverage.uncovered.places.empty()) where += ".";
-  std::string stretched = "Rows with wales longer than 1.5 h";
-  stretched += rows > 0 ? "; the longest has " + fixed_text(longest, 2) + " h." : ".";
-  return pair_line(
-      "uncovered", "Uncovered, stretched rows", "%",
-      "Share of the surface that no row covers; rows whose wales are longer than 1.5 stitch heights.",
-      figure_of("uncovered", fixed_text(100.0 * coverage.uncovered.share, 1), where),
-      figure_of("stretched", std::to_string(rows), stretched));
+  CardLine line = single_line("uncovered", "Uncovered", "%", "Share of the surface that no row covers.",
+                              figure_of("uncovered", fixed_text(100.0 * coverage.uncovered.share, 1), where));
+  if (!coverage.uncovered.places.empty())
+    line.figures[at(CardColumn::max)]->way =
+        knit::Element(knit::VertexElement{coverage.uncovered.places.front().vertex});
+  return line;
 }
 
+CardLine stretched_line(const knit::Closeness& closeness) {
+  const knit::Coverage none;
+  const knit::Coverage& coverage = closeness.coverage ? *closeness.coverage : none;
+  std::int64_t rows = 0;
+  const knit::Stretched* worst = nullptr;
+  for (const knit::Stretched& stretched : coverage.stretched) {
+    rows += stretched.to - stretched.from + 1;
+    if (worst == nullptr || stretched.longest > worst->longest) worst = &stretched;
+  }
+  std::string help = "Rows with wales longer than 1.5 h";
+  help += worst != nullptr ? "; the longest has " + fixed_text(worst->longest, 2) + " h." : ".";
+  CardLine line = single_line("stretched", "Stretched rows", "",
+                              "How many rows have wales longer than 1.5 stitch heights.",
+                              figure_of("stretched", std::to_string(rows), help));
+  if (worst != nullptr) line.figures[at(CardColumn::max)]->way = stitch_way(worst->at);
+  return line;
+}
+
+std::string share_text(double part) { return fixed_text(100.0 * part, 1); }
+
 CardLine quads_line(const knit::Quality& quality) {
-  const auto share = [](double part) { return fixed_text(100.0 * part, 1); };
-  return pair_line(
-      "quads", "Quads, regular stitches", "%",
-      "Share of the faces with four corners, and of the stitches with one below and one above.",
-      figure_of("quads", share(quality.quad_share), "Share of the faces that have four corners, in %."),
-      figure_of("regular", share(quality.regular_share),
+  return single_line("quads", "Quads", "%", "Share of the faces with four corners.",
+                     figure_of("quads", share_text(quality.quad_share),
+                               "Share of the faces that have four corners, in %; the others have three."));
+}
+
+CardLine regular_line(const knit::Quality& quality) {
+  return single_line(
+      "regular", "Regular stitches", "%", "Share of the stitches with one below and one above.",
+      figure_of("regular", share_text(quality.regular_share),
                 "Share of the stitches between first and last row that have one stitch below and one above, "
                 "in %."));
 }
 
-CardLine shaping_line(const knit::Quality& quality) {
-  return pair_line("shaping", "Increases, decreases", "", "Stitches that the pattern adds, and takes away.",
-                   figure_of("increases", std::to_string(quality.shaping.increases),
-                             "Stitches that the pattern adds, m1l and m1r together."),
-                   figure_of("decreases", std::to_string(quality.shaping.decreases),
-                             "Stitches that the pattern takes away, k2tog and ssk together."));
+CardLine increases_line(const knit::Quality& quality) {
+  return single_line("increases", "Increases", "", "Stitches that the pattern adds.",
+                     figure_of("increases", std::to_string(quality.shaping.increases),
+                               "Stitches that the pattern adds, m1l and m1r together."));
+}
+
+CardLine decreases_line(const knit::Quality& quality) {
+  return single_line("decreases", "Decreases", "", "Stitches that the pattern takes away.",
+                     figure_of("decreases", std::to_string(quality.shaping.decreases),
+                               "Stitches that the pattern takes away, k2tog and ssk together."));
 }
 
 CardLine most_line(const knit::Quality& quality) {
@@ -201,7 +244,8 @@ CardLine most_line(const knit::Quality& quality) {
                 "(steady: " + steady + ")",
                 "Most increases or decreases in one row, beside what a flat disc takes in every row.",
                 {},
-                ""};
+                "",
+                true};
   const double share = quality.steady_shaping > 0 ? static_cast<double>(quality.shaping.max_in_a_row) /
                                                         static_cast<double>(quality.steady_shaping)
                                                   : 0.0;
@@ -209,15 +253,14 @@ CardLine most_line(const knit::Quality& quality) {
       figure_of("most", std::to_string(quality.shaping.max_in_a_row),
                 "Most increases or decreases in one row; a flat disc takes " + steady + " in every row."),
       Judged::most_in_a_row, share);
+  line.figures[at(CardColumn::max)]->way = row_way(quality.most_shaped_row);
   return line;
 }
 
 CardLine area_line(const knit::Closeness& closeness) {
   const char* const help = "Area of the knit mesh over that of the mesh that came in; 1 is right.";
-  CardLine line{"area", "Area, knit / mesh", "", help, {}, ""};
   const double ratio = closeness.mesh_area > 0.0 ? closeness.knit_area / closeness.mesh_area : 0.0;
-  line.figures[at(CardColumn::max)] = figure_of("area", fixed_text(ratio, 3), help);
-  return line;
+  return single_line("area", "Area, knit / mesh", "", help, figure_of("area", fixed_text(ratio, 3), help));
 }
 
 // --- placed and settled -----------------------------------------------------------------------------------------
@@ -232,6 +275,7 @@ CardLine moved_line(const SettledFigures& both) {
                                                  "How far stitches went in the mean" + after);
   line.figures[at(CardColumn::max)] = figure_of("moved/max", fixed_text(both.moves.most / width, 2),
                                                 "How far the stitch that went farthest went" + after);
+  line.figures[at(CardColumn::max)]->way = stitch_way(both.moves.of);
   return line;
 }
 
@@ -297,6 +341,8 @@ CardGroup settled_group(const SettledFigures& both, const knit::Closeness* close
       both_line({"corner", "Corners off square", "\xC2\xB0",
                  "how far quads' corners are from 90 degrees, in the mean."},
                 {p.corner_off.mean, s.corner_off.mean}, 1)};
+  group.lines[1].figures[at(CardColumn::max)]->way = wale_way(s.longest_wale);
+  group.lines[2].figures[at(CardColumn::max)]->way = row_way(s.uneven_row);
   if (closeness != nullptr && closeness->placed) add_measured(*closeness, group.lines);
   return group;
 }
@@ -309,6 +355,27 @@ CardLine missing_line(CardLine line, std::string why) {
 }
 
 }  // namespace
+
+std::string_view click_words(const FigureWay& way) {
+  if (std::holds_alternative<FigureRow>(way)) return "Click: to this row.";
+  if (std::holds_alternative<knit::SizeRange>(way)) return "Click: the longer ones light up in the view.";
+  const auto* thing = std::get_if<knit::Element>(&way);
+  if (thing == nullptr) return "";
+  if (std::holds_alternative<knit::VertexElement>(*thing))
+    return "Click: the view turns to the largest part.";
+  if (std::holds_alternative<knit::StitchElement>(*thing)) return "Click: the view turns to this stitch.";
+  return "Click: the view turns to this edge.";
+}
+
+std::string_view help_of_head(std::string_view head) {
+  if (head == "mean") return "The mean of all values.";
+  if (head == "CV") return "Coefficient of variation: standard deviation over mean; 0 is perfectly even.";
+  if (head == "95 %") return "95 % of the values are no larger than this.";
+  if (head == "max") return "The largest of all values.";
+  if (head == "placed") return "Where the rows put the stitches.";
+  if (head == "settled") return "Where the stitches are at ease.";
+  return "";
+}
 
 bool is_outside(Judged figure, double value) {
   return std::any_of(bounds.begin(), bounds.end(),
@@ -350,24 +417,28 @@ std::vector<CardGroup> card_groups(const CardFigures& known) {
   const auto measured = [&](CardLine line) {
     return closeness != nullptr ? std::move(line) : missing_line(std::move(line), no_closeness);
   };
+  const auto covered = [&](CardLine line) {
+    return closeness == nullptr || c.coverage ? measured(std::move(line))
+                                              : missing_line(std::move(line), after_faces);
+  };
   const Judged course = settled ? Judged::settled_course_cv : Judged::course_cv;
   std::vector<CardGroup> groups{
       {true,
        {when(rows, course_line(q, course), after_cast_on), when(strips, wale_line(q), after_faces),
         when(strips, sideways_line(q), after_faces), when(strips, mirror_line(q), after_faces)}},
+      {false, {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c))}},
       {false,
-       {measured(knit_to_mesh_line(c)), measured(mesh_to_knit_line(c)),
-        closeness == nullptr || c.coverage ? measured(uncovered_line(c))
-                                           : missing_line(uncovered_line(c), after_faces)}},
-      {false,
-       {measured(area_line(c)), when(strips, quads_line(q), after_faces),
-        when(stitches, shaping_line(q), after_stitches), when(stitches, most_line(q), after_stitches)}}};
+       {covered(uncovered_line(c)), covered(stretched_line(c)), when(strips, quads_line(q), after_faces),
+        when(strips, regular_line(q), after_faces), when(stitches, increases_line(q), after_stitches),
+        when(stitches, decreases_line(q), after_stitches), measured(area_line(c)),
+        when(stitches, most_line(q), after_stitches)}}};
   if (known.both == nullptr) return groups;
   // Both distances stand side by side then.
   if (known.closeness != nullptr && known.closeness->placed)
     std::erase_if(groups[1].lines, [](const CardLine& line) {
       return line.name.ends_with("-to-knit") || line.name.ends_with("-to-mesh");
     });
+  std::erase_if(groups, [](const CardGroup& group) { return group.lines.empty(); });
   groups.front().lines.push_back(moved_line(*known.both));
   groups.insert(groups.begin() + 1, settled_group(*known.both, known.closeness));
   return groups;
@@ -385,7 +456,16 @@ std::string left(const std::string& text, std::size_t width) {
   return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
 }
 
+// Words and figure of a line that stands under no head.
+std::string single_text(const CardLine& line) {
+  const auto& figure = line.figures[at(CardColumn::max)];
+  std::string text = left(line.words + (line.unit.empty() ? "" : " " + line.unit), words_width);
+  if (!line.missing.empty()) return text + right("-", number_width) + "  " + line.missing + "\n";
+  return text + right(figure->text + (figure->outside ? "*" : ""), number_width) + "\n";
+}
+
 std::string line_text(const CardLine& line) {
+  if (line.single) return single_text(line);
   std::string text = left(line.words + (line.unit.empty() ? "" : " " + line.unit), words_width);
   if (!line.missing.empty()) return text + right("-", number_width) + "  " + line.missing + "\n";
   for (const auto& figure : line.figures) {
@@ -411,6 +491,12 @@ std::string rows_text(const knit::Quality& quality) {
     text += left(std::to_string(row.row), 6) + right(std::to_string(row.stitches), number_width) +
             right(fixed_text(row.ideal, 2), 12) + right(fixed_text(row.course_cv, 4), 12) + "\n";
   }
+  return text;
+}
+
+std::string remarks_text(const std::vector<knit::Remark>& remarks) {
+  std::string text = remarks.empty() ? "" : "\nNot as asked:\n";
+  for (const knit::Remark& remark : remarks) text += "- " + remark.words + "\n";
   return text;
 }
 
@@ -446,9 +532,15 @@ std::string card_text(const Session& session) {
   const CardFigures known{&quality, closeness.get(), both ? &*both : nullptr, session.view->positions};
   for (const CardGroup& group : card_groups(known)) {
     if (group.headed) text += heads_text(group.heads);
+    if (group.lines.front().single) text += "\n";
     for (const CardLine& line : group.lines) text += line_text(line);
   }
-  return text + "* more than a knitter would want\n" + tubes_text(quality) + rows_text(quality);
+  const bool measured = closeness && closeness->coverage;
+  const auto remarks = timeline.state().finished()
+                           ? remarks_of(timeline, measured ? &*closeness->coverage : nullptr)
+                           : std::vector<knit::Remark>();
+  return text + "* more than a knitter would want\n" + remarks_text(remarks) + tubes_text(quality) +
+         rows_text(quality);
 }
 
 }  // namespace app

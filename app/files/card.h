@@ -2,12 +2,16 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "app/session/session.h"
 #include "app/session/view.h"
+#include "knit/insight/sized.h"
 #include "knit/quality/closeness.h"
 #include "knit/quality/ease.h"
 #include "knit/quality/quality.h"
@@ -21,6 +25,7 @@ enum class Judged : std::uint8_t {
   course_cv,
   settled_course_cv,
   wale_cv,
+  longest_wale,
   sideways,
   most_in_a_row,
   knit_to_mesh,
@@ -35,6 +40,7 @@ inline constexpr std::array bounds{
     Bound{Judged::course_cv, 0.05, "0.05"},
     Bound{Judged::settled_course_cv, 0.16, "0.16"},
     Bound{Judged::wale_cv, 0.15, "0.15"},
+    Bound{Judged::longest_wale, 2.0, "2 h"},
     Bound{Judged::sideways, 0.8, "0.8 w"},
     Bound{Judged::most_in_a_row, 1.0, "what a flat disc takes"},  // times the steady bound
     Bound{Judged::knit_to_mesh, 0.01, "1 % of the diagonal"},     // of the diagonal
@@ -42,12 +48,21 @@ inline constexpr std::array bounds{
 };
 bool is_outside(Judged figure, double value);
 
+// What a figure is of, and a click on it leads to: a thing, all things of a size, or a row.
+struct FigureRow {
+  std::int32_t row = 1;
+};
+using FigureWay = std::variant<std::monostate, knit::Element, knit::SizeRange, FigureRow>;
+
 struct CardFigure {
   std::string name;  // of its mark: "figure/course/cv"
   std::string text;
   std::string help;  // in one sentence; another one when it is outside
   bool outside = false;
+  FigureWay way{};
 };
+// "Click: to this edge." Empty where it leads nowhere.
+std::string_view click_words(const FigureWay& way);
 
 enum class CardColumn : std::uint8_t { mean, cv, p95, max };
 inline constexpr std::size_t card_columns = 4;
@@ -58,11 +73,14 @@ struct CardLine {
   std::string help;  // in one sentence
   std::array<std::optional<CardFigure>, card_columns> figures;
   std::string missing;  // instead of the figures: "after the faces"
+  bool single =
+      false;  // one figure, in the last column, that belongs under no head: it stands beside its words
 };
 
 using CardHeads = std::array<std::string_view, card_columns>;
 inline constexpr CardHeads card_heads{"mean", "CV", "95 %", "max"};
 inline constexpr CardHeads settled_heads{"", "", "placed", "settled"};
+std::string_view help_of_head(std::string_view head);  // in one sentence
 
 struct CardGroup {
   bool headed = false;  // the columns' names stand above

@@ -8,6 +8,7 @@
 #include "app/session/chart_twins.h"
 #include "app/session/document.h"
 #include "app/session/planned_pieces.h"
+#include "app/session/remarks.h"
 #include "app/session/view.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/limb_chart.h"
@@ -29,6 +30,20 @@ knit::WrittenPattern written(const Session& session, const PlannedPieces& pieces
   const knit::Parameters& parameters = session.document->timeline.parameters();
   return knit::write_pattern(pieces.plan, parameters.stitch.gauge, pieces.options, mesh_name(session),
                              parameters.size.height_cm);
+}
+
+// The notes say what is not as asked. Measured here where nobody has measured it yet.
+knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern) {
+  const knit::Timeline& timeline = session.document->timeline;
+  if (!timeline.state().finished()) return pattern;
+  const auto& closeness = session.document->closeness;
+  std::optional<knit::Coverage> coverage = closeness ? closeness->coverage : std::nullopt;
+  const knit::StitchSize& stitch = timeline.parameters().stitch;
+  if (!coverage)
+    coverage = knit::measure_coverage(timeline.input(), timeline.state(), stitch.width, stitch.height);
+  for (std::string& note : notes_of(remarks_of(timeline, coverage ? &*coverage : nullptr)))
+    pattern.notes.push_back(std::move(note));
+  return pattern;
 }
 
 knit::WrittenPattern written(const Session& session) {
@@ -61,11 +76,13 @@ std::string file_in_pieces(const Session& session, PatternFormat format, std::sp
   const std::vector<knit::PieceChart> charts = knit::piece_charts(pieces.plan, names);
   switch (format) {
     case PatternFormat::text:
-      return knit::pattern_as_text(written(session, pieces)) + knit::charts_as_text(charts, names);
+      return knit::pattern_as_text(noted(session, written(session, pieces))) +
+             knit::charts_as_text(charts, names);
     case PatternFormat::markdown:
-      return knit::pattern_as_markdown(written(session, pieces)) + knit::charts_as_markdown(charts, names);
+      return knit::pattern_as_markdown(noted(session, written(session, pieces))) +
+             knit::charts_as_markdown(charts, names);
     case PatternFormat::html:
-      return pattern_html(written(session, pieces), art_of(pieces.plan, names, charts), png);
+      return pattern_html(noted(session, written(session, pieces)), art_of(pieces.plan, names, charts), png);
     case PatternFormat::json:
       return pattern_json(pieces.plan, pieces.options);
     case PatternFormat::knitspeak:
@@ -130,12 +147,13 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
   const knit::Rounds rounds = knit::rounds_of(state_of(session));
   switch (format) {
     case PatternFormat::text:
-      return knit::pattern_as_text(written(session, rounds)) + knit::chart_as_text(knit::chart_of(rounds));
+      return knit::pattern_as_text(noted(session, written(session, rounds))) +
+             knit::chart_as_text(knit::chart_of(rounds));
     case PatternFormat::markdown:
-      return knit::pattern_as_markdown(written(session, rounds)) +
+      return knit::pattern_as_markdown(noted(session, written(session, rounds))) +
              knit::chart_as_markdown(knit::chart_of(rounds));
     case PatternFormat::html:
-      return pattern_html(written(session, rounds), knit::chart_of(rounds), picture_png);
+      return pattern_html(noted(session, written(session, rounds)), knit::chart_of(rounds), picture_png);
     case PatternFormat::json:
       return pattern_json(rounds);
     case PatternFormat::knitspeak:

@@ -5,6 +5,7 @@
 #include "app/files/card.h"
 #include "app/files/pattern_export.h"
 #include "app/session/document.h"
+#include "app/session/remarks.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
 
@@ -338,6 +339,25 @@ Json uncovered_json(const knit::Timeline& timeline, const knit::Closeness* close
   return coverage ? to_json(coverage->uncovered) : Json(nullptr);
 }
 
+// Size as knitted and as asked, and what is not as asked; of a finished run.
+void add_as_asked(const knit::Timeline& timeline, const knit::Closeness* closeness, Json& report) {
+  report["size"] = nullptr;
+  report["remarks"] = Json::array();
+  if (!timeline.state().finished()) return;
+  const auto size_json = [](const knit::PieceSize& size) {
+    return Json{{"height_cm", size.height_cm ? Json(*size.height_cm) : Json(nullptr)},
+                {"around_cm", size.around_cm}};
+  };
+  const knit::Parameters& parameters = timeline.parameters();
+  report["size"] = {{"knitted", size_json(size_knitted(timeline.state(), parameters.stitch.gauge))},
+                    {"asked", size_json(knit::size_asked(timeline.state(), parameters))}};
+  const bool measured = closeness != nullptr && closeness->coverage;
+  for (const knit::Remark& remark : remarks_of(timeline, measured ? &*closeness->coverage : nullptr)) {
+    report["remarks"].push_back(
+        {{"about", knit::remark_keys.at(static_cast<std::size_t>(remark.kind))}, {"what", remark.words}});
+  }
+}
+
 void add_tubes(const knit::State& state, Json& report) {
   const knit::TubePlan& plan = *state.tubes;
   report["graph"] = graph_json(*state.graph);
@@ -461,6 +481,7 @@ Json report_json(const Session& session) {
   report["settled"] = settled_json(timeline, closeness.get());
   report["uncovered"] = uncovered_json(timeline, shown);
   report["stretched"] = to_json(knit::stretched_rows(state, parameters.stitch.height));
+  add_as_asked(timeline, shown, report);
   report["problems"] = problems_json(session);
   report["pattern"] = pattern_instructions(session);
   report["milliseconds"] = {{"load", session.document->load_ms}, {"run", session.document->run_ms}};

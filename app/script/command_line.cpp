@@ -25,7 +25,7 @@ namespace app {
 namespace {
 
 struct Words {
-  std::string session, diff, why, point, go_to;
+  std::string session, diff, why, select, point, go_to;
   std::vector<std::string> breaks, sweep;
   std::string mesh, example, preset, at, side, list, centre, positions, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
@@ -128,6 +128,8 @@ void declare(CLI::App& app, Words& words) {
                  "say which step made stitch:ROW:ITEM or refused vertex:ID, or why row:ROW has its count");
   app.add_flag("--ways-on", words.ways_on,
                "of a run that stopped: try what else knits the mesh, and say what does");
+  app.add_option("--select", words.select,
+                 "light stitch:ROW:ITEM, or all wale:FROM:TO, in the view, which turns to it");
   app.add_flag("--explain", words.explain,
                "print the pseudo-code with the line that just ran, and the values");
   app.add_option("--point", words.point, "light this variable of the pseudo-code in the view");
@@ -245,6 +247,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.why = words.why;
   line.ways_on = words.ways_on;
   line.go_to = words.go_to;
+  line.select = words.select;
   line.explain = words.explain;
   line.point = words.point;
   for (const std::string& text : line.breaks) {
@@ -253,6 +256,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   if (auto fault = fault_of_sweep(line.sweep)) return fault;
   if (auto fault = fault_of_point(line.point)) return fault;
   if (auto fault = fault_of_go_to(line.go_to)) return fault;
+  if (auto fault = fault_of_select(line.select)) return fault;
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
 }
 
@@ -336,7 +340,8 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
 // With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
 std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
-                    !line.go_to.empty() || line.explain || line.ways_on || line.at || line.knit_along;
+                    !line.go_to.empty() || !line.select.empty() || line.explain || line.ways_on || line.at ||
+                    line.knit_along;
   const bool sets = !line.settings.empty() || !line.preset.empty();
   const bool saves = line.picture || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),

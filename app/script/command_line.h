@@ -36,7 +36,7 @@ struct CommandLine {
   std::optional<std::int32_t> knit_along;  // the round to begin with
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h
-  std::string diff, why;
+  std::string diff, why, select;
   bool explain = false, ways_on = false;
   std::string point;                        // a variable of the pseudo-code
   std::string lesson;                       // its key or file; empty: none

@@ -314,6 +314,20 @@ Answer why_row_answer(Session& session, std::int32_t row) {
 
 }  // namespace
 
+std::optional<std::string> fault_of_select(const std::string& what) {
+  if (what.empty() || thing_named(what) || knit::size_range_named(what)) return std::nullopt;
+  return "--select cannot be \"" + what +
+         "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or vertex:ID, "
+         "or all of a size: course:FROM:TO in stitch widths, wale:FROM:TO in stitch heights, corner:FROM:TO in "
+         "degrees.";
+}
+
+void select_as_asked(Session& session, const std::string& what) {
+  if (what.empty() || !session.document) return;
+  if (const auto thing = thing_named(what)) return apply(session, LookAt{*thing});
+  apply(session, SelectSized{knit::size_range_named(what)});
+}
+
 Answer why_answer(Session& session, const std::string& thing) {
   const auto row = row_named(thing);
   if (row && session.document) return why_row_answer(session, *row);

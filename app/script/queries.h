@@ -14,6 +14,10 @@ namespace app {
 
 // --why row:ROW|stitch:ROW:ITEM|vertex:ID: the step, its numbers and its sentence. why_query.cpp
 std::optional<std::string> fault_of_why(const std::string& thing);
+// What --select may be: a thing, or all things of a size; empty is fine.
+std::optional<std::string> fault_of_select(const std::string& what);
+// Lights it, and the view turns to it. Does nothing where nothing is open or nothing is to be selected.
+void select_as_asked(Session& session, const std::string& what);
 Answer why_answer(Session& session, const std::string& thing);
 
 // --go-to WORDS: goes there from the step shown; one line of what is there.

@@ -96,6 +96,14 @@ struct PasteParameters {
 struct Select {
   std::optional<knit::Element> thing;
 };  // shown in view, chart and lists
+// From a figure to what it is of: selected, and the view turns to it where it does not face it.
+struct LookAt {
+  knit::Element thing;
+};
+// All edges or corners of a size: lit in the view, which turns to one of them; none: no longer.
+struct SelectSized {
+  std::optional<knit::SizeRange> range;
+};
 struct ShowWhy {
   knit::Element thing;
 };  // selects it and goes to the step that made or refused it
@@ -304,7 +312,7 @@ using ActionKinds =
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
-             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo>;
+             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

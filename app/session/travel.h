@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/break_hits.h"
+#include "knit/insight/sized.h"
 #include "knit/insight/why.h"
 
 namespace app {
@@ -36,6 +37,8 @@ struct Travel {
   PlaceHistory history;
   std::optional<std::size_t> left_by_seek;  // where a SeekTo ended: one from there goes on with the same drag
   std::optional<knit::Element> selected;
+  std::optional<knit::SizeRange>
+      sized;           // all edges or corners of a size, lit instead; one of the two at most
   BreakHits hits;      // of the view's break conditions
   int running_to = 0;  // looking for the next hit in this direction, as the run is worked out; 0: no
   std::optional<Stretch> loop;

@@ -79,6 +79,7 @@ void ask(Session& session, const CommandLine& line) {
   if (line.at) {
     if (const auto nearest = go_to(session, *line.at)) notify(session, Notice::Kind::warning, *nearest);
   }
+  select_as_asked(session, line.select);
   answer_in_window(session, line);
   set_beside(session, beside);
   if (!line.sweep.empty()) sweep_answer(session, line.sweep);

@@ -136,6 +136,7 @@ int run_headless(Session& session, const CommandLine& line) {
   const At otherwise = line.breaks.empty() ? At(AtEnd{}) : At(std::size_t{0});
   const auto nearest = stays || line.empty ? std::nullopt : go_to(session, line.at.value_or(otherwise));
   if (nearest) say(*nearest);
+  select_as_asked(session, line.select);
   const Answer broke = line.breaks.empty() ? Answer{} : break_answer(session);
   if (!broke.error.empty()) say(broke.error);
   const knit::Step* stop = stop_shown(session);

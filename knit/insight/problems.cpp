@@ -34,6 +34,16 @@ std::optional<Problem> problem_of(const Step& step, std::size_t index, const Par
   return Problem{index, ProblemKind::stopped, 0.0};
 }
 
+std::optional<Element> thing_of_problem(const Step& step) {
+  if (const auto* missed = get_if<BandMissed>(step)) return VertexElement{missed->taken};
+  if (const auto* left = get_if<TubeLeftOut>(step)) return VertexElement{left->vertex};
+  if (const auto* timed = get_if<VertexTimed>(step)) return VertexElement{timed->vertex};
+  if (const auto* shared = get_if<GapShared>(step))
+    return RowEdgeElement{step.place.row, shared->stitches - 1};
+  if (is<RowResampled>(step)) return StitchElement{step.place.row, 0};
+  return std::nullopt;
+}
+
 void ProblemRanking::take(const Problem& problem) {
   by_kind_[static_cast<std::size_t>(problem.kind)].push_back(problem);
   ++size_;
@@ -135,21 +145,25 @@ std::string turned_way_on(const Parameters& parameters) {
 std::vector<Remark> remarks_on(const Coverage& coverage, const Parameters& parameters) {
   std::vector<Remark> remarks;
   for (const UncoveredPlace& place : coverage.uncovered.places) {
-    remarks.push_back({percent_text(place.share) + " of the surface is covered by no row: " +
+    remarks.push_back({RemarkKind::uncovered,
+                       percent_text(place.share) + " of the surface is covered by no row: " +
                            part_words(place) + "." + way_on(place, parameters),
                        std::nullopt, place.vertex});
   }
   if (coverage.turned.faces > 0)
-    remarks.push_back({turned_words(coverage.turned) + turned_way_on(parameters), coverage.turned.at});
+    remarks.push_back(
+        {RemarkKind::turned, turned_words(coverage.turned) + turned_way_on(parameters), coverage.turned.at});
   const std::vector<Stretched> rows = remarkable_rows(coverage);
   for (std::size_t i = 0; i < std::min(rows.size(), most_stretched); ++i) {
-    remarks.push_back({rows_words(rows[i], coverage.tubes, true) + ": wales up to " +
+    remarks.push_back({RemarkKind::stretched,
+                       rows_words(rows[i], coverage.tubes, true) + ": wales up to " +
                            height_text(rows[i].longest) + " long." + way_on(parameters),
                        rows[i].at});
   }
   if (rows.size() <= most_stretched) return remarks;
   const Stretched& next = rows[most_stretched];
-  remarks.push_back({"Stretched too: " +
+  remarks.push_back({RemarkKind::stretched,
+                     "Stretched too: " +
                          plural(static_cast<std::int64_t>(rows.size() - most_stretched),
                                 "more stretch of rows", "more stretches of rows") +
                          ", with wales up to " + height_text(next.longest) + " long.",

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "knit/insight/why.h"
 #include "knit/quality/coverage.h"
 #include "knit/quality/measures.h"
 
@@ -34,6 +36,9 @@ struct Problem {
 // None exactly where is_unusual says so.
 std::optional<Problem> problem_of(const Step& step, std::size_t index, const Parameters& parameters);
 
+// What a problem's step is about: a stitch, a vertex; none: nothing that can be pointed at, as of a stop.
+std::optional<Element> thing_of_problem(const Step& step);
+
 // Takes problems as a run grows. Worse kinds come first at any time; within a kind, the worst first once
 // `finish` was called and the order of taking before, so that a growing run is never sorted again.
 class ProblemRanking {
@@ -49,11 +54,18 @@ class ProblemRanking {
   bool sorted_ = true;
 };
 
-// What rows leave uncovered, faces that are turned over, rows whose wales are stretched. One of the two places is set.
+// What a remark is about, and by index what scripts call it.
+enum class RemarkKind : std::uint8_t { size, swatch, uncovered, turned, stretched };
+inline constexpr std::array<std::string_view, 5> remark_keys{"size", "swatch", "uncovered", "turned",
+                                                             "stretched"};
+
+// A result that is not what was asked for: the size, a swatch that is hardly knitted fabric, what rows leave uncovered, faces that are turned over, rows whose wales are stretched. One of the two
+// places is set, or none where it is about all of the piece.
 struct Remark {
-  std::string words;            // what, where, and a way on
-  std::optional<StitchRef> at;  // a stitch at the end of the longest wale, or of a turned face
-  VertexId vertex = no_vertex;  // of the mesh, in an uncovered part
+  RemarkKind kind = RemarkKind::size;
+  std::string words;                           // what, where, and a way on
+  std::optional<StitchRef> at = std::nullopt;  // a stitch at the end of the longest wale, or of a turned face
+  VertexId vertex = no_vertex;                 // of the mesh, in an uncovered part
   [[nodiscard]] bool uncovered() const { return vertex != no_vertex; }
 };
 

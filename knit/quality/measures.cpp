@@ -57,6 +57,17 @@ ShapingFigures shaping_figures(const State& state) {
   return figures;
 }
 
+RowId most_shaped_row(const State& state) {
+  RowId row = 0;
+  std::int32_t most = 0;
+  for (const auto& join : state.fabric.joins()) {
+    const std::int32_t change = std::abs(join->change());
+    if (change > most) row = join->to;
+    most = std::max(most, change);
+  }
+  return row;
+}
+
 FaceCounts count_faces(const State& state) {
   FaceCounts counts;
   const auto add = [&](const std::vector<Face>& faces) {

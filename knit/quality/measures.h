@@ -26,6 +26,7 @@ struct ShapingFigures {
   std::int32_t increases = 0, decreases = 0, max_in_a_row = 0;
 };
 ShapingFigures shaping_figures(const State& state);
+RowId most_shaped_row(const State& state);  // the first that changes by `max_in_a_row`; 0: none changes
 
 struct FaceCounts {
   std::size_t quads = 0, triangles = 0;

@@ -57,6 +57,7 @@ std::vector<double> course_lengths(const Row& row, double width) {
 void measure_courses(Quality& quality, const State& state) {
   std::vector<double> all;
   std::vector<double> in_long_rows;
+  double longest = 0.0;
   for (const auto& row : state.fabric.rows()) {
     const std::vector<double> lengths = course_lengths(*row, quality.stitch_width);
     all.insert(all.end(), lengths.begin(), lengths.end());
@@ -67,7 +68,13 @@ void measure_courses(Quality& quality, const State& state) {
     fit.length = row->ring ? row->ring->length : 0.0;
     fit.ideal = fit.length / quality.stitch_width;
     fit.course_cv = figures_of(lengths).cv;
+    if (fit.course_cv > quality.worst_course_cv_in_row) quality.uneven_row = row->id;
     quality.worst_course_cv_in_row = std::max(quality.worst_course_cv_in_row, fit.course_cv);
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      if (lengths[i] <= longest) continue;
+      longest = lengths[i];
+      quality.longest_course = {row->id, static_cast<std::int32_t>(i)};
+    }
     quality.rows.push_back(fit);
   }
   quality.course = spread_of(all, 0.0, 2.0, 40);
@@ -80,20 +87,27 @@ double along_rows(const Stop& lower, const Stop& upper) {
 
 void measure_wales(Quality& quality, const State& state, const std::vector<Stop>& stops) {
   std::vector<double> lengths;
-  const auto measure = [&](const std::vector<std::array<std::uint32_t, 2>>& column_edges) {
+  double longest = 0.0;
+  const auto measure = [&](RowId row, const std::vector<std::array<std::uint32_t, 2>>& column_edges) {
+    EdgeAt at{row, -1};
     for (const auto& [p, q] : column_edges) {
+      ++at.edge;
       const Stop& lower = stops[p];
       const Stop& upper = stops[q];
       lengths.push_back(glm::distance(lower.position, upper.position) / quality.stitch_height);
+      if (lengths.back() > longest) quality.longest_wale = at;
+      longest = std::max(longest, lengths.back());
       const double offset = along_rows(lower, upper) / quality.stitch_width;
+      if (offset > quality.offset) quality.leans_most = at;
       quality.offset = std::max(quality.offset, offset);
       if (std::min(lower.in_row, upper.in_row) >= long_row) {
         quality.long_offset = std::max(quality.long_offset, offset);
       }
     }
   };
-  for (const auto& strip : state.fabric.strips()) measure(strip->column_edges);
-  for (const auto& deal : state.fabric.deals()) measure(deal->column_edges);
+  for (const auto& strip : state.fabric.strips()) measure(strip->to, strip->column_edges);
+  std::int32_t number = 0;
+  for (const auto& deal : state.fabric.deals()) measure(bridge_row(++number), deal->column_edges);
   quality.wale = spread_of(lengths, 0.0, 2.0, 40);
 }
 
@@ -105,10 +119,11 @@ void measure_tubes(Quality& quality, const State& state, const std::vector<Stop>
     const RowFit& fit = quality.rows[i];
     const TubeId tube = state.fabric.row(fit.row).tube;
     if (quality.tubes.empty() || quality.tubes.back().tube != tube)
-      quality.tubes.push_back({tube, fit.row, 0, 0, 0, 0.0, 0.0, 0.0});
+      quality.tubes.push_back({tube, fit.row, 0, 0, 0, 0.0, 0.0, 0.0, {}, 0});
     TubeFit& of = quality.tubes.back();
     ++of.rounds;
     of.stitches += fit.stitches;
+    if (fit.course_cv > of.worst_course_cv_in_row) of.uneven_row = fit.row;
     of.worst_course_cv_in_row = std::max(of.worst_course_cv_in_row, fit.course_cv);
     tube_of[static_cast<std::size_t>(fit.row)] = quality.tubes.size();
   }
@@ -116,15 +131,21 @@ void measure_tubes(Quality& quality, const State& state, const std::vector<Stop>
   for (const auto& strip : state.fabric.strips()) {
     const std::size_t tube = tube_of[static_cast<std::size_t>(strip->to)];
     if (tube == 0) continue;
-    for (const auto& [lower, upper] : strip->column_edges)
+    TubeFit& of = quality.tubes[tube - 1];
+    EdgeAt at{strip->to, -1};
+    for (const auto& [lower, upper] : strip->column_edges) {
+      ++at.edge;
       wales[tube - 1].push_back(glm::distance(stops[lower].position, stops[upper].position) /
                                 quality.stitch_height);
+      if (wales[tube - 1].back() <= of.longest_wale) continue;
+      of.longest_wale = wales[tube - 1].back();
+      of.longest = at;
+    }
   }
   for (std::size_t i = 0; i < wales.size(); ++i) {
     const LengthFigures figures = figures_of(wales[i]);
     quality.tubes[i].wales = figures.count;
     quality.tubes[i].wale_cv = figures.cv;
-    quality.tubes[i].longest_wale = figures.high;
   }
 }
 
@@ -132,15 +153,15 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   return angle_to(glm::dot(a, b), glm::length(glm::cross(a, b))) * 180.0 / std::numbers::pi;
 }
 
-void measure_corners(Quality& quality, const State& state, const std::vector<Stop>& stops) {
+void measure_corners(Quality& quality, const State& state) {
+  const std::vector<glm::dvec3> path = knitting_path(state.fabric);
   std::vector<double> angles, off;
   for (const auto& strip : state.fabric.strips()) {
     for (const Face& face : strip->faces) {
       const auto n = static_cast<std::size_t>(face.corner_count);
+      const std::array<double, 4> of_face = corner_angles(face, path);
       for (std::size_t i = 0; i < n; ++i) {
-        const glm::dvec3& corner = stops[face.corners[i]].position;
-        angles.push_back(degrees_between(stops[face.corners[(i + 1) % n]].position - corner,
-                                         stops[face.corners[(i + n - 1) % n]].position - corner));
+        angles.push_back(of_face.at(i));
         if (n == 4) off.push_back(std::abs(angles.back() - 90.0));
       }
     }
@@ -183,6 +204,17 @@ Histogram histogram_of(std::span<const double> values, double low, double high, 
 
 }  // namespace
 
+std::array<double, 4> corner_angles(const Face& face, std::span<const glm::dvec3> path) {
+  const auto n = static_cast<std::size_t>(face.corner_count);
+  std::array<double, 4> angles{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const glm::dvec3& corner = path[face.corners[i]];
+    angles.at(i) = degrees_between(path[face.corners[(i + 1) % n]] - corner,
+                                   path[face.corners[(i + n - 1) % n]] - corner);
+  }
+  return angles;
+}
+
 Spread spread_of(std::span<const double> values, double histogram_low, double histogram_high,
                  std::size_t bins) {
   const LengthFigures figures = figures_of(values);
@@ -204,10 +236,11 @@ Quality measure_quality(const Input& input, const State& state, double stitch_wi
       static_cast<std::int32_t>(std::ceil(2.0 * std::numbers::pi * stitch_height / stitch_width));
   measure_courses(quality, state);
   quality.shaping = shaping_figures(state);
+  quality.most_shaped_row = most_shaped_row(state);
   const std::vector<Stop> stops = stops_of(state);
   measure_wales(quality, state, stops);
   measure_tubes(quality, state, stops);
-  measure_corners(quality, state, stops);
+  measure_corners(quality, state);
   quality.faces = count_faces(state);
   const std::size_t faces = quality.faces.quads + quality.faces.triangles;
   if (faces > 0) quality.quad_share = static_cast<double>(quality.faces.quads) / static_cast<double>(faces);

@@ -6,8 +6,10 @@
 // built) has the count 0.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +37,14 @@ struct Spread {
 Spread spread_of(std::span<const double> values, double histogram_low, double histogram_high,
                  std::size_t bins);
 
+// Where a figure is: an edge of the strip below a row, or of a deal by its bridge's row. Row 0: nowhere.
+struct EdgeAt {
+  RowId row = 0;
+  std::int32_t edge = 0;
+  [[nodiscard]] bool known() const { return row != 0; }
+  friend bool operator==(const EdgeAt&, const EdgeAt&) = default;
+};
+
 struct RowFit {
   std::int32_t row = 1;
   std::int32_t stitches = 0;
@@ -51,6 +61,8 @@ struct TubeFit {
   std::size_t wales = 0;
   double wale_cv = 0.0, longest_wale = 0.0;
   double worst_course_cv_in_row = 0.0;
+  EdgeAt longest{};
+  RowId uneven_row = 0;  // the one of the worst cv
 };
 
 struct MirrorError {
@@ -77,9 +89,16 @@ struct Quality {
   // How far wale edges move under reflection in the plane of the axis and the direction in which rounds
   // begin, measured to the nearest wale edge of their strip.
   std::optional<MirrorError> mirror;
+  // Where the largest of these are; of equals the first in knitting order.
+  EdgeAt longest_course{};  // from this stitch of the row to the next
+  EdgeAt longest_wale{}, leans_most{};
+  RowId uneven_row = 0, most_shaped_row = 0;
 };
 
 // Cheap enough to be live: no look at the mesh that came in. Requires stitches of a size above 0.
 Quality measure_quality(const Input& input, const State& state, double stitch_width, double stitch_height);
+
+// Inner angles of a face, degrees; a triangle's fourth is 0. `path`: knitting_path of its fabric.
+std::array<double, 4> corner_angles(const Face& face, std::span<const glm::dvec3> path);
 
 }  // namespace knit

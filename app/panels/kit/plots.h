@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "app/base/text.h"
 #include "app/panels/kit/frame.h"
@@ -28,8 +29,12 @@ struct HistogramPlot {
   bool open_below = false;          // the first bin also holds what is lower
   bool open_above = false;          // the last bin also holds what is higher
   std::string missing;              // said while there is nothing: "after the faces"
+  std::optional<std::size_t> lit;   // the bin whose things are lit in the view
 };
-void draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size);
+// What the bin counts: from <= value < to; without end where it also holds what lies beyond.
+std::pair<double, double> span_of_bin(const HistogramPlot& plot, std::size_t bin);
+// The bin that was clicked, if it counts anything.
+std::optional<std::size_t> draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size);
 
 // Two values a row: as it is (steps) and as it should be (a line). Rows are counted from 1 in words.
 struct RowPlot {

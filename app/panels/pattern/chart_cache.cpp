@@ -1,6 +1,7 @@
 #include "app/panels/pattern/chart_cache.h"
 
 #include "app/session/document.h"
+#include "app/session/remarks.h"
 #include "app/session/view.h"
 #include "knit/limbs/limb_plan.h"
 #include "knit/model/hash.h"
@@ -72,13 +73,20 @@ void ChartCache::refresh(const Session& session) {
   const knit::Gauge& gauge = timeline.parameters().stitch.gauge;  // as for a file
   const PatternPieces& said = session.document->pieces;
   const std::uint64_t planned = key_of(key_of(state), said.order, timeline.parameters().pattern.graft);
-  const std::uint64_t key = key_of(planned, timeline.parameters(), session.view->pattern, said);
+  const auto& closeness = session.document->closeness;
+  knit::Hasher measured;
+  measured.add(key_of(planned, timeline.parameters(), session.view->pattern, said));
+  measured.add(closeness && closeness->coverage ? 1U : 0U);
+  const std::uint64_t key = measured.value();
   if (key == key_) return;
   key_ = key;
   chart_ = {};
   pattern_ = {};
   in_pieces_ = knit::has_limbs(state);
-  if (in_pieces_ && knit::limbs_are_known(state)) return make_pieces(session, planned);
+  if (in_pieces_ && knit::limbs_are_known(state)) {
+    make_pieces(session, planned);
+    return add_notes(session);
+  }
   planned_ = 0;
   pieces_ = {};
   piece_charts_.clear();
@@ -86,6 +94,14 @@ void ChartCache::refresh(const Session& session) {
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
   pattern_ = knit::write_pattern(rounds, gauge, session.view->pattern, timeline.input().mesh.name);
+  add_notes(session);
+}
+
+void ChartCache::add_notes(const Session& session) {
+  const auto& closeness = session.document->closeness;
+  const knit::Coverage* coverage = closeness && closeness->coverage ? &*closeness->coverage : nullptr;
+  for (std::string& note : notes_of(remarks_of(session.document->timeline, coverage)))
+    pattern_.notes.push_back(std::move(note));
 }
 
 std::string ChartCache::line_of(std::int32_t round) const {

@@ -39,6 +39,7 @@ class ChartCache {
   }
 
  private:
+  void add_notes(const Session& session);  // what is not as asked
   void make_pieces(const Session& session, std::uint64_t planned);
 
   std::uint64_t key_ = 0;

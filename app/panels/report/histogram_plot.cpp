@@ -1,6 +1,7 @@
 // The histogram of plots.h.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/widgets.h"
@@ -17,16 +18,22 @@ float x_of(const HistogramPlot& plot, const Box& ground, double value) {
   return ground.x + static_cast<float>(share) * ground.width;
 }
 
+// Where bin `i` begins: worked out so that the last one ends at the high end itself.
+double edge_of_bin(const HistogramPlot& plot, std::size_t i) {
+  return plot.low + (plot.high - plot.low) * static_cast<double>(i) / static_cast<double>(plot.bins.size());
+}
+
 std::string bin_words(const HistogramPlot& plot, std::size_t i, std::size_t total) {
-  const double wide = (plot.high - plot.low) / static_cast<double>(plot.bins.size());
-  const double low = plot.low + static_cast<double>(i) * wide;
-  const std::string from = fixed_text(low, plot.decimals);
-  const std::string to = fixed_text(low + wide, plot.decimals);
+  const std::string from = fixed_text(edge_of_bin(plot, i), plot.decimals);
+  const std::string to = fixed_text(edge_of_bin(plot, i + 1), plot.decimals);
   std::string range = from + " to " + to + plot.unit;
   if (i == 0 && plot.open_below) range = "Up to " + to + plot.unit;
   if (i + 1 == plot.bins.size() && plot.open_above) range = from + plot.unit + " and more";
   const double share = 100.0 * static_cast<double>(plot.bins[i]) / static_cast<double>(total);
-  return range + ": " + with_commas(plot.bins[i]) + " " + plot.counted + ", " + fixed_text(share, 1) + " %";
+  return range + ": " + with_commas(plot.bins[i]) + " " + plot.counted + ", " + fixed_text(share, 1) + " %." +
+         (plot.bins[i] == 0 ? ""
+          : plot.lit == i   ? "\nLit in the view. Click: no longer."
+                            : "\nClick: they light up in the view.");
 }
 
 void draw_bars(const PanelFrame& frame, const HistogramPlot& plot, const Stand& stand,
@@ -43,7 +50,9 @@ void draw_bars(const PanelFrame& frame, const HistogramPlot& plot, const Stand& 
     const double share = static_cast<double>(plot.bins[i]) / static_cast<double>(most);
     // A single one is still seen.
     const float high = std::max(2.0f * stand.line, whole(room * static_cast<float>(share)));
-    const ImU32 colour = hovered == i ? style::packed(theme().text) : style::packed(bar(), 205);
+    const ImU32 colour = hovered == i    ? style::packed(theme().text)
+                         : plot.lit == i ? style::packed(theme().selected)
+                                         : style::packed(bar(), 205);
     fill(stand, x0, ground.bottom() - high, std::max(x0 + 1.0f, x1 - gap), ground.bottom(), colour);
   }
 }
@@ -84,16 +93,23 @@ void draw_histogram_axis(const PanelFrame& frame, const HistogramPlot& plot, con
 
 }  // namespace
 
-void draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size) {
+std::pair<double, double> span_of_bin(const HistogramPlot& plot, std::size_t bin) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const bool first = bin == 0;
+  const bool last = bin + 1 == plot.bins.size();
+  return {first ? -endless : edge_of_bin(plot, bin), last ? endless : edge_of_bin(plot, bin + 1)};
+}
+
+std::optional<std::size_t> draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size) {
   const Stand stand = begin_stand(frame, plot.name, plot.title, size, 0.0f);
   std::size_t total = 0;
   for (const std::size_t bin : plot.bins) total += bin;
   if (total == 0) {
     draw_missing(frame, stand, plot.missing, plot.help);
-    return;
+    return std::nullopt;
   }
   std::optional<std::size_t> hovered;
-  if (stand.hovered && stand.inside) {
+  if (stand.inside) {
     const float across = (ImGui::GetIO().MousePos.x - stand.ground.x) / stand.ground.width;
     const auto bin = static_cast<std::size_t>(std::max(0.0f, across) * static_cast<float>(plot.bins.size()));
     hovered = std::min(bin, plot.bins.size() - 1);
@@ -109,11 +125,13 @@ void draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size) {
   }
   draw_foot(stand);
   draw_histogram_axis(frame, plot, stand);
-  if (hovered) {
+  if (hovered && stand.hovered) {
     tooltip(frame, bin_words(plot, *hovered, total));
   } else if (stand.hovered) {
     tooltip(frame, plot.help);
   }
+  const bool counts = hovered && plot.bins[*hovered] > 0;
+  return stand.clicked && counts ? hovered : std::nullopt;
 }
 
 }  // namespace app

@@ -49,14 +49,22 @@ Grid grid_of(const PanelFrame& frame) {
   return {left, left + width, std::floor(std::max(least, 0.17f * width)), line, air};
 }
 
-void draw_header(const PanelFrame& frame, const Grid& grid, const CardHeads& heads) {
+void draw_header(PanelFrame& frame, const Grid& grid, const CardHeads& heads) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   push_font(frame.fonts.small);
-  for (std::size_t i = 0; i < heads.size(); ++i) {
-    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, std::string(heads[i]));
-  }
   const float height = ImGui::GetTextLineHeight() + frame.units(2.0f);
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const std::string head(heads.at(i));
+    if (head.empty()) continue;
+    text_at(ImVec2(grid.end_of(i), at.y), 1.0f, theme().faint_text, head);
+    const float width = ImGui::CalcTextSize(head.c_str()).x;
+    ImGui::SetCursorScreenPos(ImVec2(grid.end_of(i) - width, at.y));
+    ImGui::Dummy(ImVec2(width, height));
+    frame.mark("head/" + head);
+    tooltip(frame, help_of_head(head));
+  }
   pop_font();
+  ImGui::SetCursorScreenPos(at);
   ImGui::Dummy(ImVec2(grid.right - grid.left, height));
 }
 
@@ -67,6 +75,21 @@ void draw_rule(const PanelFrame& frame, const Grid& grid, float space) {
                                             ImVec2(grid.right, y + std::max(1.0f, frame.units(1.0f))),
                                             style::packed(theme().outline));
   ImGui::Dummy(ImVec2(0.0f, space));
+}
+
+// What a click leads from.
+void underline(const PanelFrame& frame, ImVec2 at, float width) {
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      at, ImVec2(at.x + width, at.y + std::max(1.0f, frame.units(1.0f))), style::packed(theme().text));
+}
+
+void wish_way(PanelFrame& frame, const FigureWay& way) {
+  if (const auto* thing = std::get_if<knit::Element>(&way)) frame.wish(LookAt{*thing});
+  if (const auto* range = std::get_if<knit::SizeRange>(&way)) {
+    const bool lit = frame.session.document && frame.session.document->travel.sized == *range;
+    frame.wish(SelectSized{lit ? std::nullopt : std::optional(*range)});
+  }
+  if (const auto* row = std::get_if<FigureRow>(&way)) wish_row(frame, row->row);
 }
 
 // One that is outside stands in the warning's colour with a dot before it, which also eyes that see no such
@@ -85,15 +108,24 @@ void draw_figure(PanelFrame& frame, const CardFigure& figure, const Grid& grid, 
     const ImVec2 at(end - size.x - radius - frame.units(2.5f), middle + frame.units(0.4f));
     ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, style::packed(theme().warning));
   }
+  // No wider than its column's own part, so that it covers no words beside it.
   ImGui::SetCursorScreenPos(ImVec2(end - grid.column, y));
-  ImGui::Dummy(ImVec2(grid.column, grid.line));
+  const std::string_view leads = click_words(figure.way);
+  if (leads.empty()) {
+    ImGui::Dummy(ImVec2(grid.column, grid.line));
+  } else {
+    if (ImGui::InvisibleButton(figure.name.c_str(), ImVec2(grid.column, grid.line)))
+      wish_way(frame, figure.way);
+    if (ImGui::IsItemHovered()) underline(frame, ImVec2(end - size.x, middle + 0.5f * size.y), size.x);
+  }
   frame.mark(figure.name);
-  tooltip(frame, figure.help);
+  tooltip(frame, leads.empty() ? figure.help : figure.help + "\n\n" + std::string(leads));
 }
 
 void draw_missing(PanelFrame& frame, const CardLine& line, const Grid& grid, float y) {
   push_font(frame.fonts.small);
-  const std::string words = "\xE2\x80\x93 " + line.missing;
+  // Where two stand on a line there is no room to say when: the tip does.
+  const std::string words = "\xE2\x80\x93" + (line.single ? "" : " " + line.missing);
   const float low = y + frame.units(1.5f);
   text_at(ImVec2(grid.right, low), 1.0f, theme().faint_text, words);
   const float width = ImGui::CalcTextSize(words.c_str()).x;
@@ -101,14 +133,23 @@ void draw_missing(PanelFrame& frame, const CardLine& line, const Grid& grid, flo
   ImGui::SetCursorScreenPos(ImVec2(grid.right - width, y));
   ImGui::Dummy(ImVec2(width, grid.line));
   frame.mark("missing/" + line.name);
+  tooltip(frame, line.help + " " + with_capital(line.missing) + (line.missing.ends_with('.') ? "" : "."));
 }
 
 void draw_line(PanelFrame& frame, const CardLine& line, const Grid& grid) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 at(grid.left, ImGui::GetCursorScreenPos().y);
+  ImGui::SetCursorScreenPos(at);
   text_at(at, 0.0f, theme().text, line.words);
-  const float width = ImGui::CalcTextSize(line.words.c_str()).x;
-  text_at(ImVec2(at.x + width + frame.units(5.0f), at.y), 0.0f, theme().faint_text, line.unit);
-  ImGui::Dummy(ImVec2(width, grid.line));
+  float width = ImGui::CalcTextSize(line.words.c_str()).x;
+  const float unit = ImGui::CalcTextSize(line.unit.c_str()).x;
+  std::size_t column = 0;  // the first that holds a figure: words may go on up to it
+  while (column + 1 < card_columns && !line.figures[column]) ++column;
+  const float most = grid.end_of(column) - grid.column - at.x - frame.units(1.0f);
+  if (!line.unit.empty() && width + frame.units(5.0f) + unit <= most) {
+    text_at(ImVec2(at.x + width + frame.units(5.0f), at.y), 0.0f, theme().faint_text, line.unit);
+    width += frame.units(5.0f) + unit;
+  }
+  ImGui::Dummy(ImVec2(std::min(width, most), grid.line));
   frame.mark("line/" + line.name);
   explained_tooltip(frame, line.help, line.words);
   if (!line.missing.empty()) draw_missing(frame, line, grid, at.y);
@@ -116,6 +157,22 @@ void draw_line(PanelFrame& frame, const CardLine& line, const Grid& grid) {
     if (line.figures[i]) draw_figure(frame, *line.figures[i], grid, i, at.y);
   }
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + grid.line));
+}
+
+// Two by two: each figure stands beside its own words.
+void draw_singles(PanelFrame& frame, const std::vector<CardLine>& lines, const Grid& grid) {
+  const float between = frame.units(14.0f);
+  const float half = std::floor(0.5f * (grid.right - grid.left - between));
+  Grid first = grid, second = grid;
+  first.right = grid.left + half;
+  second.left = grid.right - half;
+  first.column = second.column = std::min(grid.column, std::floor(0.3f * half));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const float y = ImGui::GetCursorScreenPos().y;
+    draw_line(frame, lines[i], i % 2 == 0 ? first : second);
+    const bool row_ends = i % 2 == 1 || i + 1 == lines.size();
+    ImGui::SetCursorScreenPos(ImVec2(grid.left, row_ends ? y + grid.line : y));
+  }
 }
 
 // Once stitches have settled: which of their two positions figures, plots, view and what is saved are of.
@@ -146,6 +203,10 @@ void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
     if (!first) draw_rule(frame, grid, frame.units(7.0f));
     first = false;
     if (group.headed) draw_header(frame, grid, group.heads);
+    if (group.lines.front().single) {
+      draw_singles(frame, group.lines, grid);
+      continue;
+    }
     for (const CardLine& line : group.lines) draw_line(frame, line, grid);
   }
   draw_rule(frame, grid, frame.units(10.0f));
@@ -166,18 +227,57 @@ void draw_cell(const std::string& words, Colour colour) {
   ImGui::PopStyleColor();
 }
 
+enum class TubeHead : std::uint8_t { tube, rounds, stitches, wale_cv, longest, course_cv };
+constexpr std::array tube_heads{"Tube", "Rounds", "Stitches", "Wale CV", "Longest", "Course CV"};
+
+std::string_view help_of(TubeHead head) {
+  switch (head) {
+    case TubeHead::tube:
+      return "Its letter, in working order.";
+    case TubeHead::rounds:
+      return "How many rounds it has.";
+    case TubeHead::stitches:
+      return "How many stitches its rounds have together.";
+    case TubeHead::wale_cv:
+      return "How uneven its wales are: standard deviation over mean.";
+    case TubeHead::longest:
+      return "Its longest wale edge, in stitch heights h.";
+    case TubeHead::course_cv:
+      break;
+  }
+  return "How uneven the stitches of its worst round are: standard deviation over mean.";
+}
+
+bool leads_to_wale(const knit::TubeFit& tube, TubeHead head) {
+  return head == TubeHead::longest && tube.longest.known();
+}
+bool leads_to_uneven_row(const knit::TubeFit& tube, TubeHead head) {
+  return head == TubeHead::course_cv && tube.uneven_row > 0;
+}
+
+std::string_view way_of(const knit::TubeFit& tube, TubeHead head) {
+  if (leads_to_wale(tube, head)) return "Click: the view turns to this edge.";
+  return leads_to_uneven_row(tube, head) ? "Click: to this row." : "Click: to its first row.";
+}
+
+// Of its column.
+TubeHead head_under_pointer() {
+  for (std::size_t i = 0; i < tube_heads.size(); ++i) {
+    const ImGuiTableColumnFlags flags = ImGui::TableGetColumnFlags(static_cast<int>(i));
+    if ((flags & ImGuiTableColumnFlags_IsHovered) != 0) return static_cast<TubeHead>(i);
+  }
+  return TubeHead::tube;
+}
+
 void draw_tube(PanelFrame& frame, const knit::TubeFit& tube) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string name = knit::tube_name(tube.tube);
   const bool clicked = ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
   frame.mark("tube/" + name);
-  tooltip(
-      frame,
-      "Tube " + name +
-          ": its rounds and stitches; how uneven its wales are (standard deviation over mean), the longest "
-          "in "
-          "stitch heights h; how uneven the stitches of its worst round are.\n\nClick: to its first row.");
+  const TubeHead head = head_under_pointer();
+  tooltip(frame,
+          "Tube " + name + ". " + std::string(help_of(head)) + "\n\n" + std::string(way_of(tube, head)));
   draw_cell(std::to_string(tube.rounds), theme().text);
   draw_cell(std::to_string(tube.stitches), theme().text);
   const bool wales = tube.wales > 0;
@@ -185,27 +285,33 @@ void draw_tube(PanelFrame& frame, const knit::TubeFit& tube) {
   const bool stretched = wales && tube.longest_wale > knit::stretched_above;
   draw_cell(wales ? fixed_text(tube.longest_wale, 2) : "-", stretched ? theme().warning : theme().text);
   draw_cell(fixed_text(tube.worst_course_cv_in_row, 3), theme().text);
-  if (clicked) wish_row(frame, tube.first_row);
+  if (!clicked) return;
+  if (leads_to_wale(tube, head))
+    return frame.wish(LookAt{knit::ColumnEdgeElement{tube.longest.row, tube.longest.edge}});
+  wish_row(frame, leads_to_uneven_row(tube, head) ? tube.uneven_row : tube.first_row);
 }
 
 // A line a tube, where there is more than one.
 void draw_tubes(PanelFrame& frame, const knit::Quality* quality) {
   if (quality == nullptr || quality->tubes.size() < 2) return;
-  constexpr std::array names{"Tube", "Rounds", "Stitches", "Wale CV", "Longest", "Course CV"};
   push_font(frame.fonts.small);
   const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   const std::size_t lines = std::min(quality->tubes.size(), most_tube_lines) + 1;
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
   const ImVec2 size(0.0f, std::ceil(line * static_cast<float>(lines)));
-  if (ImGui::BeginTable("tubes of the card", static_cast<int>(names.size()), flags, size)) {
+  if (ImGui::BeginTable("tubes of the card", static_cast<int>(tube_heads.size()), flags, size)) {
     // As wide as their heads, so that none is cut off.
-    for (const char* name : names)
+    for (const char* name : tube_heads)
       ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, ImGui::CalcTextSize(name).x);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
-    faint_text(names[0]);
-    for (std::size_t i = 1; i < names.size(); ++i) draw_cell(names.at(i), theme().faint_text);
+    for (std::size_t i = 0; i < tube_heads.size(); ++i) {
+      if (i == 0) faint_text(tube_heads[0]);
+      if (i > 0) draw_cell(tube_heads.at(i), theme().faint_text);
+      frame.mark("head/" + std::string(tube_heads.at(i)));
+      tooltip(frame, help_of(static_cast<TubeHead>(i)));
+    }
     for (const knit::TubeFit& tube : quality->tubes) draw_tube(frame, tube);
     ImGui::EndTable();
   }
@@ -307,6 +413,21 @@ Heights heights_of(const PanelFrame& frame, float room) {
   return {share(0.32f, 88.0f, 190.0f), share(0.26f, 76.0f, 160.0f), share(0.42f, 108.0f, 300.0f)};
 }
 
+// The bin whose things are lit is known by its span, which is the range that a click asked for.
+void draw_bars_of(PanelFrame& frame, HistogramPlot plot, knit::Measured of, ImVec2 size) {
+  const auto range_of = [&](std::size_t bin) {
+    const auto [from, to] = span_of_bin(plot, bin);
+    return knit::SizeRange{of, from, to};
+  };
+  const auto& lit = frame.session.document ? frame.session.document->travel.sized : std::nullopt;
+  for (std::size_t i = 0; lit && i < plot.bins.size(); ++i) {
+    if (range_of(i) == *lit) plot.lit = i;
+  }
+  const auto clicked = draw_histogram(frame, plot, size);
+  if (!clicked) return;
+  frame.wish(SelectSized{clicked == plot.lit ? std::nullopt : std::optional(range_of(*clicked))});
+}
+
 void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
   const float gap = frame.units(6.0f);
   const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -314,10 +435,11 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
   const float between = frame.units(14.0f);
   const float half = std::floor(0.5f * (room.x - between));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(between, gap));
-  draw_histogram(frame, course_plot(quality), ImVec2(half, heights.pair));
+  using knit::Measured;
+  draw_bars_of(frame, course_plot(quality), Measured::course, ImVec2(half, heights.pair));
   ImGui::SameLine();
-  draw_histogram(frame, wale_plot(quality), ImVec2(room.x - half - between, heights.pair));
-  draw_histogram(frame, corner_plot(quality), ImVec2(room.x, heights.corner));
+  draw_bars_of(frame, wale_plot(quality), Measured::wale, ImVec2(room.x - half - between, heights.pair));
+  draw_bars_of(frame, corner_plot(quality), Measured::corner, ImVec2(room.x, heights.corner));
   RowValues values;
   for (const knit::RowFit& row : quality.rows) {
     values.made.push_back(row.stitches);

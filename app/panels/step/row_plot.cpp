@@ -159,7 +159,7 @@ std::string row_words(const RowPlot& plot, std::size_t row) {
                       " " + plot.value_words;
   if (row < plot.ideals.size()) words += ", " + fixed_text(plot.ideals[row], 1) + " " + plot.ideal_words;
   if (row < plot.ghosts.size()) words += ", " + fixed_text(plot.ghosts[row], plot.decimals) + " pinned";
-  return words + ".\nClick: go there.";
+  return words + ".\nLit in the view. Click: to the end of this row.";
 }
 
 }  // namespace
@@ -185,6 +185,9 @@ std::optional<std::size_t> draw_row_plot(PanelFrame& frame, const RowPlot& plot,
   draw_foot(stand);
   draw_row_axis(frame, plot, stand, scale);
   draw_keys(frame, plot, stand);
+  if (pointed)
+    frame.rounds_under =
+        RoundSpan{static_cast<std::int32_t>(*pointed) + 1, static_cast<std::int32_t>(*pointed) + 1};
   if (stand.hovered && pointed) tooltip(frame, row_words(plot, *pointed));
   if (stand.hovered && !stand.inside) tooltip(frame, plot.help);
   return stand.clicked ? pointed : std::nullopt;

@@ -1,6 +1,8 @@
 // The rows of the run so far, and what was unusual in all of it.
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "app/explain/why_words.h"
 #include "app/panels/kit/commands.h"
@@ -10,6 +12,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
+#include "app/session/remarks.h"
 #include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
@@ -127,13 +130,23 @@ struct Problem {
       thing{};  // or this, whose making is shown; with a position: what is selected there
 };
 
-// On the whole run, once it is finished and measured.
-std::vector<knit::Remark> remarks_of(const PanelFrame& frame) {
+// On the whole run, once it is finished and measured; worked out anew when either changes.
+struct RemarkCache {
+  std::shared_ptr<const knit::Closeness> closeness;
+  knit::Parameters parameters;
+  std::vector<knit::Remark> remarks;
+};
+
+const std::vector<knit::Remark>& remarks_in(const PanelFrame& frame) {
+  auto& cache = frame.own<RemarkCache>();
   const auto& closeness = frame.session.document->closeness;
-  if (!closeness || !closeness->coverage) return {};
-  const knit::Timeline& timeline = *frame.timeline();
-  return knit::remarks_on(*closeness->coverage,
-                          knit::as_chosen(timeline.parameters_of_stop(), timeline.furthest()));
+  const knit::Parameters& parameters = frame.timeline()->parameters_of_stop();
+  if (closeness == cache.closeness && parameters == cache.parameters) return cache.remarks;
+  cache.closeness = closeness;
+  cache.parameters = parameters;
+  cache.remarks.clear();
+  if (closeness && closeness->coverage) cache.remarks = remarks_of(*frame.timeline(), &*closeness->coverage);
+  return cache.remarks;
 }
 
 Problem problem_of_remark(const knit::Remark& remark) {
@@ -167,13 +180,12 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   const auto& findings = frame.session.document->findings;
   if (i < findings.size()) return {"Mesh: " + findings[i].sentence, std::nullopt, ""};
   i -= findings.size();
-  const std::vector<knit::Remark> remarks = remarks_of(frame);
+  const std::vector<knit::Remark>& remarks = remarks_in(frame);
   if (i < remarks.size()) return problem_of_remark(remarks[i]);
   const std::size_t step = frame.own<RunCache>().ranked()[i - remarks.size()].step;
   Problem problem{knit::narrate(timeline.step(step), timeline.parameters_of_step(step)), step + 1,
                   short_line(timeline.step(step))};
-  if (const auto* left = knit::get_if<knit::TubeLeftOut>(timeline.step(step)))
-    problem.thing = knit::VertexElement{left->vertex};
+  problem.thing = knit::thing_of_problem(timeline.step(step));
   return problem;
 }
 
@@ -185,7 +197,7 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   const bool here = problem.position && frame.timeline()->position() == *problem.position;
   if (ImGui::Selectable("##problem", here)) {
     if (problem.position) frame.wish(SeekTo{*problem.position});
-    if (problem.thing && problem.position) frame.wish(Select{*problem.thing});
+    if (problem.thing && problem.position) frame.wish(LookAt{*problem.thing});
     if (problem.thing && !problem.position) frame.wish(ShowWhy{*problem.thing});
   }
   frame.mark("problem/" + std::to_string(i));
@@ -237,7 +249,7 @@ void draw_repairs(PanelFrame& frame) {
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
   return frame.session.document->repaired.size() + frame.session.document->findings.size() +
-         remarks_of(frame).size() + frame.own<RunCache>().problems().size() +
+         remarks_in(frame).size() + frame.own<RunCache>().problems().size() +
          (frame.timeline()->stop() != nullptr ? 1 : 0);
 }
 
@@ -313,8 +325,29 @@ float width_of_buttons(const PanelFrame& frame) {
 
 }  // namespace
 
+namespace {
+
+void draw_sized(PanelFrame& frame, const knit::SizeRange& range) {
+  const float side = ImGui::GetFrameHeight();
+  const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().selected));
+  text(cut_to_width(with_capital(knit::words_of(range)), left - ImGui::GetCursorPosX()));
+  ImGui::PopStyleColor();
+  frame.mark("selected");
+  tooltip(frame, "Lit in the view, as far as they are made at this place of the run.");
+  ImGui::SameLine(left);
+  if (icon_button("selected close", Icon::cross, ImVec2(side, side))) frame.wish(Select{});
+  frame.mark("selected/close");
+  tooltip(frame, "Select nothing");
+}
+
+}  // namespace
+
 void draw_selected(PanelFrame& frame) {
-  if (!frame.session.document || !frame.session.document->travel.selected) return;
+  if (!frame.session.document) return;
+  if (const auto& range = frame.session.document->travel.sized) return draw_sized(frame, *range);
+  if (!frame.session.document->travel.selected) return;
   const std::optional<knit::Element>& selected = frame.session.document->travel.selected;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(frame.units(5.0f), frame.units(2.0f)));
   const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width_of_buttons(frame);

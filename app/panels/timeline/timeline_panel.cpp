@@ -298,15 +298,31 @@ void draw_scrubber(const PanelFrame& frame, const Track& track, ImDrawList& list
                                                          track.bottom - track.top + 3.0f * over});
 }
 
-// The nearest of rising positions within a few units of the pointer.
+// The nearest of rising positions within a few units of the pointer; of equals the first.
 std::optional<std::size_t> near_pointer(const PanelFrame& frame, const Track& track,
                                         const std::vector<std::size_t>& positions, std::size_t offset) {
   const float x = ImGui::GetIO().MousePos.x;
-  const float reach = frame.units(4.0f);
-  const std::size_t from = track.position_at(x - reach);
-  const auto it = std::lower_bound(positions.begin(), positions.end(), from > offset ? from - offset : 0);
-  if (it == positions.end() || std::abs(track.x_of(*it + offset) - x) > reach) return std::nullopt;
+  const std::size_t at = track.position_at(x);
+  auto it = std::lower_bound(positions.begin(), positions.end(), at > offset ? at - offset : 0);
+  const auto away = [&](std::vector<std::size_t>::const_iterator of) {
+    return std::abs(track.x_of(*of + offset) - x);
+  };
+  if (it != positions.begin() && (it == positions.end() || away(it - 1) <= away(it))) --it;
+  if (it == positions.end() || away(it) > frame.units(4.0f)) return std::nullopt;
   return static_cast<std::size_t>(it - positions.begin());
+}
+
+// Where marks of problems hang, below the track.
+bool among_problem_marks(const Track& track) { return ImGui::GetIO().MousePos.y > track.bottom; }
+
+// The position that shows the problem whose mark is under the pointer.
+std::optional<std::size_t> problem_under(const PanelFrame& frame, const Track& track) {
+  if (!among_problem_marks(track)) return std::nullopt;
+  const bool stopped = frame.timeline()->stop() != nullptr;
+  if (stopped && std::abs(track.right - ImGui::GetIO().MousePos.x) <= frame.units(4.0f)) return track.steps;
+  const auto& problems = frame.own<RunCache>().problems();
+  const auto problem = near_pointer(frame, track, problems, 1);
+  return problem ? std::optional(problems[*problem] + 1) : std::nullopt;
 }
 
 void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
@@ -324,6 +340,7 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
   if (const auto problem = near_pointer(frame, track, frame.own<RunCache>().problems(), 1)) {
     const std::size_t step = frame.own<RunCache>().problems()[*problem];
     words += "\n\n" + knit::narrate(timeline.step(step), timeline.parameters_of_step(step));
+    if (among_problem_marks(track)) words += "\nClick: to this step, with what it is about.";
   }
   // A mark covers a few units: the hit nearest below its right edge.
   const BreakHits& hits = frame.session.document->travel.hits;
@@ -334,17 +351,32 @@ void draw_track_tooltip(const PanelFrame& frame, const Track& track) {
   tooltip(frame, words);
 }
 
-// A press on an event's mark goes to its step and stays there until the pointer is drawn away.
+// A press on a mark goes to its step and stays there until the pointer is drawn away.
 struct MarkPressed {
-  std::optional<TubeBand::Mark> mark;
+  std::optional<std::size_t> at;
 };
 
+std::optional<std::size_t> pressed_at(const PanelFrame& frame, const Track& track) {
+  if (const auto mark = mark_under(frame, track)) return mark->at;
+  return problem_under(frame, track);
+}
+
+// What a problem's step is about is selected, so that it is seen in the view.
+void select_problem(PanelFrame& frame, std::size_t position) {
+  const knit::Timeline& timeline = *frame.timeline();
+  const auto& problems = frame.own<RunCache>().problems();
+  if (position == 0 || !std::binary_search(problems.begin(), problems.end(), position - 1)) return;
+  if (const auto thing = knit::thing_of_problem(timeline.step(position - 1))) frame.wish(LookAt{*thing});
+}
+
 void follow_pointer(PanelFrame& frame, const Track& track) {
-  std::optional<TubeBand::Mark>& pressed = frame.own<MarkPressed>().mark;
-  if (ImGui::IsItemActivated()) pressed = mark_under(frame, track);
+  std::optional<std::size_t>& pressed = frame.own<MarkPressed>().at;
+  const bool begins = ImGui::IsItemActivated();
+  if (begins) pressed = pressed_at(frame, track);
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, frame.units(4.0f))) pressed.reset();
-  const std::size_t wanted = pressed ? pressed->at : track.position_at(ImGui::GetIO().MousePos.x);
+  const std::size_t wanted = pressed.value_or(track.position_at(ImGui::GetIO().MousePos.x));
   if (wanted != frame.timeline()->position()) frame.wish(SeekTo{wanted});
+  if (begins && pressed && problem_under(frame, track) == pressed) select_problem(frame, *pressed);
 }
 
 void draw_track(PanelFrame& frame) {

@@ -102,7 +102,8 @@ void handle_plain_click(PanelFrame& frame) {
       frame.wish(AnswerLesson{click.thing ? text_of(*click.thing) : ""});
     } else if (click.thing) {
       frame.wish(ShowWhy{*click.thing});
-    } else if (frame.session.document && frame.session.document->travel.selected) {
+    } else if (frame.session.document &&
+               (frame.session.document->travel.selected || frame.session.document->travel.sized)) {
       frame.wish(Select{});
     }
     click = {};

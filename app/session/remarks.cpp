@@ -1,0 +1,55 @@
+#include "app/session/remarks.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "knit/limbs/limb_plan.h"
+#include "knit/pattern/rounds.h"
+#include "knit/pattern/written_pattern.h"
+#include "knit/run/machine.h"
+
+namespace app {
+
+knit::PieceSize size_knitted(const knit::State& state, const knit::Gauge& gauge) {
+  if (!knit::has_limbs(state)) {
+    const knit::PatternSizes sizes = knit::sizes_of(knit::rounds_of(state), gauge);
+    return {sizes.height_cm, sizes.around_cm};
+  }
+  std::int32_t most = 0;
+  for (const auto& row : state.fabric.rows()) most = std::max(most, knit::size_of(*row));
+  return {std::nullopt, 10.0 * most / gauge.stitches};
+}
+
+std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit::Coverage* coverage) {
+  const knit::State& state = timeline.furthest();
+  if (!state.finished()) return {};
+  const knit::Parameters parameters = knit::as_chosen(timeline.parameters_of_stop(), state);
+  std::vector<knit::Remark> remarks;
+  const auto add = [&](std::optional<knit::Remark> remark) {
+    if (remark) remarks.push_back(std::move(*remark));
+  };
+  add(knit::remark_on_size(size_knitted(state, parameters.stitch.gauge), knit::size_asked(state, parameters),
+                           parameters));
+  add(knit::remark_on_swatch(parameters));
+  if (coverage == nullptr) return remarks;
+  std::vector<knit::Remark> of_rows = knit::remarks_on(*coverage, parameters);
+  std::move(of_rows.begin(), of_rows.end(), std::back_inserter(remarks));
+  return remarks;
+}
+
+std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks) {
+  std::array<bool, knit::remark_keys.size()> said{};
+  std::vector<std::string> notes;
+  for (const knit::Remark& remark : remarks) {
+    bool& of_kind = said.at(static_cast<std::size_t>(remark.kind));
+    if (!of_kind) notes.push_back("Not as asked: " + remark.words);
+    of_kind = true;
+  }
+  return notes;
+}
+
+}  // namespace app
