@@ -6,7 +6,7 @@
 #include "app/actions/apply_parts.h"
 #include "app/actions/navigate.h"
 #include "app/actions/playing.h"
-#include "app/actions/turn_view.h"
+#include "app/describe/turn_view.h"
 #include "app/explain/destination.h"
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
@@ -194,14 +194,14 @@ void take(Session& session, const Select& action) {
 void take(Session& session, const LookAt& action) {
   if (!session.document || !is_of_mesh(session, action.thing)) return;
   take(session, Select{action.thing});
-  turn_to(session, action.thing);
+  session.view->gaze.camera = turned_to(session, action.thing);
 }
 
 void take(Session& session, const SelectSized& action) {
   if (!session.document) return;
   take(session, Select{});
   session.document->travel.sized = action.range;
-  if (action.range) turn_to(session, *action.range);
+  if (action.range) session.view->gaze.camera = turned_to(session, *action.range);
 }
 
 void take(Session& session, const ShowWhy& action) {

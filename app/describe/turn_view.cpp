@@ -1,4 +1,4 @@
-#include "app/actions/turn_view.h"
+#include "app/describe/turn_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double faces_viewer = 0.5;   // cosine of the angle between what is ou
 constexpr double steepest_look = 1.2;  // radians: ends are looked at a little from the side
 constexpr double inner_screen = 0.9;   // of the view's half: farther out it is brought to the middle
 
-std::optional<glm::dvec3> middle_of(std::span<const glm::dvec3> outline) {
+std::optional<glm::dvec3> middle_of_outline(std::span<const glm::dvec3> outline) {
   if (outline.empty()) return std::nullopt;
   glm::dvec3 sum(0.0);
   for (const glm::dvec3& point : outline) sum += point;
@@ -41,7 +41,7 @@ double facing(const Camera& camera, const glm::dvec3& out) {
   return glm::dot(out, glm::normalize(camera.eye() - camera.target));
 }
 
-bool on_screen(const Camera& camera, double aspect, const glm::dvec3& at) {
+bool well_on_screen(const Camera& camera, double aspect, const glm::dvec3& at) {
   const Sight sight = camera.view(aspect);
   const glm::vec4 clip = sight.projection * sight.view * glm::vec4(glm::vec3(at), 1.0F);
   if (!(clip.w > 0.0F)) return false;
@@ -49,41 +49,42 @@ bool on_screen(const Camera& camera, double aspect, const glm::dvec3& at) {
   return std::abs(clip.x) <= most && std::abs(clip.y) <= most;
 }
 
-void turn_to_place(Session& session, const glm::dvec3& at) {
-  Camera& camera = session.view->gaze.camera;
+Camera turned_to_place(const Session& session, const glm::dvec3& at) {
+  Camera camera = session.view->gaze.camera;
   const auto out = outward(session.document->timeline.input().bounds, at);
   if (out && facing(camera, *out) < faces_viewer) {
     const bool upright = std::abs(out->x) + std::abs(out->z) < 1e-9;
     if (!upright) camera.yaw = std::atan2(out->x, out->z);
     camera.pitch = std::clamp(std::asin(std::clamp(out->y, -1.0, 1.0)), -steepest_look, steepest_look);
   }
-  if (!on_screen(camera, session.view->aspect, at)) camera.target = at;
+  if (!well_on_screen(camera, session.view->aspect, at)) camera.target = at;
+  return camera;
 }
 
 }  // namespace
 
-void turn_to(Session& session, const knit::Element& thing) {
+Camera turned_to(const Session& session, const knit::Element& thing) {
   const knit::Timeline& timeline = session.document->timeline;
-  auto at = middle_of(outline_of(timeline.input(), shown_state(session), thing));
-  if (!at) at = middle_of(outline_of(timeline.input(), timeline.furthest(), thing));
-  if (at) turn_to_place(session, *at);
+  auto at = middle_of_outline(outline_of(timeline.input(), shown_state(session), thing));
+  if (!at) at = middle_of_outline(outline_of(timeline.input(), timeline.furthest(), thing));
+  return at ? turned_to_place(session, *at) : session.view->gaze.camera;
 }
 
-void turn_to(Session& session, const knit::SizeRange& range) {
+Camera turned_to(const Session& session, const knit::SizeRange& range) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Bounds& bounds = timeline.input().bounds;
   std::optional<glm::dvec3> best;
   double most = -2.0;
   for (const knit::SizedThing& thing :
        knit::things_of_size(shown_state(session), timeline.parameters().stitch, range)) {
-    const glm::dvec3 at = *middle_of(thing.outline());
+    const glm::dvec3 at = *middle_of_outline(thing.outline());
     const auto out = outward(bounds, at);
     const double now = out ? facing(session.view->gaze.camera, *out) : -1.0;
     if (now <= most) continue;
     most = now;
     best = at;
   }
-  if (best) turn_to_place(session, *best);
+  return best ? turned_to_place(session, *best) : session.view->gaze.camera;
 }
 
 }  // namespace app
