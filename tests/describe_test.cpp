@@ -500,3 +500,29 @@ TEST_CASE("what is shown never depends on what was shown before") {
   apply(session, OpenExample{"egg"});
   check_same();
 }
+
+TEST_CASE("the current row is lit at every stage that goes through its stitches, and none at the end") {
+  Session session = finished_small_session();
+  const knit::Timeline& timeline = session.document->timeline;
+  for (const Stage stage : {Stage::stitches, Stage::faces, Stage::pattern}) {
+    const std::size_t at = timeline.position_of({stage, 3, 0});
+    apply(session, SeekTo{at});
+    REQUIRE(timeline.place().stage == stage);
+    REQUIRE(timeline.place().row == 3);
+    const Scene scene = scene_of(session);
+    const knit::Row& row = timeline.state().fabric.row(3);
+    for (const auto& [from, to] : knit::edges_of(row)) {
+      const bool lit = std::any_of(scene.lines.begin(), scene.lines.end(), [&](const Line& line) {
+        return line.colour == with_alpha(scene.theme->accepted, 235) && line.width_px > 3.0F &&
+               line.from == glm::vec3(row.stitches[from].position) &&
+               line.to == glm::vec3(row.stitches[to].position);
+      });
+      CHECK(lit);
+    }
+  }
+  apply(session, ToLast{});
+  const Scene scene = scene_of(session);
+  CHECK(std::none_of(scene.lines.begin(), scene.lines.end(), [&](const Line& line) {
+    return line.colour == with_alpha(scene.theme->accepted, 235);
+  }));
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/describe/describe_contours.h"
+#include "app/describe/describe_current_row.h"
 #include "app/describe/describe_ends.h"
 #include "app/describe/describe_motion.h"
 #include "app/describe/describe_quantity.h"
@@ -181,6 +182,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   describe_covered(session, scene);
   describe_tubes(session, scene);
   ghost_.describe(session, scene);
+  describe_current_row(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);
   describe_moves(session, scene);
