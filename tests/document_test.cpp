@@ -107,8 +107,8 @@ Names different(const Gaze& a, const Gaze& b) {
 }
 
 Names different(const View& a, const View& b) {
-  const auto& [gaze, aspect, layers, playback, slow_motion, breaks, side, list, centre, positions, pattern,
-               dialogs] = a;
+  const auto& [gaze, aspect, layers, playback, slow_motion, presenting, ring, both, breaks, side, list,
+               centre, positions, pattern, dialogs] = a;
   return those_that_differ({{"gaze", !different(gaze, b.gaze).empty()},
                             {"aspect", aspect != b.aspect},
                             {"layers", layers != b.layers},
@@ -118,6 +118,9 @@ Names different(const View& a, const View& b) {
                             {"side", side != b.side},
                             {"list", list != b.list},
                             {"centre", centre != b.centre},
+                            {"presenting", presenting != b.presenting},
+                            {"ring", ring != b.ring},
+                            {"both", both != b.both},
                             {"positions", positions != b.positions},
                             {"pattern", !(pattern == b.pattern)},
                             {"dialogs", !(dialogs == b.dialogs)}});
@@ -160,7 +163,7 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 12,
+constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 15,
                       gaze_fields = 11, learning_fields = 3, outbox_fields = 6, job_fields = 8,
                       program_fields = 3;
 
@@ -223,6 +226,9 @@ void fill(View& view) {
   view.side = SidePanel::report;
   view.list = RunList::problems;
   view.centre = CentrePanel::chart;
+  view.presenting = true;
+  view.ring = false;
+  view.both = true;
   view.positions = Positions::placed;
   view.pattern.title = "Ball";
   view.dialogs.help_open = true;

@@ -68,6 +68,8 @@ void add_shown(EntryList& list) {
               "In the view, in figures and in what is saved.", SetPositions{positions},
               session.view->positions == positions ? "They are shown so." : ""});
   }
+  list.add({"Ring round the pointer while presenting: on or off", group::view, "",
+            SetRing{!session.view->ring}, "", "", true});
   for (std::size_t i = 0; i < panel_keys.size(); ++i) {
     const auto panel = static_cast<Panel>(i);
     list.add({"Open or close the panel: " + std::string(panel_keys[i]), group::panels, "",

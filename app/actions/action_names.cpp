@@ -105,6 +105,15 @@ constexpr ActionName named(For<SetAspect>) {
 }
 constexpr ActionName named(For<ShowSide>) { return {"Show a side panel", control, "side/report"}; }
 constexpr ActionName named(For<ShowList>) { return {"Show a list", control, "list"}; }
+constexpr ActionName named(For<Present>) {
+  return {"Present to a class", control, "menu/Present to a class"};
+}
+constexpr ActionName named(For<SetRing>) {
+  return {"Ring round the pointer while presenting", control, "menu/Ring round the pointer"};
+}
+constexpr ActionName named(For<ShowBoth>) {
+  return {"Show the pinned run beside this one", control, "menu/Show the pinned run beside this one"};
+}
 constexpr ActionName named(For<SetPositions>) {
   return {"Show stitches settled or as placed", control, "menu/Stitches as placed"};
 }

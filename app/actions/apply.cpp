@@ -264,6 +264,8 @@ struct Apply {
   void operator()(const ShowSide& a) { session.view->side = a.side; }
   void operator()(const ShowList& a) { session.view->list = a.list; }
   void operator()(const SetPositions& a) { session.view->positions = a.positions; }
+  void operator()(const Present& a) { session.view->presenting = a.on; }
+  void operator()(const SetRing& a) { session.view->ring = a.on; }
 
   void operator()(const Export& a) {
     if (!open()) return;

@@ -117,6 +117,13 @@ void take(Session& session, const Unpin& /*action*/) {
   if (session.document) session.document->pinned.reset();
 }
 
+void take(Session& session, const ShowBoth& action) {
+  const bool pinned = session.document && session.document->pinned;
+  session.view->both = action.on && pinned;
+  if (action.on && session.document && !pinned)
+    tell(session, "No run is pinned yet: pin this one (P), change a value, and see both side by side.");
+}
+
 void take(Session& session, const StartSweep& action) {
   if (!session.document) return;
   if (auto fault = fault_of(action.plan)) return notify(session, Notice::Kind::error, std::move(*fault));

@@ -72,6 +72,7 @@ void take(Session& session, const ShowCentre& action);
 void take(Session& session, const PinRun& action);
 void take(Session& session, const SwapPinned& action);
 void take(Session& session, const Unpin& action);
+void take(Session& session, const ShowBoth& action);
 void take(Session& session, const StartSweep& action);
 void take(Session& session, const CancelSweep& action);
 void take(Session& session, const TakeSweepValue& action);

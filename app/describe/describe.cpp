@@ -15,6 +15,7 @@
 #include "app/describe/describe_variable.h"
 #include "app/scene/palette.h"
 #include "app/session/document.h"
+#include "app/session/pins.h"
 #include "app/session/program.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
@@ -181,7 +182,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   }
   describe_covered(session, scene);
   describe_tubes(session, scene);
-  ghost_.describe(session, scene);
+  if (!shows_both(session)) ghost_.describe(session, scene);  // it stands beside it
   describe_current_row(session, scene);
   describe_step(session, scene);
   describe_quantity(session, scene);

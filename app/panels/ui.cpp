@@ -12,10 +12,12 @@
 #include "app/panels/parameters/parameters.h"
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/side_panel.h"
+#include "app/panels/timeline/present.h"
 #include "app/panels/timeline/timeline.h"
 #include "app/panels/view/view.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
+#include "app/session/pins.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
 
@@ -32,7 +34,14 @@ LayoutWish layout_wish(const Session& session) {
           size(Split::left),
           size(Split::right),
           size(Split::bottom),
-          session.learning->lesson ? lesson_height : 0.0f};
+          session.learning->lesson ? lesson_height : 0.0f,
+          session.view->presenting,
+          shows_both(session)};
+}
+
+float ui_scale(const Session& session, float width, float height, float scale) {
+  const float chosen = scale * static_cast<float>(session.program->preferences.scale);
+  return session.view->presenting ? presenting_scale(width, height, chosen) : chosen;
 }
 
 namespace {
@@ -46,6 +55,16 @@ bool over_fields(const Layout& layout) {
   return over(layout.parameters) || over(layout.explanation);
 }
 
+// All about the view, where one is not presenting.
+void draw_panels(PanelFrame& frame) {
+  const Preferences& chosen = frame.session.program->preferences;
+  draw_menu(frame);
+  draw_splitters(frame);
+  if (chosen.shows(Panel::parameters)) draw_parameters(frame);
+  if (chosen.shows(Panel::side)) draw_side_panel(frame);
+  if (chosen.shows(Panel::timeline)) draw_timeline(frame);
+}
+
 }  // namespace
 
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
@@ -54,16 +73,18 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   if (!number_field_open(memory)) frame.actions = pressed_commands(session, !over_fields(layout));
   memory.controls.clear();
   if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
-  draw_menu(frame);
-  draw_splitters(frame);
-  if (session.program->preferences.shows(Panel::parameters)) draw_parameters(frame);
-  if (session.program->preferences.shows(Panel::side)) draw_side_panel(frame);
-  if (session.program->preferences.shows(Panel::timeline)) draw_timeline(frame);
+  if (session.view->presenting) {
+    draw_large_caption(frame);
+    draw_thin_timeline(frame);
+  } else {
+    draw_panels(frame);
+  }
   if (session.view->centre == CentrePanel::chart) {
     memory.own<PendingClick>() = {};
     draw_chart(frame);
   } else {
     draw_view(frame);
+    if (shows_both(session)) draw_other_view(frame);
   }
   draw_knit_along(frame);
   if (session.learning->lesson) draw_lesson(frame);
@@ -77,6 +98,7 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   draw_open_dialog(frame);
   draw_save_dialog(frame);
   draw_figure_dialog(frame);
+  if (session.view->presenting) draw_ring(frame);
   const Gaze& gaze = session.view->gaze;
   if (frame.rounds_under != gaze.hovered_rounds || frame.twins_under != gaze.hovered_twins)
     frame.wish(HoverRounds{frame.rounds_under, frame.twins_under});

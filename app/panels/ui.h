@@ -27,6 +27,9 @@ inline constexpr float lesson_height = 150.0f;
 // As the preferences have it, with room for a lesson while one goes on.
 LayoutWish layout_wish(const Session& session);
 
+// Of panels and fonts: `scale` times what the preferences have; larger while presenting.
+float ui_scale(const Session& session, float width, float height, float scale);
+
 // Needs a frame of ImGui's. What a person wished in it, in order.
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
                 const Fonts& fonts);

@@ -39,7 +39,8 @@ struct Words {
   std::vector<std::string> piece_names;
   std::string piece_order;
   bool markers = false, stars = false;
-  bool explain = false, ways_on = false;
+  std::vector<std::string> beside;  // PARAM=VALUE
+  bool explain = false, ways_on = false, presenting = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
 };
 
@@ -117,6 +118,11 @@ void declare(CLI::App& app, Words& words) {
   app.add_option(
       "--positions", words.positions,
       "where stitches that have settled are shown, measured and written: " + one_of(positions_keys));
+  app.add_flag("--present", words.presenting,
+               "for a class: the view, the step's sentence in large words, a thin timeline");
+  app.add_option("--beside", words.beside,
+                 "show another run left of this one, at the same place: of PARAM=VALUE")
+      ->allow_extra_args(false);
   app.add_option("--theme", words.theme, "dark or light");
   app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
   app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
@@ -386,6 +392,20 @@ std::optional<std::string> read_piece(const Words& words, CommandLine& line) {
   return std::nullopt;
 }
 
+std::optional<std::string> read_beside(const Words& words, CommandLine& line) {
+  knit::Parameters scratch;
+  for (const std::string& given : words.beside) {
+    const std::size_t equals = std::min(given.find('='), given.size());
+    const knit::ParameterInfo* info = knit::find_parameter(given.substr(0, equals));
+    if (info == nullptr || equals == given.size())
+      return "--beside cannot be \"" + given + "\"; give PARAM=VALUE with a parameter of --list-parameters.";
+    const std::string value = given.substr(equals + 1);
+    if (auto error = knit::set_value(*info, scratch, value)) return "--beside: " + *error;
+    line.beside.emplace_back(info, value);
+  }
+  return std::nullopt;
+}
+
 std::variant<CommandLine, Answer> understand(const Words& words) {
   CommandLine line;
   if (!words.mesh.empty() && !words.example.empty()) {
@@ -423,12 +443,14 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_piece(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_positions(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_beside(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {
     return bad_usage("--size cannot be \"" + words.size + "\"; give WIDTHxHEIGHT, each from 64 to 16384.");
   }
   if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
   line.headless = words.headless;
+  line.presenting = words.presenting;
   line.empty = words.empty;
   if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
     return bad_usage(*trouble);

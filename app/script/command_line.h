@@ -49,6 +49,9 @@ struct CommandLine {
 
   bool side_given = false, centre_given = false;  // beside a session only what is given counts
   std::string go_to;                              // as given: queries.h
+  bool presenting = false;                        // for a class
+  // Of the run that is shown beside the one that is opened; empty: none is.
+  std::vector<std::pair<const knit::ParameterInfo*, std::string>> beside;
 };
 
 // The program's answer without a window: help, a list, an error.

@@ -137,6 +137,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   apply(session, SetPatternOptions{with_options(session.view->pattern, line.pattern)});
   if (!line.pattern.piece_names.empty()) apply(session, SetPieceNames{line.pattern.piece_names});
   if (line.positions) apply(session, SetPositions{*line.positions});
+  if (line.presenting) apply(session, Present{});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
 }
@@ -157,6 +158,24 @@ std::optional<std::string> open_as_asked(Session& session, const CommandLine& li
   return set_as_asked(session, line);
 }
 
+namespace {
+
+// Pins a run with the values that --beside gives and comes back to the one at hand.
+std::optional<std::string> show_beside(Session& session, const CommandLine& line) {
+  if (line.beside.empty()) return std::nullopt;
+  const knit::Parameters here = session.document->timeline.parameters();
+  knit::Parameters there = here;
+  knit::set_values(line.beside, there);
+  if (auto fault = knit::fault_of(there, session.document->timeline.input())) return "--beside: " + *fault;
+  apply(session, Tune{there});
+  apply(session, PinRun{});
+  apply(session, Tune{here});
+  apply(session, ShowBoth{});
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> set_as_asked(Session& session, const CommandLine& line) {
   look_as_asked(session, line);  // what was opened brings its own look
   if (!line.breaks.empty()) {
@@ -165,6 +184,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
+  if (!error) error = show_beside(session, line);
   if (!error) error = order_pieces(session, line);
   if (!error) error = show_chart_of(session, line);
   if (!error) warn_of_handles(session);

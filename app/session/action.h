@@ -183,6 +183,15 @@ struct ShowList {
 struct SetPositions {
   Positions positions = Positions::settled;
 };
+struct Present {
+  bool on = true;
+};  // for a class: the view, one large sentence, row and count, a thin timeline
+struct SetRing {
+  bool on = true;
+};  // round the pointer, while presenting
+struct ShowBoth {
+  bool on = true;
+};  // the pinned run left of this one, at the same place
 
 // Files. A failure is a notice in the session.
 struct Export {
@@ -312,7 +321,7 @@ using ActionKinds =
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
-             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized>;
+             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present, SetRing, ShowBoth>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -2,6 +2,7 @@
 
 #include "app/session/document.h"
 #include "app/session/session.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -30,6 +31,11 @@ Pin pin_of(const Session& session) {
 
 bool pin_is_pending(const Session& session) {
   return session.document && session.document->pinned && !session.document->pinned->known;
+}
+
+bool shows_both(const Session& session) {
+  return session.view->both && session.view->centre == CentrePanel::view && session.document &&
+         session.document->pinned;
 }
 
 bool is_of_this_mesh(const Session& session, const Pin& pin) {

@@ -34,6 +34,8 @@ void take_end(Pin& pin, PinnedEnd end);
 bool is_at_hand(const Session& session, const Pin& pin);
 // It lacks its end still, and a frame is due when it comes.
 bool pin_is_pending(const Session& session);
+// Whether the pinned run is seen beside the current one.
+bool shows_both(const Session& session);
 // Whether the pinned run is of the current mesh: the same vertices, welded or not.
 bool is_of_this_mesh(const Session& session, const Pin& pin);
 

@@ -114,6 +114,9 @@ struct View {
                                        true, true, true, true, true,  true};
   Playback playback;
   bool slow_motion = false;
+  bool presenting = false;                   // for a class: the view, one large sentence, a thin timeline
+  bool ring = true;                          // round the pointer, while presenting
+  bool both = false;                         // the pinned run left of this one, where one is pinned
   std::vector<knit::BreakCondition> breaks;  // playing stops there, in whatever run
   SidePanel side = SidePanel::step;
   RunList list = RunList::rows;

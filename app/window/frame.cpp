@@ -49,12 +49,18 @@ FrameShape frame_shape_of(const FigureShape& figure) {
   return shape;
 }
 
+// Of lines and points, which a class shall see too.
+float line_scale(const Session& session) {
+  const double chosen = session.program->preferences.scale;
+  return static_cast<float>(session.view->presenting ? std::max(chosen, projector_scale) : chosen);
+}
+
 }  // namespace
 
 double view_aspect_of(const Session& session, const FigureShape& figure) {
   const FrameShape shape = frame_shape_of(figure);
   if (!figure.panels) return static_cast<double>(shape.width / shape.height);
-  const float scale = shape.unit_scale * static_cast<float>(session.program->preferences.scale);
+  const float scale = ui_scale(session, shape.width, shape.height, shape.unit_scale);
   return layout_of(shape.width, shape.height, scale, layout_wish(session)).view_aspect();
 }
 
@@ -78,7 +84,7 @@ void FrameDrawer::load_look(float scale, ThemeKind theme) {
 FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shape,
                                         const std::vector<InputEvent>& events, bool in_pieces) {
   glue_.make_current();
-  const float scale = shape.unit_scale * static_cast<float>(session.program->preferences.scale);
+  const float scale = ui_scale(session, shape.width, shape.height, shape.unit_scale);
   if (scale != fonts_scale_ || session.program->preferences.theme != theme_)
     load_look(scale, session.program->preferences.theme);
   imgui_draw_.new_frame();
@@ -89,6 +95,10 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
   drawn.scene =
       describer_.describe(session, {height_px_of(drawn.layout), appeared(session, shape.seconds), in_pieces});
   unfinished_ = drawn.scene.unfinished;
+  if (const Session* pinned = pinned_.refresh(session)) {
+    drawn.other = other_describer_.describe(*pinned, {height_px_of(drawn.layout), 1.0, in_pieces});
+    unfinished_ = unfinished_ || drawn.other->unfinished;
+  }
   drawn.wishes = draw_ui(session, panels_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
   return drawn;
@@ -114,16 +124,19 @@ FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape
 void FrameDrawer::paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale) {
   const FrameSize size = size_of(shape);
   target_.begin(shape.width_px, shape.height_px, shape.samples);
-  const PixelBox view =
-      pixels_of(drawn.layout.view, drawn.layout.window, size.pixels_per_x, size.pixels_per_y);
-  renderer_.draw(drawn.scene, {view.x, view.y, view.width, view.height}, shape.pixel_scale * chosen_scale);
+  const auto draw_in = [&](const Scene& scene, const Box& box) {
+    const PixelBox place = pixels_of(box, drawn.layout.window, size.pixels_per_x, size.pixels_per_y);
+    renderer_.draw(scene, {place.x, place.y, place.width, place.height}, shape.pixel_scale * chosen_scale);
+  };
+  draw_in(drawn.scene, drawn.layout.view);
+  if (drawn.other) draw_in(*drawn.other, drawn.layout.other_view);
   target_.resolve();
   imgui_draw_.draw();
 }
 
 Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
   Drawn drawn = lay_out(session, shape, events, session.jobs->beside);
-  paint(drawn, shape, static_cast<float>(session.program->preferences.scale));
+  paint(drawn, shape, line_scale(session));
   return std::move(drawn.wishes);
 }
 
@@ -138,7 +151,8 @@ Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
     drawn = lay_out_alone(session, shape);
     if (figure.transparent) drawn.scene.background = {0, 0, 0, 0};
   }
-  paint(drawn, shape, static_cast<float>(session.program->preferences.scale));
+  paint(drawn, shape,
+        figure.panels ? line_scale(session) : static_cast<float>(session.program->preferences.scale));
   return figure.transparent ? target_.read_with_alpha() : target_.read();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/actions/pinned_session.h"
 #include "app/describe/describe.h"
 #include "app/describe/describe_motion.h"
 #include "app/panels/ui.h"
@@ -62,7 +63,8 @@ class FrameDrawer {
   [[nodiscard]] const std::string& shader_problem() const { return renderer_.shader_problem(); }
   // A next frame is due even without an event; a click may wait to see whether it becomes a double click.
   [[nodiscard]] bool busy() {
-    return glue_.busy() || click_waits(panels_) || since_step_s_ < motion_s || unfinished_;
+    return glue_.busy() || click_waits(panels_) || since_step_s_ < motion_s || unfinished_ ||
+           pinned_.pending();
   }
   // Panels wait for a worker of theirs: looking now and then is enough.
   [[nodiscard]] bool waits_for_panels() { return panels_are_working(panels_); }
@@ -71,6 +73,7 @@ class FrameDrawer {
  private:
   struct Drawn {
     Scene scene;
+    std::optional<Scene> other;  // of the pinned run, in layout.other_view
     Layout layout;
     Actions wishes;
   };
@@ -87,7 +90,8 @@ class FrameDrawer {
   ImGuiDraw imgui_draw_;
   Renderer renderer_;
   Target target_;
-  Describer describer_;
+  Describer describer_, other_describer_;
+  PinnedSession pinned_;
   PanelMemory panels_;
   bool unfinished_ = false;  // the last scene
   std::size_t last_position_ = 0;

@@ -10,6 +10,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
+#include "app/session/view.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -61,6 +62,22 @@ void draw_ways(PanelFrame& frame, const LessonRun& run) {
   tooltip(frame, "Leave the lesson; everything is put back as it was before it.");
 }
 
+std::string where_of(const LessonRun& run) {
+  if (run.shown() == nullptr) return "is done";
+  return std::to_string(run.page + 1) + " of " + std::to_string(run.lesson->pages.size()) + ", " +
+         run.lesson->title;
+}
+
+// Beside the view, while presenting: a line each.
+void draw_tall_head(PanelFrame& frame, const LessonRun& run) {
+  push_font(frame.fonts.strong);
+  wrapped_text(run.shown() != nullptr ? run.shown()->title : run.lesson->title);
+  pop_font();
+  frame.mark("lesson/title");
+  wrapped_text(where_of(run), theme().faint_text);
+  draw_ways(frame, run);
+}
+
 void draw_head(PanelFrame& frame, const LessonRun& run) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();
@@ -73,9 +90,7 @@ void draw_head(PanelFrame& frame, const LessonRun& run) {
   const LessonPage* page = run.shown();
   const std::string& lesson = run.lesson->title;
   const std::string title = page != nullptr ? page->title : lesson;
-  const std::string where = page != nullptr ? std::to_string(run.page + 1) + " of " +
-                                                  std::to_string(run.lesson->pages.size()) + ", " + lesson
-                                            : "is done";
+  const std::string where = where_of(run);
   push_font(frame.fonts.strong);
   text(cut_to_width(title, right - left - gap));
   pop_font();
@@ -186,20 +201,36 @@ void draw_wait(PanelFrame& frame, const Wait& wait, const LessonRun& run) {
   frame.mark("lesson/wait");
 }
 
-void draw_page(PanelFrame& frame, const LessonPage& page, const LessonRun& run) {
+// What a page says, and what it asks for: beside each other below the view, below each other beside it.
+struct PageParts {
+  ImVec2 words, task;
+};
+
+PageParts parts_of(const PanelFrame& frame, const LessonPage& page, bool asks) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const bool asks = page.wait || page.question;
   const float gap = frame.units(12.0f);
+  if (frame.session.view->presenting) {
+    constexpr float most_words = 0.6f;
+    const float needed = ImGui::CalcTextSize(page.text.c_str(), nullptr, false, room.x).y + gap;
+    const float words = asks ? std::min(needed, most_words * room.y) : room.y;
+    return {ImVec2(room.x, words), ImVec2(room.x, room.y - words - ImGui::GetStyle().ItemSpacing.y)};
+  }
   const float task = asks ? std::clamp(0.5f * room.x, frame.units(200.0f), frame.units(460.0f)) : 0.0f;
   const float words = std::min(asks ? room.x - task - gap : room.x, frame.units(680.0f));
+  return {ImVec2(words, room.y), ImVec2(task, room.y)};
+}
+
+void draw_page(PanelFrame& frame, const LessonPage& page, const LessonRun& run) {
+  const bool asks = page.wait || page.question;
+  const PageParts parts = parts_of(frame, page, asks);
   // A number that changes with the page, so that each begins at its top.
   ImGui::PushID(static_cast<int>(run.page));
-  ImGui::BeginChild("words", ImVec2(words, room.y), false);
+  ImGui::BeginChild("words", parts.words, false);
   wrapped_text(page.text);
   ImGui::EndChild();
   frame.mark("lesson/text");
   if (asks) {
-    ImGui::SameLine(0.0f, gap);
+    if (!frame.session.view->presenting) ImGui::SameLine(0.0f, frame.units(12.0f));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, style::vector(theme().raised));
     ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().pressed));
     ImGui::PushStyleColor(ImGuiCol_FrameBg, style::vector(theme().panel));
@@ -207,7 +238,7 @@ void draw_page(PanelFrame& frame, const LessonPage& page, const LessonRun& run) 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.units(10.0f), frame.units(5.0f)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         ImVec2(ImGui::GetStyle().ItemSpacing.x, frame.units(2.0f)));
-    ImGui::BeginChild("task", ImVec2(task, room.y), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::BeginChild("task", parts.task, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     if (page.wait) draw_wait(frame, *page.wait, run);
     if (page.question) draw_question(frame, *page.question, run);
     ImGui::EndChild();
@@ -248,7 +279,11 @@ void draw_lesson(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.units(14.0f), frame.units(6.0f)));
   begin_panel("Lesson", frame.layout.lesson, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
-  draw_head(frame, run);
+  if (frame.session.view->presenting) {
+    draw_tall_head(frame, run);
+  } else {
+    draw_head(frame, run);
+  }
   if (const LessonPage* page = run.shown()) {
     draw_page(frame, *page, run);
   } else {

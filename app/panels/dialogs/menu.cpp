@@ -266,7 +266,16 @@ void draw_view_menu(PanelFrame& frame) {
   ImGui::Separator();
   command_item(frame, Command::frame_all);
   command_item(frame, Command::side);
-  for (const Command command : {Command::chart, Command::knit_along}) command_item(frame, command);
+  for (const Command command : {Command::chart, Command::knit_along, Command::both})
+    command_item(frame, command);
+  ImGui::Separator();
+  look_item(frame, Command::present);
+  tooltip(
+      frame,
+      "The view, what the step says in large words, row and count, a thin timeline. F5 or Esc comes back.");
+  if (check_item(frame, "Ring round the pointer", nullptr, frame.session.view->ring))
+    frame.wish(SetRing{!frame.session.view->ring});
+  tooltip(frame, "While presenting, so that everybody sees where you point.");
   ImGui::Separator();
   draw_look_menus(frame);
   ImGui::EndMenu();

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "app/actions/navigate.h"
+#include "app/lessons/lesson.h"
 #include "app/session/document.h"
 #include "app/session/every_panel.h"
 #include "app/session/learning.h"
@@ -111,8 +112,17 @@ Wish close(const Session& session) {
   if (session.view->dialogs.glossary_open) return ShowGlossary{false, {}};
   if (session.view->dialogs.help_open) return ShowHelp{false};
   if (session.view->gaze.picking != Picking::nothing) return SetPicking{Picking::nothing};
+  if (session.view->presenting) return Present{false};
   if (!session.outbox->notices.empty()) return DismissNotice{session.outbox->notices.size() - 1};
   return std::nullopt;
+}
+
+// A presenter's remote: turns a lesson's pages, and steps where none is to be turned.
+template <int direction>
+Wish page(const Session& session) {
+  const auto& lesson = session.learning->lesson;
+  if (lesson && lesson->outcome() != PageOutcome::open) return TurnLesson{direction};
+  return StepBy{Unit::item, direction};
 }
 
 constexpr std::string_view run = "The run";
@@ -138,6 +148,10 @@ const std::array table{
     CommandInfo{Command::forward_stage, run, "One stage forward", on(Key::Right, ctrl), true,
                 step<Unit::stage, 1>},
     CommandInfo{Command::back_stage, run, "One stage back", on(Key::Left, ctrl), true, step<Unit::stage, -1>},
+    CommandInfo{Command::page_forward, run, "One item forward, or to a lesson's next page", on(Key::PageDown),
+                true, page<1>},
+    CommandInfo{Command::page_back, run, "One item back, or to a lesson's page before", on(Key::PageUp), true,
+                page<-1>},
     CommandInfo{Command::first, run, "To the start", on(Key::Home), false,
                 [](const Session&) -> Wish { return ToFirst{}; }},
     CommandInfo{Command::last, run, "To the end", on(Key::End), false,
@@ -181,6 +195,8 @@ const std::array table{
                   return session.document && session.document->pinned ? Wish(Unpin{}) : Wish(PinRun{});
                 }},
     CommandInfo{Command::swap, changes, "Swap with the pinned run", on(Key::X), false, plain<SwapPinned>},
+    CommandInfo{Command::both, changes, "Show the pinned run beside this one", on(Key::B), false,
+                [](const Session& session) -> Wish { return ShowBoth{!session.view->both}; }},
     CommandInfo{Command::frame_all, view, "Frame the mesh", on(Key::F), false,
                 [](const Session&) -> Wish { return FrameAll{}; }},
     layer_info<Layer::surface>(Key::Digit1),
@@ -221,6 +237,8 @@ const std::array table{
     CommandInfo{Command::plain_size, view, "Normal size of words and lines", on(Key::Digit0, ctrl), false,
                 [](const Session&) -> Wish { return SetScale{1.0}; }},
     CommandInfo{Command::theme, view, "Switch the theme", on(Key::F8), false, other_theme},
+    CommandInfo{Command::present, view, "Present to a class", on(Key::F5), false,
+                [](const Session& session) -> Wish { return Present{!session.view->presenting}; }},
     CommandInfo{Command::only_view, view, "All panels away, or back", on(Key::F9), false, only_view},
     CommandInfo{Command::predict, learning, "Guess each verdict before it falls", on(Key::G), false,
                 [](const Session& session) -> Wish {
@@ -277,6 +295,10 @@ std::string name_of(Key key) {
       return "Home";
     case Key::End:
       return "End";
+    case Key::PageUp:
+      return "Page Up";
+    case Key::PageDown:
+      return "Page Down";
     case Key::Escape:
       return "Esc";
     case Key::Equal:

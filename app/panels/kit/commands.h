@@ -19,7 +19,8 @@ enum class Command : std::uint8_t {
   faster, slower, slow_motion, loop, step_over, step_into, step_out, over_back, into_back, out_back,
   next_break, last_break, next_touch, last_touch, go_back, go_forward, undo, redo, copy, paste, pin, swap,
   frame_all, layer, side, chart, knit_along, predict, guess_near, guess_accepted, guess_far,
-  larger, smaller, plain_size, theme, only_view, open, close_mesh, copy_link, action_palette, glossary, help, close, quit, go_to
+  larger, smaller, plain_size, theme, only_view, open, close_mesh, copy_link, action_palette, glossary, help, close, quit,
+  both, present, page_forward, page_back, go_to
   // clang-format on
 };
 

@@ -60,17 +60,32 @@ Sides sides_of(const LayoutWish& wish, float width, float s) {
   return {std::floor(factor * sides.left), std::floor(factor * sides.right)};
 }
 
-}  // namespace
+constexpr float caption_share = 0.3f;          // of the window's height
+constexpr float thin_timeline = 18.0f;         // plain units
+constexpr float presented_lesson = 264.0f;     // plain units: 20 to 40 characters a line
+constexpr float presented_lesson_most = 0.5f;  // of the window's width
 
-double Layout::view_aspect() const {
-  return static_cast<double>(view.width) / static_cast<double>(view.height);
+// The caption below the view and the thin timeline below both; a lesson at the right of all.
+Layout presenting_layout(float width, float height, float scale, const LayoutWish& wish) {
+  Layout layout;
+  layout.scale = scale;
+  layout.window = {0.0f, 0.0f, width, height};
+  const float lesson = wish.lesson > 0.0f
+                           ? std::floor(std::min(presented_lesson * scale, presented_lesson_most * width))
+                           : 0.0f;
+  const float thin = std::floor(std::min(thin_timeline * scale, 0.1f * height));
+  const float caption = std::floor(caption_share * height);
+  const float middle = width - lesson;
+  layout.view = {0.0f, 0.0f, middle, height - caption - thin};
+  layout.caption = {0.0f, layout.view.bottom(), middle, caption};
+  layout.timeline = {0.0f, height - thin, middle, thin};
+  if (lesson > 0.0f) layout.lesson = {middle, 0.0f, lesson, height};
+  return layout;
 }
 
-Layout layout_of(float width, float height, float scale, const LayoutWish& wish) {
-  width = std::max(width, 8.0f);
-  height = std::max(height, 8.0f);
+Layout working_layout(float width, float height, float scale, const LayoutWish& wish) {
   Layout layout;
-  layout.scale = std::max(scale, 0.25f);
+  layout.scale = scale;
   const float s = layout.scale;
   const float menu = std::floor(std::min(26.0f * s, 0.1f * height));
   const float bottom = wish.timeline ? timeline_height(wish, height, s) : 0.0f;
@@ -86,6 +101,37 @@ Layout layout_of(float width, float height, float scale, const LayoutWish& wish)
   layout.lesson = {layout.view.x, layout.view.bottom(), layout.view.width, strip};
   layout.timeline = {0.0f, height - bottom, width, bottom};
   return layout;
+}
+
+// The same width for both, and a line between them.
+void halve_view(Layout& layout) {
+  const float gap = std::max(1.0f, std::floor(2.0f * layout.scale));
+  const Box whole = layout.view;
+  const float half = std::max(1.0f, std::floor(0.5f * (whole.width - gap)));
+  layout.other_view = {whole.x, whole.y, half, whole.height};
+  layout.view = {whole.right() - half, whole.y, half, whole.height};
+}
+
+}  // namespace
+
+double Layout::view_aspect() const {
+  return static_cast<double>(view.width) / static_cast<double>(view.height);
+}
+
+Layout layout_of(float width, float height, float scale, const LayoutWish& wish) {
+  width = std::max(width, 8.0f);
+  height = std::max(height, 8.0f);
+  scale = std::max(scale, 0.25f);
+  Layout layout = wish.presenting ? presenting_layout(width, height, scale, wish)
+                                  : working_layout(width, height, scale, wish);
+  if (wish.both) halve_view(layout);
+  return layout;
+}
+
+float presenting_scale(float width, float height, float scale) {
+  const float automatic = std::min({height / 360.0f, width / 460.0f, largest_presenting_scale});
+  // In quarters, so that fonts are not made anew at every size that a window is dragged through.
+  return std::max({scale, std::floor(4.0f * automatic) / 4.0f, 0.5f});
 }
 
 DragRange range_of_left(const Layout& layout) {

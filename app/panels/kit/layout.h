@@ -23,6 +23,9 @@ struct LayoutWish {
   bool parameters = true, explanation = true, timeline = true;  // shown
   float left = 0.0f, right = 0.0f, bottom = 0.0f;               // dragged to
   float lesson = 0.0f;                                          // height of the strip below the view; 0: none
+  // The view, a large caption below it and a thin timeline, nothing else; a lesson stands beside them.
+  bool presenting = false;
+  bool both = false;  // the view in two halves
 };
 
 struct Layout {
@@ -34,6 +37,8 @@ struct Layout {
   Box explanation;  // right
   Box timeline;     // bottom
   Box lesson;       // below the view, while a lesson goes on; else empty
+  Box caption;      // below the view, while presenting; else empty
+  Box other_view;   // left of the view, for the pinned run; else empty
 
   [[nodiscard]] double view_aspect() const;  // for SetAspect
 };
@@ -41,6 +46,10 @@ struct Layout {
 // Made for 1280 x 720 times `scale` and up; a smaller window shrinks the panels. The view always keeps a third of
 // the window's width and of its height, whatever is wished. What is not shown is empty, and its room the view's.
 Layout layout_of(float width, float height, float scale, const LayoutWish& wish = {});
+
+// The scale at which a presentation's words can be read from the back of a room: at least `scale`.
+inline constexpr float largest_presenting_scale = 4.0f;  // letters have to fit on the card
+float presenting_scale(float width, float height, float scale);
 
 // How far a panel can be dragged while the others stay as they are, in plain units.
 struct DragRange {

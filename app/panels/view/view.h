@@ -8,6 +8,7 @@
 namespace app {
 
 void draw_view(PanelFrame& frame);
+void draw_other_view(PanelFrame& frame);     // the half with the pinned run
 void draw_captions(PanelFrame& frame);       // inside the view's window
 void draw_view_overlays(PanelFrame& frame);  // notices, the picking banner, the empty state
 void draw_prediction(PanelFrame& frame);     // over the view: what comes next?

@@ -212,7 +212,7 @@ void draw_view_overlays(PanelFrame& frame) {
   draw_first_start(frame);
   draw_stop_card(frame);
   draw_picking(frame);
-  draw_positions(frame);
+  if (!frame.session.view->presenting) draw_positions(frame);
   draw_waiting(frame);
   draw_rescue(frame);
   draw_repair_offer(frame);

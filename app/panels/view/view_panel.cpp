@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "app/compare/beside_words.h"
 #include "app/describe/pick.h"
 #include "app/explain/why_words.h"
 #include "app/lessons/lesson.h"
@@ -150,7 +151,47 @@ void draw_hint(const PanelFrame& frame) {
   boxed_text(frame, at, cut_to_width(hint, room), theme().faint_text);
 }
 
+// Over one half of the view: which run it is of, and what is different there.
+void draw_half_words(const PanelFrame& frame, const Box& half, const std::string& words, Colour colour) {
+  const float margin = frame.units(12.0f);
+  push_font(frame.fonts.strong);
+  boxed_text(frame, ImVec2(half.x + margin, half.y + frame.units(8.0f)),
+             cut_to_width(words, half.width - 2.0f * margin), colour);
+  pop_font();
+}
+
 }  // namespace
+
+// The other half turns and zooms as the view does; what is clicked at is only in the view.
+void draw_other_view(PanelFrame& frame) {
+  const Box& half = frame.layout.other_view;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  begin_panel(
+      "Other view", half,
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::InvisibleButton("other view", ImVec2(half.width, half.height),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  frame.mark("other-view");
+  handle_drag(frame);
+  if (ImGui::IsItemHovered()) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) frame.wish(FrameAll{});
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (wheel != 0.0f) frame.wish(Zoom{std::pow(0.88, static_cast<double>(wheel)), pointer_in(half)});
+    if (!frame.session.view->presenting) {
+      const ImVec2 at(half.x + frame.units(12.0f),
+                      half.bottom() - ImGui::GetTextLineHeight() - frame.units(10.0f));
+      boxed_text(frame, at,
+                 cut_to_width("Stitches are picked in the right half", half.width - frame.units(24.0f)),
+                 theme().faint_text);
+    }
+  }
+  ImGui::GetBackgroundDrawList()->AddRectFilled(
+      ImVec2(half.right(), half.y), ImVec2(frame.layout.view.x, half.bottom()), style::packed(theme().panel));
+  draw_half_words(frame, half, "Pinned: " + beside_words(frame.session).pinned, opaque(theme().ghost));
+  ImGui::End();
+}
 
 void draw_view(PanelFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -176,9 +217,11 @@ void draw_view(PanelFrame& frame) {
     const bool aims = frame.session.view->gaze.picking != Picking::nothing || wanted_click(frame.session);
     if (hovered && aims) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     draw_captions(frame);
-    if (hovered) draw_hint(frame);
+    if (frame.layout.other_view.width > 0.0f)
+      draw_half_words(frame, view, "Now: " + beside_words(frame.session).here, theme().text);
+    if (hovered && !frame.session.view->presenting) draw_hint(frame);
   }
-  draw_view_legend(frame);
+  if (!frame.session.view->presenting) draw_view_legend(frame);
   ImGui::End();
 }
 
