@@ -92,6 +92,20 @@ TEST_CASE("knitting along: forward, back, first, and away") {
     CHECK(desk.ui.own<ChartCache>().line_of(round).rfind("Rnd", 0) == 0);
 }
 
+TEST_CASE("the arrows turn the rounds while one knits along, and the steps again afterwards") {
+  Desk desk;
+  desk.open();
+  const Chord right{Key::Right, {}, 0}, left{Key::Left, {}, 0};
+  desk.act({KnitAlong{3}});
+  desk.settle();
+  CHECK(only<KnitAlong>(desk.press(right)).round == 4);
+  CHECK(only<KnitAlong>(desk.press(left)).round == 2);
+  CHECK(only<StepBy>(desk.press({Key::Right, {.shift = true}, 0})).unit == Unit::row);
+  desk.act({KnitAlong{std::nullopt}});
+  desk.settle();
+  CHECK(only<StepBy>(desk.press(right)).direction == 1);
+}
+
 TEST_CASE("the round at hand is lit in the view") {
   Desk desk;
   desk.open();

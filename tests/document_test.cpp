@@ -107,13 +107,14 @@ Names different(const Gaze& a, const Gaze& b) {
 }
 
 Names different(const View& a, const View& b) {
-  const auto& [gaze, aspect, layers, playback, slow_motion, presenting, ring, both, breaks, side, list,
-               centre, positions, pattern, dialogs] = a;
+  const auto& [gaze, aspect, layers, playback, slow_motion, presenting, ring, both, following, breaks, side,
+               list, centre, positions, pattern, dialogs] = a;
   return those_that_differ({{"gaze", !different(gaze, b.gaze).empty()},
                             {"aspect", aspect != b.aspect},
                             {"layers", layers != b.layers},
                             {"playback", !(playback == b.playback)},
                             {"slow_motion", slow_motion != b.slow_motion},
+                            {"following", following != b.following},
                             {"breaks", breaks != b.breaks},
                             {"side", side != b.side},
                             {"list", list != b.list},
@@ -134,9 +135,10 @@ Names different(const Learning& a, const Learning& b) {
 }
 
 Names different(const Outbox& a, const Outbox& b) {
-  const auto& [pictures, pages, screenshots, clipboard, notices, quit] = a;
+  const auto& [pictures, pages, worksheets, screenshots, clipboard, notices, quit] = a;
   return those_that_differ({{"pictures", pictures != b.pictures},
                             {"pages", pages != b.pages},
+                            {"worksheets", worksheets != b.worksheets},
                             {"screenshots", screenshots != b.screenshots},
                             {"clipboard", clipboard != b.clipboard},
                             {"notices", notices != b.notices},
@@ -163,8 +165,8 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 15,
-                      gaze_fields = 11, learning_fields = 3, outbox_fields = 6, job_fields = 8,
+constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 16,
+                      gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 8,
                       program_fields = 3;
 
 // --- a session with something in every field ---------------------------------------------------------------
@@ -222,6 +224,7 @@ void fill(View& view) {
   view.layers.fill(false);
   view.playback = {true, -1, 50.0, 0.5};
   view.slow_motion = true;
+  view.following = true;
   view.breaks = {std::get<knit::BreakCondition>(knit::parse_break("row=3"))};
   view.side = SidePanel::report;
   view.list = RunList::problems;
@@ -242,6 +245,7 @@ Session full_session() {
   session.learning->pointed_variable = "epsilon";
   session.outbox->pictures.emplace_back();
   session.outbox->pages.emplace_back("page.html");
+  session.outbox->worksheets.emplace_back("sheet.html");
   session.outbox->screenshots.emplace_back("shot.png");
   session.outbox->clipboard = "words";
   session.outbox->notices = {{Notice::Kind::info, "Something was said."}};

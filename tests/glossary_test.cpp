@@ -109,6 +109,8 @@ TEST_CASE("every stage, label and verdict is in the glossary, and every rule is 
 }
 
 TEST_CASE("words are found whole, in the plural, the longest first and each once") {
+  CHECK(terms_in("3 times").empty());
+  CHECK(terms_in("timing").size() == 1);
   CHECK(words_found("Row 5: vertex 12 is too near") == Words{"Row", "vertex", "too near"});
   CHECK(words_found("two rows of stitches, wales and saddles") ==
         Words{"rows", "stitches", "wales", "saddles"});

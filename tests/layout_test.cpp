@@ -44,7 +44,8 @@ std::vector<LayoutWish> wishes() {
     for (const float size : {0.0f, 1.0f, 333.0f, 9000.0f}) {
       for (const float lesson : {0.0f, 150.0f}) {
         all.push_back({(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, size, size, size, lesson});
-        all.push_back({(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, size, 0.0f, 0.0f, lesson});
+        all.push_back(
+            {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, size, 0.0f, 0.0f, lesson, 116.0f});
       }
     }
   }
@@ -62,8 +63,8 @@ TEST_CASE("no panels overlap and all of the window is used, for every size, scal
                         << wish.explanation << wish.timeline << ", dragged to " << wish.left << ' '
                         << wish.right << ", lesson " << wish.lesson);
       const Layout layout = layout_of(window.width, window.height, window.scale, wish);
-      const std::array boxes{layout.menu,        layout.parameters, layout.view,
-                             layout.explanation, layout.timeline,   layout.lesson};
+      const std::array boxes{layout.menu,     layout.parameters, layout.view, layout.explanation,
+                             layout.timeline, layout.lesson,     layout.guess};
       float area = 0.0f;
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         REQUIRE(inside(boxes[i], layout.window));

@@ -135,13 +135,36 @@ TEST_CASE("the menu Learn lists the lessons") {
   CHECK(only<StartLesson>(desk.click("menu/lesson/closing-a-row")).key == "closing-a-row");
 }
 
-TEST_CASE("the card over the view asks for a guess") {
+TEST_CASE("the card that asks for a guess covers nothing of the view, whatever else stands there") {
+  for (const float scale : {1.0f, 2.0f}) {
+    for (const bool lesson : {false, true}) {
+      Desk desk(1280, 720, scale);
+      desk.session.program->assets = KNIT_ASSETS_DIR;
+      desk.open();
+      if (lesson) apply(desk.session, StartLesson{"picking-a-row"});
+      apply(desk.session, SetPredicting{true});
+      apply(desk.session, SeekPlace{{knit::Stage::rows, 2, 1}});
+      desk.layout = layout_of(1280, 720, scale, layout_wish(desk.session));
+      desk.settle();
+      const Box& card = desk.layout.guess;
+      CHECK(card.y == desk.layout.view.bottom());
+      CHECK(card.bottom() == (lesson ? desk.layout.lesson.y : desk.layout.timeline.y));
+      CHECK(desk.layout.view.height >= 720.0f / 3.0f);
+      const Box& question = desk.ui.controls.at("predict/question");
+      CHECK(question.y >= card.y);
+      CHECK(question.bottom() <= card.bottom());
+    }
+  }
+}
+
+TEST_CASE("the card below the view asks for a guess") {
   Desk desk(1280, 720);
   desk.open();
   CHECK(desk.ui.controls.count("predict/question") == 0);
   apply(desk.session, SetPredicting{true});
   apply(desk.session, SeekPlace{{knit::Stage::rows, 2, 1}});
   REQUIRE(asked_vertex(desk.session));
+  desk.layout = layout_of(1280, 720, 1, layout_wish(desk.session));
   desk.settle();
   CHECK(only<Guess>(desk.click("predict/near")).verdict == knit::Verdict::too_near);
   CHECK(only<Guess>(desk.click("predict/accepted")).verdict == knit::Verdict::accepted);

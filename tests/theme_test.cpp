@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/kit/style.h"
+#include "app/scene/contrast.h"
 #include "app/scene/palette.h"
+#include "knit/model/words.h"
 #include "tests/support/catch.h"
 
 namespace {
@@ -20,7 +23,7 @@ double luminance(const Colour& c) {
   return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
 }
 
-double contrast(const Colour& a, const Colour& b) {
+double ratio(const Colour& a, const Colour& b) {
   const double light = std::max(luminance(a), luminance(b));
   const double dark = std::min(luminance(a), luminance(b));
   return (light + 0.05) / (dark + 0.05);
@@ -46,8 +49,21 @@ std::vector<Named> grounds(const Theme& theme) {
 }  // namespace
 
 TEST_CASE("black on white is 21 to 1") {
-  CHECK(contrast({0, 0, 0}, {255, 255, 255}) == Approx(21.0));
-  CHECK(contrast({119, 119, 119}, {255, 255, 255}) == Approx(4.48).margin(0.01));
+  CHECK(ratio({0, 0, 0}, {255, 255, 255}) == Approx(21.0));
+  CHECK(ratio({119, 119, 119}, {255, 255, 255}) == Approx(4.48).margin(0.01));
+}
+
+TEST_CASE("the program counts contrast as the test does, and finds a colour that can be read") {
+  const Colour sky{86, 180, 233};
+  CHECK(app::contrast(sky, {24, 27, 33}) == Approx(ratio(sky, {24, 27, 33})));
+  for (const Colour ground : {Colour{255, 255, 255}, Colour{0, 0, 0}, Colour{118, 118, 118}, sky}) {
+    for (const Colour& words : {sky, Colour{120, 120, 120}, Colour{0, 114, 178, 90}}) {
+      const Colour found = readable_on(words, ground);
+      CHECK(found.a == 255);
+      CHECK(ratio(found, ground) >= 4.5);
+      if (ratio(words, ground) >= 4.5) CHECK(found == opaque(words));
+    }
+  }
 }
 
 TEST_CASE("words of both themes stand out from what they stand on") {
@@ -56,14 +72,46 @@ TEST_CASE("words of both themes stand out from what they stand on") {
     INFO(theme_keys[static_cast<std::size_t>(kind)]);
     for (const Named& ground : grounds(theme)) {
       INFO("on " << ground.name);
-      CHECK(contrast(theme.text, ground.colour) >= 7.0);
-      CHECK(contrast(theme.faint_text, ground.colour) >= 4.5);
+      CHECK(ratio(theme.text, ground.colour) >= 7.0);
+      CHECK(ratio(theme.faint_text, ground.colour) >= 4.5);
     }
-    for (const Colour& ground : {theme.hovered, theme.pressed}) CHECK(contrast(theme.text, ground) >= 7.0);
-    CHECK(contrast(theme.on_accent, theme.accent) >= 4.5);
+    CHECK(ratio(theme.faint_text, theme.hovered) >= 4.5);
+    for (const Colour& ground : {theme.hovered, theme.pressed}) CHECK(ratio(theme.text, ground) >= 7.0);
+    CHECK(ratio(theme.on_accent, theme.accent) >= 4.5);
     // Used as words in panels.
-    for (const Colour& colour : {theme.warning, theme.problem, theme.anchor})
-      CHECK(contrast(colour, theme.panel) >= 4.5);
+    for (const Colour& colour :
+         {theme.warning, theme.problem, theme.anchor, theme.selected, theme.accent, opaque(theme.ghost)})
+      CHECK(ratio(colour, theme.panel) >= 4.5);
+  }
+}
+
+TEST_CASE(
+    "words can be read on what lights their line, under a slider's grab, and where nothing can be done") {
+  const int disabled = static_cast<int>(255.0f * style::disabled_alpha);
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    const Theme& theme = theme_of(kind);
+    INFO(theme_keys[static_cast<std::size_t>(kind)]);
+    for (const int alpha : {40, 70}) CHECK(ratio(theme.text, over(theme.anchor, alpha, theme.panel)) >= 4.5);
+    // A slider's grab; likewise what is selected in a field.
+    for (const Colour& ground : {theme.raised, theme.hovered})
+      CHECK(ratio(theme.text, over(theme.accent, 100, ground)) >= 4.5);
+    for (const Colour& ground : {theme.panel, theme.raised})
+      CHECK(ratio(over(theme.text, disabled, ground), ground) >= 4.5);
+  }
+}
+
+TEST_CASE("every label can be read: its name in the view, its symbol in the chart and on its face") {
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    const Theme& theme = theme_of(kind);
+    INFO(theme_keys[static_cast<std::size_t>(kind)]);
+    for (std::size_t i = 0; i < theme.labels.size(); ++i) {
+      const auto label = static_cast<knit::Label>(i);
+      INFO(knit::name_of(label));
+      CHECK(ratio(readable_on(theme.of(label), theme.background), theme.background) >= 4.5);
+      for (const Colour& paper : {theme.paper, theme.main_paper, theme.lit_paper})
+        CHECK(ratio(theme.ink_of(label), paper) >= 4.5);
+      CHECK(ratio(theme.symbol_on(label), theme.of(label)) >= 4.5);
+    }
   }
 }
 
@@ -74,10 +122,10 @@ TEST_CASE("marks and controls of both themes stand out from what they stand on")
     for (const Named& ground : grounds(theme)) {
       INFO("on " << ground.name);
       for (const Colour& colour : {theme.accent, theme.warning, theme.problem, theme.break_hit})
-        CHECK(contrast(colour, ground.colour) >= 3.0);
+        CHECK(ratio(colour, ground.colour) >= 3.0);
     }
     for (const Colour& colour : {theme.selected, theme.anchor, theme.ring, theme.stitch, theme.accepted})
-      CHECK(contrast(colour, theme.background) >= 3.0);
+      CHECK(ratio(colour, theme.background) >= 3.0);
   }
 }
 
@@ -88,7 +136,7 @@ TEST_CASE("a stage's name can be read on its stretch of the timeline, before it 
     for (std::size_t i = 0; i < theme.stages.size(); ++i) {
       INFO("stage " << i);
       for (const int alpha : {theme.stage_ahead, theme.stage_done})
-        CHECK(contrast(theme.text, over(theme.stages[i], alpha, theme.panel)) >= 4.5);
+        CHECK(ratio(theme.text, over(theme.stages[i], alpha, theme.panel)) >= 4.5);
     }
   }
 }

@@ -48,6 +48,9 @@ void add_moves(EntryList& list) {
   list.add({"Move the view right", group::view, "", Pan{{by, 0.0}}, list.unless_open(), "", true});
   list.add({"Move the view up", group::view, "", Pan{{0.0, by}}, list.unless_open(), "", true});
   list.add({"Move the view down", group::view, "", Pan{{0.0, -by}}, list.unless_open(), "", true});
+  const bool following = list.session.view->following;
+  list.add({following ? "Leave the view as it is turned" : "Turn the view to what happens", group::view,
+            "When it is behind the surface.", SetFollowing{!following}});
 }
 
 void add_shown(EntryList& list) {

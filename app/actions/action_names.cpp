@@ -100,6 +100,12 @@ constexpr ActionName named(For<Orbit>) { return {"Turn the view", view, "A drag 
 constexpr ActionName named(For<Pan>) { return {"Move the view", view, "A drag with the right button."}; }
 constexpr ActionName named(For<Zoom>) { return {"Zoom", view, "The wheel."}; }
 constexpr ActionName named(For<FrameAll>) { return {"Frame the mesh", control, "menu/Frame the mesh"}; }
+constexpr ActionName named(For<SetFollowing>) {
+  return {"Turn the view to what happens behind the surface", control, "menu/Turn to what happens"};
+}
+constexpr ActionName named(For<TurnToStep>) {
+  return {"Turn the view to the step", machine, "It turns by itself while that is chosen."};
+}
 constexpr ActionName named(For<SetAspect>) {
   return {"Fit the view's shape", machine, "The window or a panel has another size."};
 }

@@ -11,6 +11,7 @@
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
 #include "app/actions/playing.h"
+#include "app/describe/step_place.h"
 #include "app/files/export.h"
 #include "app/files/load.h"
 #include "app/files/pattern_export.h"
@@ -257,6 +258,11 @@ struct Apply {
   void operator()(const FrameAll& /*a*/) {
     if (open()) session.view->gaze.camera.frame(timeline().input().bounds, session.view->aspect);
   }
+  void operator()(const SetFollowing& a) { session.view->following = a.on; }
+  void operator()(const TurnToStep& a) {
+    if (const auto place = step_place(session))
+      session.view->gaze.camera = turned_to(session.view->gaze.camera, *place, a.seconds);
+  }
   void operator()(const SetAspect& a) {
     if (a.aspect > 0.0 && std::isfinite(a.aspect)) session.view->aspect = a.aspect;
   }
@@ -277,6 +283,10 @@ struct Apply {
     // A page with a picture of the finished piece is made where pictures are.
     if (wants_picture(a)) {
       session.outbox->pages.push_back(a.path);
+      return;
+    }
+    if (is_worksheet(a)) {
+      session.outbox->worksheets.push_back(a.path);
       return;
     }
     if (const auto error = export_to_file(session, a)) {

@@ -141,6 +141,7 @@ void take(Session& session, const StartLesson& action) {
   run.lesson = std::make_shared<const Lesson>(std::move(std::get<Lesson>(found)));
   run.outcomes.assign(run.lesson->pages.size(), PageOutcome::open);
   change(session, std::move(run));
+  session.view->following = true;  // until a person says otherwise
   open_page(session, 0, 0);
 }
 

@@ -50,6 +50,7 @@ Outbox take_outgoing(Session& session) {
   Outbox taken;
   std::swap(taken.pictures, outbox.pictures);
   std::swap(taken.pages, outbox.pages);
+  std::swap(taken.worksheets, outbox.worksheets);
   std::swap(taken.screenshots, outbox.screenshots);
   return taken;
 }

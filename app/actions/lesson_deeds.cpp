@@ -20,6 +20,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 void look_as_at_first(View& view) {
   View first;
   first.aspect = view.aspect;
+  first.following = view.following;
   first.pattern = std::move(view.pattern);
   first.dialogs = std::move(view.dialogs);
   view = std::move(first);

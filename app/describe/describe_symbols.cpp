@@ -106,8 +106,7 @@ void Symbols::describe(const Session& session, double height_px, Scene& scene) {
   const double size_px = stitch_px(session, height_px);
   const double share = (size_px - symbol_first_px) / (symbol_full_px - symbol_first_px);
   if (share <= 0.0) return;
-  const Colour ink =
-      with_alpha(scene.theme->symbol, static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0))));
+  const auto alpha = static_cast<std::uint8_t>(std::lround(255.0 * std::min(share, 1.0)));
   const StateShown state(session);
   std::vector<Line> lines;
   const knit::KnittingPath path(state->fabric);
@@ -115,6 +114,7 @@ void Symbols::describe(const Session& session, double height_px, Scene& scene) {
     for (const knit::Face& face : strip.faces) {
       const auto symbol = symbol_of(face.label);
       const auto square = symbol ? square_of(face, strip.row, path) : std::nullopt;
+      const Colour ink = with_alpha(scene.theme->symbol_on(face.label), alpha);
       if (square) draw(*square, shape_of(*symbol).strokes, ink, lines);
     }
   }

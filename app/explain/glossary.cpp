@@ -401,9 +401,12 @@ std::vector<std::size_t> word_ends(const std::string& text, std::size_t begin) {
 
 // The longest that begins there; without a term: to the end of the first word.
 TermAt term_from(const std::string& text, std::size_t begin) {
+  // In a sentence it mostly counts: "3 times as long".
+  constexpr std::string_view counts = "times";
   const std::vector<std::size_t> ends = word_ends(text, begin);
   for (std::size_t words = ends.size(); words > 0; --words) {
     const std::size_t end = ends[words - 1];
+    if (std::string_view(text).substr(begin, end - begin) == counts) continue;
     if (const Term* term = term_of(text.substr(begin, end - begin))) return {begin, end, term};
   }
   return {begin, ends.front(), nullptr};

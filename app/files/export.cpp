@@ -12,6 +12,7 @@
 #include "app/files/plots.h"
 #include "app/files/report.h"
 #include "app/files/session_file.h"
+#include "app/files/worksheet.h"
 #include "app/session/document.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
@@ -177,6 +178,11 @@ std::optional<std::string> write_plots(const Session& session, const std::filesy
   return write_file(path, plots_file_text(session, *plots_format_of(path)));
 }
 
+std::optional<std::string> no_worksheet(const Session& /*session*/, const std::filesystem::path& path,
+                                        Png /*picture*/) {
+  return path.string() + " was not written: a worksheet is drawn where pictures are.";
+}
+
 template <auto format_of>
 bool has_format(const std::filesystem::path& path) {
   return format_of(path).has_value();
@@ -211,6 +217,10 @@ const std::array export_table{
                write_gltf, gltf_missing, ExportEndings{"glTF", gltf_endings, has_format<gltf_format_of>}},
     ExportInfo{"plots", "plots", "-plots.svg", About::run, "write the report's plots", write_plots,
                plots_missing, ExportEndings{"plots", plots_endings, has_format<plots_format_of>}},
+    ExportInfo{"worksheet", "worksheet of the lesson", "-worksheet.html", About::session,
+               "write the lesson that --lesson opens as a page to print, with pictures and answers",
+               no_worksheet, worksheet_missing,
+               ExportEndings{"a worksheet", worksheet_endings, is_worksheet_name}},
     // Of the window; one of any size has a dialog of its own.
     ExportInfo{"screenshot", "", ".png", About::session, "write a picture as PNG"},
 };

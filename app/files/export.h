@@ -66,6 +66,8 @@ std::optional<std::string> fault_of_ending(const ExportInfo& info, const std::fi
                                            const std::string& blamed);
 // A pattern's page, for which a picture of the finished piece is made where pictures are.
 bool wants_picture(const Export& wish);
+// A worksheet, which is written where pictures are: it has one a page.
+inline bool is_worksheet(const Export& wish) { return wish.what == "worksheet"; }
 
 // The error is one sentence.
 std::optional<std::string> export_to_file(const Session& session, const Export& wish,

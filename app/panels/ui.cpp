@@ -35,6 +35,7 @@ LayoutWish layout_wish(const Session& session) {
           size(Split::right),
           size(Split::bottom),
           session.learning->lesson ? lesson_height : 0.0f,
+          session.learning->prediction && session.document ? guess_height : 0.0f,
           session.view->presenting,
           shows_both(session)};
 }

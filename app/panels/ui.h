@@ -23,8 +23,9 @@ namespace app {
 
 // Of the strip below the view, plain units.
 inline constexpr float lesson_height = 150.0f;
+inline constexpr float guess_height = 116.0f;
 
-// As the preferences have it, with room for a lesson while one goes on.
+// As the preferences have it, with room for a lesson and for guesses while they go on.
 LayoutWish layout_wish(const Session& session);
 
 // Of panels and fonts: `scale` times what the preferences have; larger while presenting.

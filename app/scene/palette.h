@@ -34,7 +34,9 @@ struct Theme {
   Colour stitch{244, 240, 228};
   Colour row_edge{236, 232, 220};
   Colour column_edge{40, 44, 52};
-  Colour symbol{24, 26, 30};         // of the chart, on faces
+  // Of the chart, on faces: what shows better on a label's colour.
+  Colour symbol{24, 26, 30};
+  Colour pale_symbol{255, 255, 255};
   Colour ghost{150, 176, 214, 150};  // the pinned run behind the current one
   Colour problem{240, 104, 84};
   Colour break_hit{186, 156, 255};
@@ -45,9 +47,14 @@ struct Theme {
   Colour stretch_even{158, 162, 170};
   Colour stretch_long{255, 148, 56};
 
+  // The chart's squares: plain, of a main line, of the current round; in both themes.
+  Colour paper{238, 235, 226};
+  Colour main_paper{240, 214, 228};
+  Colour lit_paper{255, 247, 190};
+
   // The panels.
   Colour text{226, 228, 232};
-  Colour faint_text{150, 156, 166};
+  Colour faint_text{168, 174, 184};
   Colour panel{31, 35, 42};
   Colour raised{43, 48, 57};
   Colour hovered{57, 64, 76};
@@ -60,6 +67,9 @@ struct Theme {
   // stage's name must be readable on both.
   std::uint8_t stage_ahead = 45, stage_done = 115;
 
+  // By number: as words and as lines of the chart, on its squares; dark enough for the darkest of them.
+  std::array<Colour, 7> label_inks{
+      {{34, 37, 43}, {156, 68, 0}, {125, 86, 0}, {0, 98, 154}, {42, 98, 128}, {0, 107, 78}, {131, 77, 107}}};
   // By number, and by stage: the timeline's stretches.
   std::array<Colour, 7> labels{{{206, 202, 190},
                                 {213, 94, 0},
@@ -80,6 +90,12 @@ struct Theme {
 
   [[nodiscard]] constexpr Colour of(knit::Label label) const {
     return labels[static_cast<std::size_t>(label)];
+  }
+  [[nodiscard]] constexpr Colour ink_of(knit::Label label) const {
+    return label_inks[static_cast<std::size_t>(label)];
+  }
+  [[nodiscard]] constexpr Colour symbol_on(knit::Label label) const {
+    return label == knit::Label::k2tog ? pale_symbol : symbol;
   }
   [[nodiscard]] constexpr Colour of(knit::Stage stage) const {
     return stages[static_cast<std::size_t>(stage)];
@@ -116,7 +132,7 @@ constexpr Theme make_light_theme() {
   theme.stretch_even = {132, 138, 148};
   theme.stretch_long = {184, 62, 0};
   theme.text = {28, 31, 36};
-  theme.faint_text = {98, 104, 114};
+  theme.faint_text = {90, 96, 106};
   theme.panel = {252, 251, 249};
   theme.raised = {234, 234, 232};
   theme.hovered = {220, 222, 224};

@@ -40,7 +40,7 @@ struct Words {
   std::string piece_order;
   bool markers = false, stars = false;
   std::vector<std::string> beside;  // PARAM=VALUE
-  bool explain = false, ways_on = false, presenting = false;
+  bool explain = false, ways_on = false, presenting = false, follow = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
 };
 
@@ -128,6 +128,7 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
   app.add_option("--lesson-page", words.lesson_page, "the lesson's page to begin with, from 1");
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
+  app.add_flag("--follow", words.follow, "turn the view to what happens when that is behind the surface");
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
       ->allow_extra_args(false);
   app.add_option("--why", words.why,
@@ -255,6 +256,7 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.go_to = words.go_to;
   line.select = words.select;
   line.explain = words.explain;
+  line.follow = words.follow;
   line.point = words.point;
   for (const std::string& text : line.breaks) {
     if (auto fault = fault_of_break(text)) return fault;

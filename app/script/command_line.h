@@ -34,6 +34,7 @@ struct CommandLine {
   std::optional<double> scale;         // likewise
   std::vector<std::string> piece_order;    // letters, as they are worked; empty: the cheapest
   std::optional<std::int32_t> knit_along;  // the round to begin with
+  bool follow = false;                     // the view turns to what happens behind the surface
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h
   std::string diff, why, select;

@@ -140,6 +140,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (line.presenting) apply(session, Present{});
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) apply(session, KnitAlong{line.knit_along});
+  if (line.follow) apply(session, SetFollowing{true});
 }
 
 }  // namespace

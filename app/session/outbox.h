@@ -32,6 +32,7 @@ struct FigureWish {
 struct Outbox {
   std::vector<FigureWish> pictures;
   std::vector<std::filesystem::path> pages;        // patterns with a picture
+  std::vector<std::filesystem::path> worksheets;   // of the lesson
   std::vector<std::filesystem::path> screenshots;  // of the whole window
   std::optional<std::string> clipboard;
   std::vector<Notice> notices;  // newest last

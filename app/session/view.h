@@ -117,6 +117,7 @@ struct View {
   bool presenting = false;                   // for a class: the view, one large sentence, a thin timeline
   bool ring = true;                          // round the pointer, while presenting
   bool both = false;                         // the pinned run left of this one, where one is pinned
+  bool following = false;                    // the view turns to what happens behind the surface
   std::vector<knit::BreakCondition> breaks;  // playing stops there, in whatever run
   SidePanel side = SidePanel::step;
   RunList list = RunList::rows;

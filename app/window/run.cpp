@@ -15,6 +15,7 @@
 #include "app/session/view.h"
 #include "app/window/animation.h"
 #include "app/window/frame.h"
+#include "app/window/worksheet.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
 
@@ -42,6 +43,13 @@ std::optional<std::string> save_page(const Session& session, const Export& wish)
   return export_to_file(session, wish, png_bytes(std::get<Image>(picture)));
 }
 
+std::optional<std::string> save_sheet(const Session& session, const Export& wish) {
+  std::string note;
+  auto error = save_worksheet_headless(session, wish.path, note);
+  if (!note.empty()) say(note);
+  return error;
+}
+
 std::optional<std::string> missing_for(const Session& session, const Export& wish) {
   const auto missing = find_export(wish.what)->missing;
   return missing != nullptr ? missing(session) : std::nullopt;
@@ -49,6 +57,7 @@ std::optional<std::string> missing_for(const Session& session, const Export& wis
 
 std::optional<std::string> save(Session& session, const CommandLine& line, const Export& wish) {
   if (find_export(wish.what)->write == nullptr) return save_picture(session, line, wish.path);
+  if (is_worksheet(wish)) return save_sheet(session, wish);
   return wants_picture(wish) && !missing_for(session, wish) ? save_page(session, wish)
                                                             : export_to_file(session, wish);
 }
@@ -115,6 +124,13 @@ int answer_queries(Session& session, const CommandLine& line) {
   return code;
 }
 
+// At once, as far as it takes: each turn is judged anew from where it led.
+void turn_to_step(Session& session) {
+  constexpr int turns = 8;
+  constexpr double long_s = 100.0;
+  for (int i = 0; i < turns; ++i) apply(session, TurnToStep{long_s});
+}
+
 // What no row covers and which are stretched, of the finished run that is shown.
 std::optional<std::string> covered_words(const Session& session) {
   if (!session.document || !session.document->timeline.state().finished()) return std::nullopt;
@@ -139,6 +155,7 @@ int run_headless(Session& session, const CommandLine& line) {
   select_as_asked(session, line.select);
   const Answer broke = line.breaks.empty() ? Answer{} : break_answer(session);
   if (!broke.error.empty()) say(broke.error);
+  if (line.follow) turn_to_step(session);
   const knit::Step* stop = stop_shown(session);
   if (stop != nullptr) say(knit::narrate(*stop, session.document->timeline.parameters()));
 

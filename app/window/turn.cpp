@@ -13,6 +13,7 @@
 #include "app/session/outbox.h"
 #include "app/session/view.h"
 #include "app/window/animation.h"
+#include "app/window/worksheet.h"
 #include "knit/import/quoting.h"
 
 namespace app {
@@ -55,6 +56,8 @@ void save_what_is_wanted(Session& session, FrameDrawer& drawer) {
     notify_saved(session, path, save_png(path.string(), drawer.target().read()));
   for (const std::filesystem::path& path : wanted.pages)
     notify_saved(session, path, save_page(session, path, drawer));
+  for (const std::filesystem::path& path : wanted.worksheets)
+    notify_saved(session, path, save_worksheet(session, path, drawer));
   save_figures(session, wanted.pictures);
 }
 

@@ -40,7 +40,7 @@ void draw_buttons(PanelFrame& frame) {
   button("Swap", "compare/swap",
          "The pinned settings become the current ones, and the other way round. Key: X.", SwapPinned{});
   ImGui::SameLine();
-  button("Pin anew", "compare/pin", "Pin the current run instead.", PinRun{});
+  button("Pin again", "compare/pin", "Pin the current run instead.", PinRun{});
   ImGui::SameLine();
   button("Unpin", "compare/unpin", "Let the pinned run go. Key: P.", Unpin{});
 }

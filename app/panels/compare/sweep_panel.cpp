@@ -166,7 +166,7 @@ void draw_start(PanelFrame& frame) {
   if (ImGui::Button("Start", ImVec2(button, 0.0f))) frame.wish(StartSweep{plan});
   ImGui::EndDisabled();
   frame.mark("sweep/start");
-  tooltip(frame, fault ? *fault : "Runs the whole pipeline for each value, beside the window.");
+  tooltip(frame, fault ? *fault : "Runs the whole pipeline for each value, in the background.");
   if (fault) return wrapped_text(*fault, theme().problem);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -215,9 +215,7 @@ std::string run_words(const SweepPlan& plan, const SweepRun& run) {
 }
 
 void tooltip_at_pointer(const PanelFrame& frame, const std::string& words) {
-  ImGui::BeginTooltip();
-  text(wrapped_at_blanks(words, frame.units(340.0f)));
-  ImGui::EndTooltip();
+  tooltip_about(frame, around_pointer(frame), words);
 }
 
 void draw_figure_choice(PanelFrame& frame, SweepFigure& chosen) {

@@ -179,13 +179,13 @@ void draw_look(PanelFrame& frame) {
   if (clicked >= 0) dialog.panels = clicked == 1;
   frame.mark("figure/look");
   if (dialog.wanted != Kind::picture) return;
-  label(frame, "Ground");
+  label(frame, "Background");
   ImGui::BeginDisabled(dialog.panels);
   bool on = dialog.transparent && !dialog.panels;
   if (ImGui::Checkbox("Transparent", &on)) dialog.transparent = on;
   frame.mark("figure/transparent");
   ImGui::EndDisabled();
-  if (dialog.panels) tooltip(frame, "Panels have a ground of their own.");
+  if (dialog.panels) tooltip(frame, "Panels have a background of their own.");
 }
 
 // What will be written, when it can be.

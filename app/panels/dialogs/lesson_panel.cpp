@@ -21,18 +21,6 @@ float button_width(const char* words) {
   return ImGui::CalcTextSize(words).x + 2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
-// A button of equal height whether it is lit or not.
-bool lit_button(const char* words, bool lit) {
-  if (lit) {
-    ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
-    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().on_accent));
-  }
-  const bool clicked = ImGui::Button(words);
-  if (lit) ImGui::PopStyleColor(3);
-  return clicked;
-}
-
 // --- the head: where one is, and ways on -------------------------------------------------------------------
 
 void draw_ways(PanelFrame& frame, const LessonRun& run) {
@@ -57,6 +45,12 @@ void draw_ways(PanelFrame& frame, const LessonRun& run) {
             open ? "Go on without it; a question then does not count as answered." : "To the next page.");
     ImGui::SameLine();
   }
+  if (icon_button("worksheet", Icon::copy, square)) ask_to_save(frame, "worksheet");
+  frame.mark("lesson/worksheet");
+  tooltip(frame,
+          "Save this lesson as a worksheet to print, with its pictures and questions; answers on a page of "
+          "their own.");
+  ImGui::SameLine();
   if (icon_button("leave", Icon::cross, square)) frame.wish(LeaveLesson{});
   frame.mark("lesson/leave");
   tooltip(frame, "Leave the lesson; everything is put back as it was before it.");
@@ -84,7 +78,7 @@ void draw_head(PanelFrame& frame, const LessonRun& run) {
   const float side = ImGui::GetFrameHeight();
   const char* on = run.outcome() == PageOutcome::open ? "Skip page" : "Next";
   const float middle = run.at_end() ? 0.0f : side + gap + button_width(on) + gap;
-  const float ways = middle + button_width("Back") + gap + side;
+  const float ways = middle + button_width("Back") + 2.0f * (gap + side);
   const float right = left + ImGui::GetContentRegionAvail().x - ways;
   ImGui::AlignTextToFramePadding();
   const LessonPage* page = run.shown();

@@ -124,6 +124,9 @@ void draw_look_menus(PanelFrame& frame) {
   draw_panels_menu(frame);
   draw_theme_menu(frame);
   draw_size_menu(frame);
+  const bool following = frame.session.view->following;
+  if (check_item(frame, "Turn to what happens", nullptr, following)) frame.wish(SetFollowing{!following});
+  tooltip(frame, "The view turns by itself when the step is behind the surface, never while you drag it.");
   const bool motion = frame.session.program->preferences.motion;
   if (check_item(frame, "Motion", nullptr, motion)) frame.wish(SetMotion{!motion});
   tooltip(frame, "Short movements in the view that show what changed. Off: everything is there at once.");

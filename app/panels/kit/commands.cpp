@@ -365,14 +365,34 @@ bool is_of_numbers(const Chord& chord) {
          chord.character == '+';
 }
 
+namespace {
+
+bool keys_are_heard() {
+  return !ImGui::GetIO().WantTextInput && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+// Without `numbers` a key of numbers is not for the view.
+bool is_pressed(const CommandInfo& info, bool numbers) {
+  return std::any_of(info.chords.begin(), info.chords.end(), [&](const Chord& chord) {
+    return (numbers || !is_of_numbers(chord)) && is_pressed(chord, info.repeats);
+  });
+}
+
+// Who knits along turns the rounds with these (draw_knit_along).
+bool turns_rounds(const Session& session, Command command) {
+  return session.view->gaze.knit_along && session.document &&
+         (command == Command::forward_item || command == Command::back_item);
+}
+
+}  // namespace
+
+bool is_pressed(Command command) { return keys_are_heard() && is_pressed(info_of(command), true); }
+
 Actions pressed_commands(const Session& session, bool numbers) {
-  if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return {};
+  if (!keys_are_heard()) return {};
   Actions actions;
   for (const CommandInfo& info : table) {
-    const bool pressed = std::any_of(info.chords.begin(), info.chords.end(), [&](const Chord& chord) {
-      return (numbers || !is_of_numbers(chord)) && is_pressed(chord, info.repeats);
-    });
-    if (!pressed) continue;
+    if (!is_pressed(info, numbers) || turns_rounds(session, info.command)) continue;
     if (auto action = info.make(session)) actions.push_back(std::move(*action));
   }
   return actions;

@@ -56,5 +56,7 @@ bool is_of_numbers(const Chord& chord);
 // What the keys of this frame ask for; nothing while a person types or a menu or dialog is open. Without `numbers`
 // those of numbers are not for the view: the pointer is over fields.
 Actions pressed_commands(const Session& session, bool numbers = true);
+// Whether its keys were pressed in this frame, under the same conditions.
+bool is_pressed(Command command);
 
 }  // namespace app

@@ -96,9 +96,15 @@ Layout working_layout(float width, float height, float scale, const LayoutWish& 
   layout.parameters = {0.0f, menu, sides.left, middle};
   layout.view = {sides.left, menu, width - sides.left - sides.right, middle};
   layout.explanation = {width - sides.right, menu, sides.right, middle};
-  const float strip = std::floor(std::min(wish.lesson * s, middle - std::ceil(view_share * height)));
-  layout.view.height -= strip;
-  layout.lesson = {layout.view.x, layout.view.bottom(), layout.view.width, strip};
+  const float spare = std::max(0.0f, middle - std::ceil(view_share * height));
+  // Two strips that ask for too much give way alike.
+  const float asked = std::max(1.0f, (wish.lesson + wish.guess) * s);
+  const float share = std::min(1.0f, spare / asked);
+  const float strip = std::floor(share * wish.lesson * s);
+  const float guess = std::floor(share * wish.guess * s);
+  layout.view.height -= strip + guess;
+  layout.guess = {layout.view.x, layout.view.bottom(), layout.view.width, guess};
+  layout.lesson = {layout.view.x, layout.guess.bottom(), layout.view.width, strip};
   layout.timeline = {0.0f, height - bottom, width, bottom};
   return layout;
 }

@@ -23,6 +23,7 @@ struct LayoutWish {
   bool parameters = true, explanation = true, timeline = true;  // shown
   float left = 0.0f, right = 0.0f, bottom = 0.0f;               // dragged to
   float lesson = 0.0f;                                          // height of the strip below the view; 0: none
+  float guess = 0.0f;                                           // of the card that asks for a guess; 0: none
   // The view, a large caption below it and a thin timeline, nothing else; a lesson stands beside them.
   bool presenting = false;
   bool both = false;  // the view in two halves
@@ -36,7 +37,8 @@ struct Layout {
   Box view;         // centre: left empty for the scene
   Box explanation;  // right
   Box timeline;     // bottom
-  Box lesson;       // below the view, while a lesson goes on; else empty
+  Box guess;        // below the view, while a verdict is guessed; else empty
+  Box lesson;       // below that, while a lesson goes on; else empty
   Box caption;      // below the view, while presenting; else empty
   Box other_view;   // left of the view, for the pinned run; else empty
 

@@ -19,6 +19,7 @@ void set_sizes(ImGuiStyle& style) {
   style.CellPadding = ImVec2(5.0f, 1.0f);
   style.ScrollbarSize = 11.0f;
   style.GrabMinSize = 11.0f;
+  style.DisabledAlpha = disabled_alpha;
   style.WindowRounding = 0.0f;
   style.ChildRounding = 4.0f;
   style.FrameRounding = 4.0f;

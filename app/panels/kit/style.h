@@ -16,6 +16,8 @@ inline constexpr float text_size = 16.0f;  // for ImGuiGlue::load_fonts, times t
 
 inline constexpr ImU32 packed(Colour c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 inline constexpr ImU32 packed(Colour c, std::uint8_t alpha) { return IM_COL32(c.r, c.g, c.b, alpha); }
+// Of what cannot be used now: fainter, and to be read all the same.
+inline constexpr float disabled_alpha = 0.7f;
 ImVec4 vector(Colour colour);
 
 // Once after fonts are loaded, and again when the scale changes. Between frames.

@@ -26,13 +26,25 @@ float width_of(std::string_view words) {
       .x;
 }
 
-void show_meaning(PanelFrame& frame, const Term& term) {
-  ImGui::BeginTooltip();
+void show_meaning(PanelFrame& frame, const Term& term, const Box& item) {
+  constexpr std::string_view click = "Click: the glossary";
+  const auto size_of = [](std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size());
+  };
+  const std::string word = with_capital(std::string(term.word));
+  const std::string lines = wrapped_at_blanks(term.meaning, tip_width(frame));
   push_font(frame.fonts.strong);
-  text(with_capital(std::string(term.word)));
+  const ImVec2 head = size_of(word);
   pop_font();
-  text(wrapped_at_blanks(term.meaning, frame.units(340.0f)));
-  faint_text("Click: the glossary");
+  const ImVec2 meaning = size_of(lines), foot = size_of(click);
+  begin_tip(frame, item,
+            ImVec2(std::max({head.x, meaning.x, foot.x}),
+                   head.y + meaning.y + foot.y + 2.0f * ImGui::GetStyle().ItemSpacing.y));
+  push_font(frame.fonts.strong);
+  text(word);
+  pop_font();
+  text(lines);
+  faint_text(click);
   ImGui::EndTooltip();
 }
 
@@ -73,7 +85,7 @@ void draw_piece(PanelFrame& frame, const Piece& piece) {
                                             style::packed(colour, hovered ? 255 : 110));
   if (!hovered) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) show_meaning(frame, *piece.term);
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) show_meaning(frame, *piece.term, box);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     frame.wish(ShowGlossary{true, std::string(piece.term->word)});
 }
@@ -121,15 +133,18 @@ void explains(PanelFrame& frame, std::string_view word) {
   const Term* term = find_term(word);
   if (term == nullptr || !ImGui::IsItemHovered()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) show_meaning(frame, *term);
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) show_meaning(frame, *term, tipped_item(frame));
   if (ImGui::IsItemClicked()) frame.wish(ShowGlossary{true, std::string(term->word)});
 }
 
-void explained_tooltip(PanelFrame& frame, const std::string& help, std::string_view words) {
+void explained_tooltip(PanelFrame& frame, const std::string& help, std::string_view words, float free_below) {
+  Box item = tipped_item(frame);
+  item.height += free_below;
   const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), words);
-  if (terms.empty()) return tooltip(frame, help);
-  const std::string word(terms.front().term->word);
-  tooltip(frame, help + "\n\nClick: " + word + " in the glossary.");
+  const std::string word(terms.empty() ? "" : terms.front().term->word);
+  if (wants_tooltip())
+    tooltip_about(frame, item, word.empty() ? help : help + "\n\nClick: " + word + " in the glossary.");
+  if (word.empty()) return;
   if (ImGui::IsItemClicked()) frame.wish(ShowGlossary{true, word});
 }
 

@@ -25,6 +25,8 @@ void glossary_wrapped_text(PanelFrame& frame, std::string_view words, Colour col
 // For the last item, which is that word: a heading. Without such a term nothing.
 void explains(PanelFrame& frame, std::string_view word);
 // For the last item: a tooltip, and a click leads to the first of the glossary's words in `words`, if there is one.
-void explained_tooltip(PanelFrame& frame, const std::string& help, std::string_view words);
+// `free_below`: so much below the item the tip leaves free, too.
+void explained_tooltip(PanelFrame& frame, const std::string& help, std::string_view words,
+                       float free_below = 0.0f);
 
 }  // namespace app

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/scene/contrast.h"
+
 namespace app {
 
 void TextBuffer::set(const std::string& text) {
@@ -102,15 +104,66 @@ int segmented(const char* id, std::span<const std::string_view> names, int chose
   return clicked;
 }
 
+bool lit_button(const char* words, bool lit) {
+  if (lit) {
+    ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, style::vector(theme().accent));
+    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().on_accent));
+  }
+  const bool clicked = ImGui::Button(words);
+  if (lit) ImGui::PopStyleColor(3);
+  return clicked;
+}
+
 bool wants_tooltip() {
   return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
          !ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
 
-void tooltip(const PanelFrame& frame, std::string_view words) {
-  if (!wants_tooltip()) return;
+Box tip_box(const Box& item, const Box& window, ImVec2 size, float gap) {
+  const auto inside = [](float at, float extent, float low, float high) {
+    return std::floor(std::max(low, std::min(at, high - extent)));
+  };
+  const float x = inside(item.x, size.x, window.x, window.right());
+  const float y = inside(item.y, size.y, window.y, window.bottom());
+  const Box below{x, std::ceil(item.bottom() + gap), size.x, size.y};
+  if (below.bottom() <= window.bottom()) return below;
+  const Box above{x, std::floor(item.y - gap - size.y), size.x, size.y};
+  if (above.y >= window.y) return above;
+  const Box right{std::ceil(item.right() + gap), y, size.x, size.y};
+  if (right.right() <= window.right()) return right;
+  const Box left{std::floor(item.x - gap - size.x), y, size.x, size.y};
+  // Nowhere clear of it: where most of the tip can be read.
+  return left.x >= window.x ? left : Box{x, y, size.x, size.y};
+}
+
+float tip_width(const PanelFrame& frame) { return frame.units(340.0f); }
+
+Box around_pointer(const PanelFrame& frame) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const float aside = frame.units(12.0f);
+  return {at.x - aside, at.y - aside, 2.0f * aside, 2.0f * aside};
+}
+
+Box tipped_item(const PanelFrame& frame) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const bool tall = high.y - low.y > frame.units(120.0f);
+  return tall ? around_pointer(frame) : Box{low.x, low.y, high.x - low.x, high.y - low.y};
+}
+
+void begin_tip(const PanelFrame& frame, const Box& item, ImVec2 content) {
+  const ImVec2 edge = ImGui::GetStyle().WindowPadding;
+  const ImVec2 size(std::ceil(content.x) + 2.0f * edge.x, std::ceil(content.y) + 2.0f * edge.y);
+  const Box box = tip_box(item, frame.layout.window, size, frame.units(4.0f));
+  ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
   ImGui::BeginTooltip();
-  text(wrapped_at_blanks(words, frame.units(340.0f)));
+  frame.memory.controls.insert_or_assign("tip", box);
+}
+
+void tooltip_about(const PanelFrame& frame, const Box& item, std::string_view words) {
+  const std::string lines = wrapped_at_blanks(words, tip_width(frame));
+  begin_tip(frame, item, ImGui::CalcTextSize(lines.c_str()));
+  text(lines);
   ImGui::EndTooltip();
 }
 
@@ -137,6 +190,10 @@ std::string wrapped_at_blanks(std::string_view words, float width) {
     begin = feed + 1;
   }
   return lines;
+}
+
+void tooltip(const PanelFrame& frame, std::string_view words) {
+  if (wants_tooltip()) tooltip_about(frame, tipped_item(frame), words);
 }
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
@@ -227,8 +284,8 @@ void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Co
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(ImVec2(at.x - edge.x, at.y - edge.y),
                      ImVec2(at.x + size.x + edge.x, at.y + size.y + edge.y),
-                     style::packed(theme().background, 190), frame.units(4.0f));
-  list.AddText(at, style::packed(colour), words.c_str());
+                     style::packed(theme().background), frame.units(4.0f));
+  list.AddText(at, style::packed(readable_on(colour, theme().background)), words.c_str());
 }
 
 }  // namespace app

@@ -63,6 +63,22 @@ int segmented(const char* id, std::span<const std::string_view> names, int chose
 // With line feeds where lines end, at blanks only: Dear ImGui itself breaks "0.05" after its point.
 std::string wrapped_at_blanks(std::string_view words, float width);
 
+// A button of equal height whether it is lit or not.
+bool lit_button(const char* words, bool lit);
+
+// Tips stand below what they are about, else above or beside it: inside the window, and never on it.
+
+// Where one of this size stands. `gap`: between them.
+Box tip_box(const Box& item, const Box& window, ImVec2 size, float gap);
+// ImGui::EndTooltip is due. `content`: what will stand in it.
+void begin_tip(const PanelFrame& frame, const Box& item, ImVec2 content);
+// As wide as a wrapped tip is at most.
+float tip_width(const PanelFrame& frame);
+// The last item; of a tall one the pointer's surroundings.
+Box tipped_item(const PanelFrame& frame);
+Box around_pointer(const PanelFrame& frame);
+// In any case, about this.
+void tooltip_about(const PanelFrame& frame, const Box& item, std::string_view words);
 // For the last item, wrapped.
 void tooltip(const PanelFrame& frame, std::string_view words);
 // Whether the last item is long enough under the pointer for a tooltip.
@@ -87,7 +103,8 @@ std::string capitalised(std::string_view name);  // "cast-on": "Cast on"
 std::string with_capital(std::string words);     // what begins a sentence
 std::string words_of(const knit::Place& place);  // "Rows, row 5, item 23"
 
-// Readable over whatever is in the picture; `at`: the text's top left, on the screen.
+// Readable over whatever is in the picture: in this colour, or as near to it as can be read. `at`: the text's top left, on
+// the screen.
 void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour);
 
 }  // namespace app

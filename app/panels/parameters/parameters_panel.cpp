@@ -136,7 +136,7 @@ struct Control {
   }
 
   void operator()(const knit::AxisChoice& choice) const {
-    constexpr std::array<std::string_view, 4> names{"x", "y", "z", "other"};
+    constexpr std::array<std::string_view, 4> names{"x", "y", "z", "custom"};
     knit::Axis axis = choice.get(parameters);
     const int clicked = segmented("axis", names, static_cast<int>(axis.kind), width);
     if (clicked >= 0) {
@@ -151,7 +151,7 @@ struct Control {
   }
 
   void operator()(const knit::DirectionChoice& choice) const {
-    constexpr std::array<std::string_view, 2> names{"auto", "other"};
+    constexpr std::array<std::string_view, 2> names{"auto", "custom"};
     const auto direction = choice.get(parameters);
     const int clicked = segmented("direction", names, direction ? 1 : 0, width);
     if (clicked == 0) set("auto");
@@ -296,12 +296,13 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   const float whole = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - frame.units(4.0f);
   const float control = frame.units(126.0f) + 0.5f * std::max(0.0f, whole - frame.units(240.0f));
   const std::string label(info.label);
+  // A long name has the line for itself; its tip leaves the field below free.
+  const bool alone = ImGui::CalcTextSize(label.c_str()).x >= whole - control - frame.units(4.0f);
   ImGui::AlignTextToFramePadding();
   faint_text(label);
-  explained_tooltip(frame, help_text(frame, info), label);
+  explained_tooltip(frame, help_text(frame, info), label, alone ? ImGui::GetFrameHeightWithSpacing() : 0.0f);
   frame.mark("knob-label/" + std::string(info.key));
-  // A long name has the line for itself.
-  if (ImGui::CalcTextSize(label.c_str()).x < whole - control - frame.units(4.0f)) ImGui::SameLine();
+  if (!alone) ImGui::SameLine();
   ImGui::SetCursorPosX(left + std::max(0.0f, whole - control));
   ImGui::BeginGroup();
   std::visit(Control{frame, info, parameters, std::min(control, whole)}, info.kind);
@@ -369,8 +370,8 @@ void draw_tools(PanelFrame& frame) {
 }
 
 void draw_mode(PanelFrame& frame) {
-  constexpr std::array<std::string_view, 2> names{"from the start", "from here"};
-  const char* const words = "A change counts";
+  constexpr std::array<std::string_view, 2> names{"from the start", "from this step"};
+  const char* const words = "Apply changes";
   ImGui::AlignTextToFramePadding();
   if (ImGui::CalcTextSize(words).x + width_of_tools(frame) <= ImGui::GetContentRegionAvail().x) {
     faint_text(words);
@@ -387,7 +388,7 @@ void draw_mode(PanelFrame& frame) {
   tooltip(frame,
           "From the start: the run becomes what it would have been with this value, and shows the same place "
           "in it.\n\n"
-          "From here: what is past stays as it is; the rest is run anew.");
+          "From this step: what is past stays as it is; the rest is run again.");
 }
 
 // What a change asks for. What is read before the run begins can only count from the start.

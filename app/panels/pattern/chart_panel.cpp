@@ -20,11 +20,6 @@ namespace app {
 
 namespace {
 
-constexpr Colour paper{238, 235, 226};
-constexpr Colour main_paper{240, 214, 228};
-constexpr Colour lit_paper{255, 247, 190};
-constexpr Colour ink{34, 37, 43};
-
 knit::Label label_of(knit::ChartSymbol symbol) {
   switch (symbol) {
     case knit::ChartSymbol::m1r:
@@ -52,8 +47,8 @@ knit::Label label_of(knit::ChartSymbol symbol) {
 
 Colour ground_of(const knit::ChartSquare& square, bool lit) {
   if (square.symbol == knit::ChartSymbol::no_stitch) return theme().hovered;
-  if (lit) return lit_paper;
-  return square.main ? main_paper : paper;
+  if (lit) return theme().lit_paper;
+  return square.main ? theme().main_paper : theme().paper;
 }
 
 // Strokes that go on one from another are one line.
@@ -81,8 +76,8 @@ void draw_letter(ImDrawList& list, ImVec2 low, float side, std::int32_t piece) {
   const float size = std::min(0.8f * side, ImGui::GetFontSize());
   const ImVec2 words = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, letter.c_str());
   list.AddText(ImGui::GetFont(), size,
-               ImVec2(low.x + 0.5f * (side - words.x), low.y + 0.5f * (side - words.y)), style::packed(ink),
-               letter.c_str());
+               ImVec2(low.x + 0.5f * (side - words.x), low.y + 0.5f * (side - words.y)),
+               style::packed(theme().ink_of(knit::Label::knit)), letter.c_str());
 }
 
 }  // namespace
@@ -95,9 +90,8 @@ void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, 
     list.AddRectFilled(low, ImVec2(low.x + look.side, low.y + look.side), style::packed(theme().outline));
   list.AddRectFilled(low, high, style::packed(ground_of(square, look.lit)));
   if (look.side >= 5.0f) {
-    const knit::Label label = label_of(square.symbol);
-    const Colour colour = label == knit::Label::knit ? ink : theme().of(label);
-    draw_symbol(list, low, look.side - gap, style::packed(colour), square.symbol);
+    const Colour ink = theme().ink_of(label_of(square.symbol));
+    draw_symbol(list, low, look.side - gap, style::packed(ink), square.symbol);
     if (square.symbol == knit::ChartSymbol::held) draw_letter(list, low, look.side - gap, square.piece);
   } else if (label_of(square.symbol) != knit::Label::knit) {
     list.AddRectFilled(low, high, style::packed(theme().of(label_of(square.symbol))));
@@ -299,7 +293,8 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
   if (ImGui::IsItemHovered()) {
     if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
       under = sheet.stitch_at(place->row, sheet.chart.rows[place->row].squares[place->column]);
-      ImGui::SetTooltip("%s", words_for(sheet, *place).c_str());
+      const ImVec2 low = sheet.at(place->row, place->column);
+      tooltip_about(frame, {low.x, low.y, sheet.side, sheet.side}, words_for(sheet, *place));
       const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
       const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                            std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
@@ -350,11 +345,8 @@ const knit::PieceChart& chosen_piece(PanelFrame& frame, const Box& box) {
     const float width = ImGui::CalcTextSize(letters.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     if (i > 0 && ImGui::GetItemRectMax().x + width + frame.units(16.0f) < box.right()) ImGui::SameLine();
     if (i > 0 && ImGui::GetCursorPosX() < frame.units(10.0f)) ImGui::SetCursorPosX(frame.units(10.0f));
-    const bool lit = i == shown.chart;
-    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, style::vector(theme().accent));
-    if (ImGui::Button(letters.c_str()))
+    if (lit_button(letters.c_str(), i == shown.chart))
       show(cache.pieces().letters[static_cast<std::size_t>(charts[i].pieces.front())]);
-    if (lit) ImGui::PopStyleColor();
     frame.mark("chart/piece/" + knit::tube_name(charts[i].pieces.front()));
     tooltip(frame, ("The chart of " + cache.pieces().name_of(charts[i].pieces.front()) + ".").c_str());
   }

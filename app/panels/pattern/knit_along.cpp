@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/panels/kit/commands.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/pattern/chart_cache.h"
@@ -28,6 +29,11 @@ class TurningBar {
     tooltip(frame_, help);
     ImGui::SameLine();
   }
+  // By its button, or by the keys of a step.
+  void turn(const char* id, Icon icon, Command keys, const KnitAlong& to, const std::string& help) {
+    if (is_pressed(keys)) frame_.wish(to);
+    turn(id, icon, to, (help + " (" + keys_of(info_of(keys)) + ")").c_str());
+  }
   void end(const std::string& place) {
     const float top = ImGui::GetCursorPosY();
     // Beside a button words stand lower by its padding anyway.
@@ -50,8 +56,9 @@ void draw_turning(PanelFrame& frame, std::int32_t round, std::int32_t last) {
   TurningBar bar(frame);
   const auto to = [&](std::int32_t number) { return KnitAlong{std::clamp(number, 1, last)}; };
   bar.turn("first", Icon::first, to(1), "To the cast on.");
-  bar.turn("back", Icon::back, to(round - 1), "One round back.");
-  bar.turn("forward", Icon::forward, to(round + 1), "This round is knitted: the next one.");
+  bar.turn("back", Icon::back, Command::back_item, to(round - 1), "One round back");
+  bar.turn("forward", Icon::forward, Command::forward_item, to(round + 1),
+           "This round is knitted: the next one");
   bar.end("Round " + std::to_string(round) + " of " + std::to_string(last));
 }
 
@@ -85,9 +92,9 @@ void draw_turning_of_pieces(PanelFrame& frame, const ChartCache& cache, const st
   const auto to = [&](std::size_t stop) { return KnitAlong{stops[stop].row, stops[stop].deal}; };
   bar.turn("first", Icon::first, to(stop_a_piece_on(stops, at, -1)),
            "To the beginning of this piece, or of the one before.");
-  bar.turn("back", Icon::back, to(at > 0 ? at - 1 : 0), "One round back.");
-  bar.turn("forward", Icon::forward, to(std::min(at + 1, stops.size() - 1)),
-           "This is knitted, or dealt: what comes next.");
+  bar.turn("back", Icon::back, Command::back_item, to(at > 0 ? at - 1 : 0), "One round back");
+  bar.turn("forward", Icon::forward, Command::forward_item, to(std::min(at + 1, stops.size() - 1)),
+           "This is knitted, or dealt: what comes next");
   bar.turn("next-piece", Icon::last, to(stop_a_piece_on(stops, at, 1)), "To the next piece.");
   bar.end(place_words(cache.pieces(), stops[at]) + "; piece " + std::to_string(stops[at].piece + 1) + " of " +
           std::to_string(cache.pieces().plan.count()));

@@ -336,7 +336,7 @@ void draw_tube_label(const PanelFrame& frame, const TubesDrawing& drawing, const
   ImVec2 at(shown.x, whole(middle - 0.5f * size.y));
   drawing.list.AddRectFilled(ImVec2(at.x - 0.5f * size.x - edge, at.y),
                              ImVec2(at.x + 0.5f * size.x + edge, at.y + size.y),
-                             style::packed(theme().background, 215), frame.units(3.0f));
+                             style::packed(theme().background), frame.units(3.0f));
   for (const LabelLine& line : lines) {
     push_font(line.font);
     text_at(at, 0.5f, shown.begun ? theme().text : theme().faint_text, line.words);

@@ -1,4 +1,5 @@
-// Guessing: a card over the foot of the view that asks for the verdict before it falls.
+// Guessing: a card below the view that asks for the verdict before it falls. It has room of its own, so that it never
+// covers what one looks at.
 #include <algorithm>
 #include <string>
 
@@ -8,7 +9,6 @@
 #include "app/panels/view/view.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
-#include "app/session/view.h"
 
 namespace app {
 
@@ -57,20 +57,10 @@ void draw_guesses(PanelFrame& frame) {
 void draw_prediction(PanelFrame& frame) {
   if (!frame.session.learning->prediction || frame.timeline() == nullptr) return;
   const Prediction& prediction = *frame.session.learning->prediction;
-  const Box& view = frame.layout.view;
-  const float margin = frame.units(14.0f);
-  const float width = std::min(view.width - 2.0f * margin, frame.units(560.0f));
-  // Who knits along has the foot for that.
-  const bool top = frame.session.view->gaze.knit_along.has_value();
-  ImGui::SetNextWindowPos(ImVec2(view.x + 0.5f * view.width, top ? view.y + margin : view.bottom() - margin),
-                          ImGuiCond_Always, ImVec2(0.5f, top ? 0.0f : 1.0f));
-  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
-  push_raised_look(frame);
-  ImGui::Begin("Predict", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoFocusOnAppearing);
-  pop_raised_look();
+  if (frame.layout.guess.height <= 0.0f) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(frame.units(14.0f), frame.units(6.0f)));
+  begin_panel("Predict", frame.layout.guess, ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleVar();
   const auto asked = asked_vertex(frame.session);
   ImGui::AlignTextToFramePadding();
   push_font(frame.fonts.strong);

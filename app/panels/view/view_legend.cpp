@@ -37,7 +37,7 @@ void draw_time_ramp(const PanelFrame& frame) {
   const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
   const float edge = frame.units(5.0f);
   list.AddRectFilled(ImVec2(low.x - edge, y - edge), ImVec2(high.x + edge, high.y + edge),
-                     style::packed(theme().background, 190), frame.units(4.0f));
+                     style::packed(theme().background), frame.units(4.0f));
   list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
   list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
   const ImU32 colour = style::packed(theme().faint_text);
@@ -75,7 +75,7 @@ void draw_labels(PanelFrame& frame) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float edge = frame.units(5.0f);
   list.AddRectFilled(ImVec2(left - edge, top - edge), ImVec2(view.right() - edge, view.bottom() - edge),
-                     style::packed(theme().background, 215), frame.units(4.0f));
+                     style::packed(theme().background), frame.units(4.0f));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const float y = top + line * static_cast<float>(i);
     const float at = y + 0.5f * (line - swatch);
@@ -100,7 +100,7 @@ void draw_stretch_ramp(PanelFrame& frame) {
   const float top = low.y - 2.0f * line;
   list.AddRectFilled(ImVec2(low.x - edge, top - edge),
                      ImVec2(low.x + width + edge, low.y + height + line + edge),
-                     style::packed(theme().background, 215), frame.units(4.0f));
+                     style::packed(theme().background), frame.units(4.0f));
   text_at(ImVec2(low.x, top), 0.0f, theme().text, "Length of an edge");
   text_at(ImVec2(low.x, top + line), 0.0f, theme().faint_text, "wale in h, course in w");
   const auto stretch_at = [](float share) {
@@ -130,8 +130,9 @@ void draw_coarse_note(const PanelFrame& frame) {
   if (frame.scene.coarse <= 1) return;
   const std::string every = std::to_string(frame.scene.coarse);
   const Box& view = frame.layout.view;
-  text_at(ImVec2(view.x + frame.units(12.0f), view.y + frame.units(8.0f)), 0.0f, theme().faint_text,
-          "Drawn coarsely: every " + every + "th row and stitch. Come nearer to see each.");
+  boxed_text(frame, ImVec2(view.x + frame.units(12.0f), view.y + frame.units(8.0f)),
+             "Drawn coarsely: every " + every + "th row and stitch. Come nearer to see each.",
+             theme().faint_text);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // The centre: empty but for what lies over the scene. Drags, wheel and clicks become wishes about the camera.
+#include <algorithm>
 #include <cmath>
 #include <glm/vec4.hpp>
 #include <string>
 
 #include "app/compare/beside_words.h"
 #include "app/describe/pick.h"
+#include "app/describe/step_place.h"
 #include "app/explain/why_words.h"
 #include "app/lessons/lesson.h"
 #include "app/panels/kit/commands.h"
@@ -13,6 +15,7 @@
 #include "app/panels/view/overlays.h"
 #include "app/panels/view/view.h"
 #include "app/session/document.h"
+#include "app/session/program.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -137,6 +140,34 @@ void handle_clicks(PanelFrame& frame) {
   }
 }
 
+// Where the run stood when something else set the camera: it has its way until the run goes on.
+struct ViewFollowing {
+  std::optional<Camera> camera;  // as it was left
+  std::size_t held_at = 0;
+};
+
+void follow_step(PanelFrame& frame) {
+  constexpr double at_once_s = 100.0;
+  constexpr double longest_frame_s = 0.05;  // the first one after a rest
+  const Camera& camera = frame.session.view->gaze.camera;
+  ViewFollowing& following = frame.own<ViewFollowing>();
+  const std::size_t position = frame.timeline()->position();
+  const bool picking = frame.session.view->gaze.picking != Picking::nothing;
+  if (following.camera != camera || ImGui::IsItemActive() || picking) following = {camera, position};
+  // Played fast it goes round and round; one would only grow dizzy.
+  constexpr double fastest_followed = 40.0;
+  const Playback& playback = frame.session.view->playback;
+  const bool too_fast = playback.playing && playback.steps_per_second > fastest_followed;
+  if (!frame.session.view->following || too_fast || following.held_at == position) return;
+  const auto place = step_place(frame.session);
+  if (!place) return;
+  const bool motion = frame.session.program->preferences.motion;
+  const auto passed = static_cast<double>(ImGui::GetIO().DeltaTime);
+  const double seconds = motion ? std::min(passed, longest_frame_s) : at_once_s;
+  following.camera = turned_to(camera, *place, seconds);
+  if (following.camera != camera) frame.wish(TurnToStep{seconds});
+}
+
 void draw_hint(const PanelFrame& frame) {
   std::string hint;
   for (const MouseHelp& help : mouse_help) {
@@ -208,6 +239,7 @@ void draw_view(PanelFrame& frame) {
   if (frame.timeline() != nullptr) {
     handle_drag(frame);
     handle_clicks(frame);
+    follow_step(frame);
     std::optional<StitchAt> under;
     if (hovered && !ImGui::IsItemActive()) {
       const double reach = static_cast<double>(frame.units(hover_reach) / view.height);
