@@ -53,6 +53,7 @@ SheetQuestion sheet_question(const Session& session, const Question& question) {
 Session session_for_sheet(const Session& session) {
   Session own = new_session(session.program->assets);
   own.program->preferences.theme = ThemeKind::light;  // paper is white
+  own.program->preferences.scale = 2.0;               // and the pictures are small
   apply(own, SetAspect{sheet_picture_aspect});
   own.learning->lesson = session.learning->lesson;
   return own;

@@ -26,7 +26,7 @@ h1 { font: 600 20pt/1.15 Georgia, "Times New Roman", serif; margin: 0; overflow-
 section { break-inside: avoid; display: grid; grid-template-columns: 1fr 78mm; gap: 0 6mm; margin: 0 0 7mm; }
 section.plain { display: block; }
 h2 { font-size: 11.5pt; line-height: 1.3; margin: 0 0 1mm; }
-h2 .number { color: #8a3d6d; margin-right: 2mm; }
+.number { color: #8a3d6d; margin-right: 2mm; }
 p { margin: 0 0 1.5mm; }
 img { width: 78mm; border: .2mm solid #bbb; }
 .task { border-left: .8mm solid #8a3d6d; padding-left: 2.5mm; }
