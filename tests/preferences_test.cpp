@@ -24,6 +24,7 @@ Preferences all_changed() {
   preferences.motion = false;
   preferences.panels = {true, false, true};
   preferences.splits = {310.0, 0.0, 150.0};
+  preferences.row_columns = {true, false, true, false, true};
   preferences.recent = {"/tmp/a \"b\".obj", "example:vase"};
   preferences.lessons["what-it-does"] = {3, 4};
   preferences.longest_streak = 7;

@@ -97,6 +97,13 @@ void add_layout(EntryList& list) {
       {"Set the width of the right panel to...", group::panels, "", ask_split(Split::right), "", "", true});
   list.add(
       {"Set the height of the timeline to...", group::panels, "", ask_split(Split::bottom), "", "", true});
+  for (std::size_t i = 0; i < row_column_keys.size(); ++i) {
+    const auto column = static_cast<RowColumn>(i);
+    const bool shown = list.session.program->preferences.shows(column);
+    list.add({(shown ? "Hide" : "Show") + std::string(" the column ") + std::string(row_column_keys[i]) +
+                  " of the list of rows",
+              group::panels, "", ShowRowColumn{column, !shown}});
+  }
   list.add({"Put the panels back as they were at first", group::panels, "Reset the layout.", ResetLayout{}});
 }
 

@@ -89,6 +89,7 @@ constexpr ActionName named(For<OpenSession>) { return {"Open a session", control
 constexpr ActionName named(For<CopyLink>) {
   return {"Copy a command line for this", control, "menu/Copy a command line that opens exactly this"};
 }
+constexpr ActionName named(For<CopyRows>) { return {"Copy the list of rows", control, "rows/copy"}; }
 constexpr ActionName named(For<TakeRescued>) { return {"Open the rescued session", control, "rescue/open"}; }
 constexpr ActionName named(For<DropRescued>) {
   return {"Forget the rescued session", control, "rescue/forget"};
@@ -152,6 +153,9 @@ constexpr ActionName named(For<Export>) { return {"Save a file", control, "save/
 constexpr ActionName named(For<SetTheme>) { return {"Choose the theme", control, "menu/Light"}; }
 constexpr ActionName named(For<SetScale>) {
   return {"Set the size of words and lines", control, "menu/Projector"};
+}
+constexpr ActionName named(For<ShowRowColumn>) {
+  return {"Choose columns of the list of rows", control, "rows/columns"};
 }
 constexpr ActionName named(For<SetMotion>) { return {"Allow short movements", control, "menu/Motion"}; }
 constexpr ActionName named(For<ShowPanel>) { return {"Show or close a panel", control, "menu/Parameters"}; }

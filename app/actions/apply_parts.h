@@ -83,6 +83,7 @@ void take_opened(Session& session, OpenedSession opened, std::chrono::steady_clo
                  bool rescued);
 void take(Session& session, const OpenSession& action);
 void take(Session& session, const CopyLink& action);
+void take(Session& session, const CopyRows& action);
 void take(Session& session, const TakeRescued& action);
 void take(Session& session, const DropRescued& action);
 
@@ -91,6 +92,7 @@ void take(Session& session, const SetTheme& action);
 void take(Session& session, const SetScale& action);
 void take(Session& session, const SetMotion& action);
 void take(Session& session, const ShowPanel& action);
+void take(Session& session, const ShowRowColumn& action);
 void take(Session& session, const SetSplit& action);
 void take(Session& session, const ResetLayout& action);
 void take(Session& session, const ForgetRecent& action);

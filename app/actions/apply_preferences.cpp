@@ -23,6 +23,10 @@ void take(Session& session, const ShowPanel& action) {
   session.program->preferences.panels[static_cast<std::size_t>(action.panel)] = action.open;
 }
 
+void take(Session& session, const ShowRowColumn& action) {
+  session.program->preferences.row_columns[static_cast<std::size_t>(action.column)] = action.shown;
+}
+
 void take(Session& session, const SetSplit& action) {
   if (std::isfinite(action.size) && action.size >= 0.0)
     session.program->preferences.splits[static_cast<std::size_t>(action.split)] = action.size;

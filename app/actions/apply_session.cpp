@@ -5,6 +5,7 @@
 #include "app/files/link.h"
 #include "app/files/preferences_file.h"
 #include "app/files/rescue.h"
+#include "app/files/row_table.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -43,6 +44,12 @@ void take(Session& session, const CopyLink& /*action*/) {
   tell(session,
        "Copied: " + *link +
            (by_options ? "  (without the camera and the layers; a saved session has them too)" : ""));
+}
+
+void take(Session& session, const CopyRows& /*action*/) {
+  if (!session.document) return;
+  session.outbox->clipboard = rows_csv(session);
+  tell(session, "Copied the list of rows as CSV.");
 }
 
 // It stays on offer until it could be opened, and on disk until this program has a file of its own: the same one.

@@ -11,6 +11,7 @@
 #include "app/files/pattern_export.h"
 #include "app/files/plots.h"
 #include "app/files/report.h"
+#include "app/files/row_table.h"
 #include "app/files/session_file.h"
 #include "app/files/worksheet.h"
 #include "app/session/document.h"
@@ -217,6 +218,8 @@ const std::array export_table{
                write_gltf, gltf_missing, ExportEndings{"glTF", gltf_endings, has_format<gltf_format_of>}},
     ExportInfo{"plots", "plots", "-plots.svg", About::run, "write the report's plots", write_plots,
                plots_missing, ExportEndings{"plots", plots_endings, has_format<plots_format_of>}},
+    ExportInfo{"rows", "list of rows", "-rows.csv", About::run, "write the list of rows as CSV",
+               as_text<rows_csv>},
     ExportInfo{"worksheet", "worksheet of the lesson", "-worksheet.html", About::session,
                "write the lesson that --lesson opens as a page to print, with pictures and answers",
                no_worksheet, worksheet_missing,

@@ -47,6 +47,13 @@ void read_panels(JsonFields& fields, Preferences& preferences) {
       if (panels.has(key)) preferences.panels[i] = panels.flag(key);
     }
   }
+  if (fields.has("row-columns")) {
+    JsonFields columns = fields.object("row-columns");
+    for (std::size_t i = 0; i < row_column_keys.size(); ++i) {
+      const std::string key(row_column_keys[i]);
+      if (columns.has(key)) preferences.row_columns[i] = columns.flag(key);
+    }
+  }
   if (!fields.has("splits")) return;
   JsonFields splits = fields.object("splits");
   for (std::size_t i = 0; i < split_keys.size(); ++i) {
@@ -114,6 +121,8 @@ std::string preferences_text(const Preferences& preferences) {
     json["panels"][std::string(panel_keys[i])] = preferences.panels[i];
   for (std::size_t i = 0; i < split_keys.size(); ++i)
     json["splits"][std::string(split_keys[i])] = preferences.splits[i];
+  for (std::size_t i = 0; i < row_column_keys.size(); ++i)
+    json["row-columns"][std::string(row_column_keys[i])] = preferences.row_columns[i];
   json["recent"] = preferences.recent;
   json["lessons"] = Json::object();
   for (const auto& [key, score] : preferences.lessons)

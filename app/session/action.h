@@ -152,6 +152,7 @@ struct OpenSession {
   std::filesystem::path path;
 };
 struct CopyLink {};     // the command line that opens exactly this, to the clipboard
+struct CopyRows {};     // the list of rows as CSV, to the clipboard
 struct TakeRescued {};  // the session saved aside before a crash
 struct DropRescued {};
 
@@ -218,6 +219,10 @@ struct SetMotion {
 struct ShowPanel {
   Panel panel = Panel::side;
   bool open = true;
+};
+struct ShowRowColumn {
+  RowColumn column = RowColumn::stitches;
+  bool shown = true;
 };
 struct SetSplit {
   Split split = Split::left;
@@ -328,7 +333,7 @@ using ActionKinds =
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
              SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present, SetRing, ShowBoth,
-             SetFollowing, TurnToStep>;
+             SetFollowing, TurnToStep, CopyRows, ShowRowColumn>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -33,6 +33,11 @@ struct LessonScore {
   friend bool operator==(const LessonScore&, const LessonScore&) = default;
 };
 
+// What the list of rows says of each, besides its number.
+enum class RowColumn : std::uint8_t { stitches, change, holds, course, tube };
+inline constexpr std::array<std::string_view, 5> row_column_keys{"stitches", "change", "holds", "course",
+                                                                 "tube"};
+
 struct Preferences {
   ThemeKind theme = ThemeKind::dark;
   double scale = 1.0;
@@ -42,9 +47,11 @@ struct Preferences {
   std::vector<std::string> recent;  // what was opened, newest first: an absolute path, or "example:NAME"
   std::map<std::string, LessonScore> lessons;  // by key
   std::int32_t longest_streak = 0;             // of right guesses
+  std::array<bool, row_column_keys.size()> row_columns{true, true, false, false, false};
   friend bool operator==(const Preferences&, const Preferences&) = default;
 
   [[nodiscard]] bool shows(Panel panel) const { return panels[static_cast<std::size_t>(panel)]; }
+  [[nodiscard]] bool shows(RowColumn column) const { return row_columns[static_cast<std::size_t>(column)]; }
 };
 
 }  // namespace app

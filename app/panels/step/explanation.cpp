@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,7 +36,7 @@ void draw_place(PanelFrame& frame, const knit::Step* step) {
   if (step == nullptr) return;
   explains(frame, knit::name_of(step->place.stage));
   std::string where = step->place.row > 0 ? "row " + std::to_string(step->place.row) + ", " : "";
-  where += "item " + std::to_string(step->place.item);
+  where += "item " + std::to_string(step->place.item + 1);
   if (stopped) where += ", stopped";
   ImGui::SameLine();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + frame.units(4.0f));
@@ -219,6 +220,21 @@ void draw_legend(PanelFrame& frame) {
   ImGui::SetCursorScreenPos(cells.end());
 }
 
+// The greatest height that the step's part has wanted in this stage: what stands below keeps still while one steps.
+struct StepHeight {
+  std::optional<knit::Stage> stage;
+  float width = 0.0f, wanted = 0.0f;
+};
+
+float wanted_height(const PanelFrame& frame) {
+  StepHeight& kept = frame.own<StepHeight>();
+  std::optional<knit::Stage> stage;
+  if (const knit::Step* step = last_step(frame.session)) stage = step->place.stage;
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (stage != kept.stage || width != kept.width) kept = {stage, width, 0.0f};
+  return kept.wanted;
+}
+
 // As high as what it holds, as far as the lists keep their room.
 float step_height(const PanelFrame& frame, float wanted) {
   const float below = frame.units((shows_legend(frame) ? 270.0f : 30.0f) + 122.0f);
@@ -234,11 +250,10 @@ bool gives_away_causes(const Session& session) {
 
 template <>
 void draw_side<SidePanel::step>(PanelFrame& frame) {
-  ImGuiStorage& kept = *ImGui::GetStateStorage();
-  const ImGuiID wanted = ImGui::GetID("step height");
-  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, kept.GetFloat(wanted))), false);
+  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, wanted_height(frame))), false);
   draw_last_step(frame);
-  kept.SetFloat(wanted, ImGui::GetCursorPosY());
+  float& wanted = frame.own<StepHeight>().wanted;
+  wanted = std::max(wanted, ImGui::GetCursorPosY());
   ImGui::EndChild();
   frame.mark("step");
   draw_layers(frame);

@@ -1,4 +1,4 @@
-// The rows of the run so far, and what was unusual in all of it.
+// What was unusual in all of the run, and what is selected.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -23,103 +23,6 @@
 namespace app {
 
 namespace {
-
-constexpr float shortest_list = 60.0f;  // plain units; below that the panel scrolls as a whole
-
-ImVec2 list_size(const PanelFrame& frame) {
-  return {0.0f, std::max(frame.units(shortest_list), ImGui::GetContentRegionAvail().y)};
-}
-
-void right_aligned(const std::string& words, Colour colour) {
-  const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(words.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
-  text(words);
-  ImGui::PopStyleColor();
-}
-
-void draw_change(std::ptrdiff_t change) {
-  if (change == 0) return right_aligned("0", theme().faint_text);
-  // Warm and blue as the labels are, which themselves are too pale for words in the light theme.
-  const std::string sign = change > 0 ? "+" : "\xE2\x88\x92";
-  right_aligned(sign + std::to_string(std::abs(change)), change > 0 ? theme().warning : theme().accent);
-}
-
-void draw_header() {
-  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  ImGui::TableNextColumn();
-  faint_text("Row");
-  for (const char* name : {"Stitches", "Change"}) {
-    ImGui::TableNextColumn();
-    right_aligned(name, theme().faint_text);
-  }
-}
-
-// Of the cell under the pointer: to where the row begins, gets its number of stitches, or its change is counted.
-void wish_why(PanelFrame& frame, std::int32_t row) {
-  const float left = ImGui::GetItemRectMin().x;
-  const float share = (ImGui::GetIO().MousePos.x - left) / (ImGui::GetItemRectMax().x - left);
-  const knit::Timeline& timeline = *frame.timeline();
-  if (share < 1.0f / 3.0f) return frame.wish(SeekPlace{{knit::stage_of_row(row), row, 0}});
-  const auto decided = knit::count_decided_by(timeline, row);
-  if (share < 2.0f / 3.0f && decided) return frame.wish(SeekPlace{timeline.step(*decided).place});
-  if (row > 1) frame.wish(SeekPlace{{knit::Stage::stitches, row, 0}});
-}
-
-// Why it has its stitches, unless that is to be guessed, and where a click leads.
-std::string row_tip(const PanelFrame& frame, knit::RowId number) {
-  const std::string why = gives_away_causes(frame.session) ? "" : knit::why_count(*frame.timeline(), number);
-  return why + (why.empty() ? "" : "\n\n") +
-         "Click: to the end of this row in this stage. Double click: why; to the step that begins the row, "
-         "gives it its stitches, or counts its change.";
-}
-
-void draw_row(PanelFrame& frame, const knit::State& state, knit::RowId number) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  const std::string label = std::to_string(number);
-  constexpr ImGuiSelectableFlags flags =
-      ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
-  if (ImGui::Selectable(label.c_str(), number == current_row(frame), flags)) {
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-      wish_why(frame, number);
-    } else {
-      wish_row(frame, number);
-    }
-  }
-  frame.mark("row/" + label);
-  if (ImGui::IsItemHovered()) tooltip(frame, row_tip(frame, number));
-  const knit::Row* row = state.fabric.find_row(number);
-  if (row == nullptr) {  // in the making
-    ImGui::TableNextColumn();
-    const auto* walk = std::get_if<knit::RowWork>(&state.work);
-    const auto* contour = std::get_if<knit::ContourWork>(&state.work);
-    const std::size_t made = walk != nullptr      ? walk->walk.kept.size()
-                             : contour != nullptr ? contour->stitches.size()
-                                                  : 0;
-    right_aligned((made > 0 ? std::to_string(made) : "") + "...", theme().faint_text);
-    return;
-  }
-  ImGui::TableNextColumn();
-  right_aligned(std::to_string(row->stitches.size()), theme().text);
-  ImGui::TableNextColumn();
-  if (!row->on.empty()) draw_change(knit::size_of(*row) - row->on.size());
-}
-
-struct RowList {
-  int scrolled_to = 0;
-};
-
-// Keeps the current row in sight, when it has changed.
-void follow_row(PanelFrame& frame, std::size_t lines) {
-  const std::int32_t row = current_row(frame);
-  if (row == frame.own<RowList>().scrolled_to) return;
-  frame.own<RowList>().scrolled_to = row;
-  const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-  const float all = line * static_cast<float>(lines + 1);
-  const float top = line * static_cast<float>(row) - 0.5f * ImGui::GetWindowHeight();
-  ImGui::SetScrollY(std::clamp(top, 0.0f, std::max(0.0f, all)));
-}
 
 // The list's lines, worst first: why the run stopped, what was repaired, findings about the mesh, unusual steps.
 struct Problem {
@@ -251,29 +154,6 @@ std::size_t count_problems(const PanelFrame& frame) {
   return frame.session.document->repaired.size() + frame.session.document->findings.size() +
          remarks_in(frame).size() + frame.own<RunCache>().problems().size() +
          (frame.timeline()->stop() != nullptr ? 1 : 0);
-}
-
-void draw_rows(PanelFrame& frame) {
-  constexpr ImGuiTableFlags flags =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
-  if (!ImGui::BeginTable("row table", 3, flags, list_size(frame))) return;
-  ImGui::TableSetupScrollFreeze(0, 1);
-  draw_header();
-  if (frame.timeline() != nullptr) {
-    const knit::State& state = frame.timeline()->state();
-    const auto current = static_cast<std::size_t>(current_row(frame));
-    const std::size_t lines =
-        std::max(state.fabric.rows().size(), state.stage() == knit::Stage::rows ? current : 0);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(lines));
-    while (clipper.Step()) {
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        draw_row(frame, state, i + 1);
-      }
-    }
-    follow_row(frame, lines);
-  }
-  ImGui::EndTable();
 }
 
 void draw_problems(PanelFrame& frame) {

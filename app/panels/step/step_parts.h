@@ -1,6 +1,8 @@
 // The parts of the step's panel.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <string>
 
@@ -17,6 +19,8 @@ void draw_breaks(PanelFrame& frame);
 
 // Whether something is to be guessed, which what decided beside it would give away.
 bool gives_away_causes(const Session& session);
+// What is left of the panel for a list; where that is little the panel scrolls as a whole.
+ImVec2 list_size(const PanelFrame& frame);
 
 // How many lines the list of problems has.
 std::size_t count_problems(const PanelFrame& frame);
