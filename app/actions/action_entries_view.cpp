@@ -97,6 +97,7 @@ void add_layout(EntryList& list) {
       {"Set the width of the right panel to...", group::panels, "", ask_split(Split::right), "", "", true});
   list.add(
       {"Set the height of the timeline to...", group::panels, "", ask_split(Split::bottom), "", "", true});
+  list.add({"Copy the list of rows as CSV", group::panels, "", CopyRows{}, list.unless_open()});
   for (std::size_t i = 0; i < row_column_keys.size(); ++i) {
     const auto column = static_cast<RowColumn>(i);
     const bool shown = list.session.program->preferences.shows(column);

@@ -230,7 +230,7 @@ float wanted_height(const PanelFrame& frame) {
   StepHeight& kept = frame.own<StepHeight>();
   std::optional<knit::Stage> stage;
   if (const knit::Step* step = last_step(frame.session)) stage = step->place.stage;
-  const float width = ImGui::GetContentRegionAvail().x;
+  const float width = frame.layout.explanation.width;
   if (stage != kept.stage || width != kept.width) kept = {stage, width, 0.0f};
   return kept.wanted;
 }
