@@ -192,7 +192,7 @@ TEST_CASE("what is typed becomes the action, or is refused in one sentence") {
   const knit::Place row = taken<SeekPlace>(session, "Go to row...", "2").place;
   CHECK(row.row == 2);
   CHECK(taken<SeekPlace>(session, "Go to place...", "rows:2:3").place ==
-        knit::Place{knit::Stage::rows, 2, 3});
+        knit::Place{knit::Stage::rows, 2, 2});
   CHECK(taken<Tune>(session, "Set epsilon \xCE\xB5 to...", "0.125").parameters.epsilon() == 0.125);
   CHECK(taken<EditFromHere>(session, "Change a parameter from here on...", "epsilon = 0.125")
             .parameters.epsilon() == 0.125);
@@ -209,13 +209,14 @@ TEST_CASE("what is typed becomes the action, or is refused in one sentence") {
            {"Go to row...", "0"},
            {"Go to row...", "9999"},
            {"Go to place...", "nowhere:1"},
+           {"Go to place...", "rows:2:0"},
            {"Set epsilon \xCE\xB5 to...", "wide"},
            {"Set epsilon \xCE\xB5 to...", "-1"},
            {"Set start vertex to...", "99999999"},
            {"Change a parameter from here on...", "epsilonn = 3"},
            {"Break when...", "perhaps"},
            {"Select vertex...", "99999999"},
-           {"Select stitch or face...", "stitch:9999:0"},
+           {"Select stitch or face...", "stitch:9999:1"},
            {"Why is it there...", "somehow"},
            {"Sweep a parameter...", "epsilon=1"},
            {"Set the speed to...", "0"},

@@ -263,14 +263,16 @@ TEST_CASE("candidates of the row in the making can be clicked, though edges run 
 
 TEST_CASE("things are written and read on the command line the same way") {
   for (const std::string text :
-       {"stitch:14:3", "edge:2:0", "column:3:4", "face:7:12", "label:2:5", "vertex:230"}) {
+       {"stitch:14:3", "edge:2:1", "column:3:4", "face:7:12", "label:2:5", "vertex:230"}) {
     const auto thing = thing_named(text);
     REQUIRE(thing);
     CHECK(text_of(*thing) == text);
     CHECK_FALSE(fault_of_why(text));
   }
-  for (const std::string text : {"", "stitch", "stitch:1", "stitch:0:1", "stitch:2:-1", "stitch:2:3:4",
-                                 "vertex", "vertex:-1", "vertex:4294967295", "loop:1:2", "stitch:a:b"}) {
+  CHECK(*thing_named("stitch:14:3") == knit::Element(knit::StitchElement{14, 2}));
+  for (const std::string text :
+       {"", "stitch", "stitch:1", "stitch:0:1", "stitch:2:-1", "stitch:2:0", "stitch:2:3:4", "vertex",
+        "vertex:-1", "vertex:4294967295", "loop:1:2", "stitch:a:b"}) {
     CAPTURE(text);
     CHECK_FALSE(thing_named(text));
     REQUIRE(fault_of_why(text));
@@ -280,7 +282,7 @@ TEST_CASE("things are written and read on the command line the same way") {
 
 TEST_CASE("the option --why answers with the step, its sentence and its numbers") {
   Session session = test_support::small_session();
-  const Answer stitch = why_answer(session, "stitch:5:2");
+  const Answer stitch = why_answer(session, "stitch:5:3");
   CHECK(stitch.exit_code == exit_done);
   CHECK(stitch.out.find("stitch 3 of row 5: ") == 0);
   const auto made = *knit::made_by(session.document->timeline, knit::StitchElement{5, 2});
@@ -292,7 +294,7 @@ TEST_CASE("the option --why answers with the step, its sentence and its numbers"
   const Answer refused = why_answer(session, "vertex:" + std::to_string(vertex));
   CHECK(refused.out.find("Passed over") != std::string::npos);
   CHECK(refused.out.find("measured\tstep ") != std::string::npos);
-  for (const std::string text : {"stitch:900:0", "face:2:900", "vertex:9999999"}) {
+  for (const std::string text : {"stitch:900:1", "face:2:900", "vertex:9999999"}) {
     const Answer none = why_answer(session, text);
     CHECK(none.exit_code == exit_usage);
     CHECK(none.out.empty());

@@ -23,7 +23,7 @@ expect() {
 expect 0 "knit-mesh: break row=14: Row 14" --break row=14
 expect 0 "knit-mesh: break grows>4: Row 2" --break 'row=14' --break 'grows>4'
 expect 0 "knit-mesh: break gap: Row 14 closes" --at rows:14 --break gap
-expect 0 "knit-mesh: break row=14: Row 14" --at rows:14:0 --break row=14 # it holds there
+expect 0 "knit-mesh: break row=14: Row 14" --at rows:14:1 --break row=14 # it holds there
 expect 4 "no break condition holds" --break row=4000
 expect 4 "no break condition holds" --at end --break row=14
 expect 1 "no break condition holds" --example torus --rows rings --break row=4000

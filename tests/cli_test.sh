@@ -202,7 +202,7 @@ ok "parameters reach the report" has out '"cast-on":8,"metric":"euclidean","epsi
 
 # --- Where to stop --------------------------------------------------------------------------------------------
 
-# at PLACE STAGE ROW ITEM: the last step taken stands there.
+# at PLACE STAGE ROW ITEM: the last step taken stands there; PLACE counts items from 1, steps have them from 0.
 at() {
   run_to 0 --example sphere --headless --at "$1" --save-steps -
   quiet
@@ -213,10 +213,10 @@ at timing timing 0 0
 at cast-on cast-on 1 0
 at rows rows 2 0
 at rows:7 rows 7 0
-at rows:7:3 rows 7 3
+at rows:7:4 rows 7 3
 at stitches stitches 2 0
 at faces faces 2 0
-at faces:9:4 faces 9 4
+at faces:9:5 faces 9 4
 at pattern pattern 1 0
 run_to 0 --example sphere --headless --at 123 --save-steps -
 ok "--at 123 takes 123 steps" [ "$(wc -l <out)" = 123 ]

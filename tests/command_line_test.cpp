@@ -81,15 +81,22 @@ TEST_CASE("parse_at takes the end, a number of steps, a stage, a row and an item
     const std::string name(knit::name_of(stage));
     CHECK(std::get<AtStage>(parse_at(name).value()).stage == stage);
     CHECK(std::get<knit::Place>(parse_at(name + ":4").value()) == knit::Place{stage, 4, 0});
-    CHECK(std::get<knit::Place>(parse_at(name + ":4:17").value()) == knit::Place{stage, 4, 17});
+    CHECK(std::get<knit::Place>(parse_at(name + ":4:17").value()) == knit::Place{stage, 4, 16});
+    CHECK(text_of(knit::Place{stage, 4, 16}) == name + ":4:17");
   }
+}
+
+TEST_CASE("the end of a row is written so that it is read back") {
+  const std::string text = text_of(knit::Place{knit::Stage::rows, 4, INT32_MAX});
+  CHECK(text == "rows:4:2147483647");
+  CHECK(std::get<knit::Place>(parse_at(text).value()).item > 1000000);
 }
 
 TEST_CASE("parse_at refuses everything else") {
   const std::string text =
       GENERATE(as<std::string>(), "", "End", "-1", "1.5", "12a", " 12", "rows:", "rows:-1",
-               "rows:1:", "rows:1:-2", "rows:1:2:3", "rows:one", "rows 3", ":3", "import", "done", "import:1",
-               "99999999999999999999999", "rows:99999999999");
+               "rows:1:", "rows:1:-2", "rows:1:0", "rows:1:2:3", "rows:one", "rows 3", ":3", "import", "done",
+               "import:1", "99999999999999999999999", "rows:99999999999");
   CAPTURE(text);
   CHECK_FALSE(parse_at(text));
 }
@@ -367,7 +374,7 @@ TEST_CASE("go_to says when the run has no such place, and shows the nearest befo
   const auto no_row = go_to(session, knit::Place{knit::Stage::rows, 500, 0});
   REQUIRE(no_row);
   CHECK(is_one_sentence(*no_row));
-  CHECK(contains(*no_row, "rows:500:0"));
+  CHECK(contains(*no_row, "rows:500:1"));
   CHECK(session.document->timeline.place().stage == knit::Stage::rows);
 
   Session torus = test_support::torus_from_rings();

@@ -37,15 +37,15 @@ Session contour_session() {
 
 TEST_CASE("the words for a place that is gone", "[place]") {
   CHECK(place_note({Stage::rows, 14, 3}, {Stage::rows, 13, 8}, {Stage::stitches, 2, 0}) ==
-        "Row 14, item 3, is not in this run; showing row 13, its last step.");
+        "Row 14, item 4, is not in this run; showing row 13, its last step.");
   CHECK(place_note({Stage::rows, 14, 30}, {Stage::rows, 14, 28}, {Stage::rows, 14, 29}) ==
-        "Row 14, item 30, is not in this run; showing row 14, item 28.");
+        "Row 14, item 31, is not in this run; showing row 14, item 29.");
   CHECK(
       place_note({Stage::faces, 14, 3}, {Stage::stitches, 9, 8}, {Stage::faces, 2, 0}) ==
-      "Row 14 of the stage faces, item 3, is not in this run; showing row 9 of the stage stitches, its last "
+      "Row 14 of the stage faces, item 4, is not in this run; showing row 9 of the stage stitches, its last "
       "step.");
   CHECK(place_note({Stage::timing, 0, 9}, {Stage::timing, 0, 8}, {Stage::cast_on, 1, 0}) ==
-        "The stage timing, item 9, is not in this run; showing the stage timing, its last step.");
+        "The stage timing, item 10, is not in this run; showing the stage timing, its last step.");
   CHECK(place_note({Stage::rows, 14, 3}, {Stage::rows, 14, 3}, {Stage::rows, 14, 4}).empty());
   CHECK(place_note({Stage::done, 0, 0}, {Stage::pattern, 14, 3}, {Stage::done, 0, 0}).empty());
   CHECK(place_note({Stage::rows, 14, INT32_MAX}, {Stage::rows, 14, 3}, {Stage::rows, 15, 0}).empty());
@@ -65,7 +65,7 @@ TEST_CASE("a place that is gone is told, and comes back with the parameters", "[
     CHECK(session.document->timeline.place().row < last_row);
     CHECK(session.document->timeline.state().next.stage == Stage::stitches);  // the nearest before it
     CHECK(test_support::contains(session.document->place_note,
-                                 "Row " + std::to_string(last_row) + ", item 2, is not"));
+                                 "Row " + std::to_string(last_row) + ", item 3, is not"));
   }
   apply(session, Tune{with_width(0.2)});
   settle(session);

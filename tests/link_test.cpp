@@ -172,7 +172,7 @@ TEST_CASE("a parameter, a place and a side beside --session go over what it says
   REQUIRE_FALSE(save_session(session, path));
   const Session plain = opened_by("knit-mesh " + path);
   check_same(session, plain);
-  const Session tuned = opened_by("knit-mesh --session " + path + " --close none --at rows:5:1 --side step");
+  const Session tuned = opened_by("knit-mesh --session " + path + " --close none --at rows:5:2 --side step");
   CHECK(tuned.document->timeline.base_parameters().rows.close == knit::Closing::none);
   CHECK(tuned.document->timeline.place() == knit::Place{knit::Stage::rows, 5, 1});
   CHECK(tuned.view->side == SidePanel::step);

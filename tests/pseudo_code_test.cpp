@@ -337,7 +337,7 @@ TEST_CASE("the option explain prints the code with one mark, the values and the 
   const Answer answer = explain_answer(session);
   CHECK(answer.exit_code == exit_done);
   const auto lines = test_support::lines_of(answer.out);
-  CHECK(lines[0] == "rows:5:9\tAlgorithm 2: a row from a ring");
+  CHECK(lines[0] == "rows:5:10\tAlgorithm 2: a row from a ring");
   CHECK(lines[1] == sentence(session));
   CHECK(std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line[0] == '>'; }) == 1);
   CHECK(contains(answer.out, "\nepsilon\t\xCE\xB5\t0.15\t"));

@@ -75,6 +75,9 @@ TEST_CASE("every step has numbers in words") {
       CHECK_FALSE(value.empty());
     }
   }
+  // Places have 0 first in the steps, and 1 for whoever reads.
+  const auto placed = numbers_of({{}, knit::MainPlaced{0, 1}});
+  CHECK(placed.front() == std::pair<std::string, std::string>{"cell", "1"});
   const auto grouped = numbers_of({{}, knit::LevelsGrouped{64, 0, -1, 0, 1e-5}});
   CHECK(std::any_of(grouped.begin(), grouped.end(), [](const auto& line) { return line.second == "none"; }));
 }

@@ -135,7 +135,7 @@ TEST_CASE("sentences: what the test looks for is found") {
   CHECK(fault_of("The cuts are 1 stitch widths apart.") == "1 stitch widths");
   CHECK(fault_of("It is left out and and said.") == "and twice");
   for (const char* sound :
-       {"11 stitches.", "1 stitch.", "Main stitch 1 goes to cell 0.", "In 1 pass.", "2.1 rounds."})
+       {"11 stitches.", "1 stitch.", "Main stitch 1 goes to cell 1.", "In 1 pass.", "2.1 rounds."})
     CHECK(fault_of(sound) == "");
 }
 

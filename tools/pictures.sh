@@ -22,12 +22,12 @@ options_of() {
   case $1 in
     empty) echo "--empty" ;;
     start) echo "--example thesis-sphere --at 0" ;;
-    row) echo "--example thesis-sphere --at rows:14:12 --list candidates" ;;
+    row) echo "--example thesis-sphere --at rows:14:13 --list candidates" ;;
     stall | debug-stall) echo "$small_epsilon --break stall --list candidates" ;;
-    labels) echo "--example vase --at stitches:15:14" ;;
+    labels) echo "--example vase --at stitches:15:15" ;;
     finished) echo "--example thesis-sphere" ;;
     lesson) echo "--lesson what-it-does --lesson-page 4" ;;
-    split) echo "--example torus --axis x --rows contours --placement nearest --at rows:13:2 --side tubes" ;;
+    split) echo "--example torus --axis x --rows contours --placement nearest --at rows:13:3 --side tubes" ;;
     hold) echo "--example octopus --at rows:57 --side tubes" ;;
     limbs) echo "--example octopus --settle on --side report" ;;
     chart) echo "--example vase --preset best-rows --centre chart --side pattern" ;;

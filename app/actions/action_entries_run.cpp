@@ -51,7 +51,10 @@ Read read_row(const Session& session, const std::string& typed) {
 Read read_place(const Session& /*session*/, const std::string& typed) {
   const auto at = parse_at(typed);
   if (!at)
-    return quoted(typed) + " is no place; give STAGE, STAGE:ROW, STAGE:ROW:ITEM, a step's number or end.";
+    return quoted(typed) +
+           " is no place; give STAGE, STAGE:ROW, STAGE:ROW:ITEM, a step's number or end; rows and items "
+           "count "
+           "from 1.";
   if (const auto* place = std::get_if<knit::Place>(&*at)) return SeekPlace{*place};
   if (const auto* stage = std::get_if<AtStage>(&*at)) return SeekPlace{{stage->stage, -1, 0}};
   if (const auto* step = std::get_if<std::size_t>(&*at)) return SeekTo{*step};
@@ -89,8 +92,7 @@ std::variant<knit::Element, std::string> read_thing(const Session& session, cons
   if (!thing) {
     return quoted(typed) +
            " is no thing; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
-           "label:ROW:ITEM or "
-           "a vertex's number.";
+           "label:ROW:ITEM, rows and items from 1, or a vertex's number.";
   }
   const auto* mesh_vertex = std::get_if<knit::VertexElement>(&*thing);
   const std::size_t count = session.document->timeline.input().mesh.positions.size();
@@ -144,15 +146,15 @@ void add_things(EntryList& list) {
             ActionPrompt{"Vertex", "12", read_about<Select>}, list.unless_open()});
   list.add({"Select stitch or face...", group::finding,
             "Also edge, column, face and label, or a vertex: lights it in the view, the chart and the lists.",
-            ActionPrompt{"Thing", "stitch:2:0", read_about<Select>}, list.unless_open()});
+            ActionPrompt{"Thing", "stitch:2:1", read_about<Select>}, list.unless_open()});
   list.add({"Look at a stitch or face...", group::finding, "As select; the view turns to it.",
-            ActionPrompt{"Thing", "stitch:2:0", read_about<LookAt>}, list.unless_open()});
+            ActionPrompt{"Thing", "stitch:2:1", read_about<LookAt>}, list.unless_open()});
   list.add({"Light edges of a size...", group::finding,
             "All course edges, wale edges or corners of a size: lights them in the view.",
             ActionPrompt{"Size", "wale:1.5", read_sizes}, list.unless_open()});
   list.add({"Why is it there...", group::finding,
             "Goes to the step that made it, or decided on it; a number alone is a vertex.",
-            ActionPrompt{"Thing", "stitch:2:0", read_about<ShowWhy>}, list.unless_open()});
+            ActionPrompt{"Thing", "stitch:2:1", read_about<ShowWhy>}, list.unless_open()});
   for (const WhyQuestion& question : why_questions())
     list.add({std::string(question.words), group::finding, std::string(question.help),
               GoTo{std::string(question.where)}, list.unless_open()});

@@ -8,15 +8,6 @@
 
 namespace app {
 
-namespace {
-
-std::string words_of_place(const knit::Place& place) {
-  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
-         std::to_string(place.item);
-}
-
-}  // namespace
-
 std::optional<std::string> go_to(Session& session, const At& at) {
   knit::Timeline& timeline = session.document->timeline;
   if (std::holds_alternative<AtEnd>(at)) {
@@ -40,8 +31,8 @@ std::optional<std::string> go_to(Session& session, const At& at) {
   const auto& place = std::get<knit::Place>(at);
   apply(session, SeekPlace{place});
   if (timeline.place() == place) return std::nullopt;
-  return "the run has no place " + words_of_place(place) + "; showing the nearest before it, " +
-         words_of_place(timeline.place()) + ".";
+  return "the run has no place " + text_of(place) + "; showing the nearest before it, " +
+         text_of(timeline.place()) + ".";
 }
 
 namespace {
@@ -174,11 +165,11 @@ void settle(Session& session) {
 std::string place_note(const knit::Place& wanted, const knit::Place& shown, const knit::Place& next) {
   if (wanted == shown || !is_of_a_step(wanted)) return {};
   const bool other_stage = wanted.stage != shown.stage;
-  std::string text = words_of_row(wanted, other_stage) + ", item " + std::to_string(wanted.item) +
+  std::string text = words_of_row(wanted, other_stage) + ", item " + std::to_string(wanted.item + 1) +
                      ", is not in this run; showing " + words_of_row(shown, other_stage) + ", ";
   text.front() = wanted.row == 0 ? 'T' : 'R';
   const bool last = next.stage != shown.stage || next.row != shown.row;
-  return text + (last ? "its last step." : "item " + std::to_string(shown.item) + ".");
+  return text + (last ? "its last step." : "item " + std::to_string(shown.item + 1) + ".");
 }
 
 void forget_place(Session& session) {

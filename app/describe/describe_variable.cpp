@@ -414,8 +414,8 @@ void VariableLight::index() {
   if (is(var::doubled)) return links(true, false);
   if (is(var::longest)) return links(false, true);
   if (is(var::cell, var::label, var::main)) {
-    if (main != nullptr) return cell(main->cell, "cell " + std::to_string(main->cell));
-    if (shaping != nullptr) return cell(shaping->cell, "cell " + std::to_string(shaping->cell));
+    if (main != nullptr) return cell(main->cell, "cell " + std::to_string(main->cell + 1));
+    if (shaping != nullptr) return cell(shaping->cell, "cell " + std::to_string(shaping->cell + 1));
   }
   if (is(var::partner) && shaping != nullptr) return cell(shaping->partner, "partner");
   const knit::Join* plan = join_shown(state_, at_.step->place.row);

@@ -48,7 +48,7 @@ constexpr std::array terms{
     Term{"cell", "",
          "A place in the list that says how one row becomes the next. There is one for each stitch of the "
          "larger of "
-         "the two rows, counted from 0, and each gets a label.",
+         "the two rows, counted from 1, and each gets a label.",
          "label, link, strip", "docs/algorithm.md, Stitch index"},
     Term{"coefficient of variation", "CV",
          "How uneven lengths are: their standard deviation divided by their mean. 0 means that all are "

@@ -73,7 +73,7 @@ struct ElementWords {
     return "face " + str(f.face + 1) + " into row " + str(f.row);
   }
   std::string operator()(const knit::LabelElement& l) const {
-    return "label of cell " + str(l.cell) + " into row " + str(l.row);
+    return "label of cell " + str(l.cell + 1) + " into row " + str(l.row);
   }
   std::string operator()(const knit::VertexElement& v) const { return "vertex " + str(v.vertex); }
 };
@@ -332,7 +332,7 @@ std::string text_of(const knit::Element& thing) {
   const std::string key(keys.at(thing.index()));
   if (const auto* v = std::get_if<knit::VertexElement>(&thing)) return key + ":" + str(v->vertex);
   const RowAndItem at = std::visit(Parts{}, thing);
-  return key + ":" + str(at.row) + ":" + str(at.item);
+  return key + ":" + str(at.row) + ":" + str(at.item + 1);
 }
 
 std::optional<knit::Element> thing_named(const std::string& text) {
@@ -349,8 +349,8 @@ std::optional<knit::Element> thing_named(const std::string& text) {
   const auto item = whole_number<std::int32_t>(parts[2]);
   const auto kind = static_cast<std::size_t>(key - keys.begin());
   const bool label = kind == 4;  // a deal has none
-  if (!row || !item || *row == 0 || (label && *row < 0) || *item < 0) return std::nullopt;
-  return thing_of(kind, {*row, *item});
+  if (!row || !item || *row == 0 || (label && *row < 0) || *item < 1) return std::nullopt;
+  return thing_of(kind, {*row, *item - 1});
 }
 
 std::string why_words(const knit::Timeline& timeline, const knit::Element& thing) {

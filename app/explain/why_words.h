@@ -9,10 +9,10 @@
 
 namespace app {
 
-// "stitch 4 of row 14": as people and the program's sentences count, stitches and faces from 1, cells from 0.
+// "stitch 4 of row 14": as people and the program's sentences count, all from 1 but vertices.
 std::string words_of(const knit::Element& thing);
 
-// "stitch:14:3": rows from 1, items from 0. Nothing where it cannot be read.
+// "stitch:14:3": rows and items from 1, vertices from 0. Nothing where it cannot be read.
 std::string text_of(const knit::Element& thing);
 std::optional<knit::Element> thing_named(const std::string& text);
 

@@ -4,6 +4,7 @@
 
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
+#include "app/session/at.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
@@ -50,8 +51,7 @@ void add_place(Link& link, const knit::Timeline& timeline) {
   if (timeline.position() == 0 && !timeline.sought()) return link.add("--at", "0");
   const knit::Place at = timeline.sought().value_or(timeline.place());
   if (at.stage == knit::Stage::done) return link.add("--at", "end");
-  link.add("--at", std::string(knit::name_of(at.stage)) + ":" + std::to_string(at.row) + ":" +
-                       std::to_string(at.item));
+  link.add("--at", text_of(at));
 }
 
 void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternPieces& pieces) {

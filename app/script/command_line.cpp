@@ -435,7 +435,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
       return bad_usage(
           "--at cannot be \"" + words.at +
           "\"; give end, a number of steps, or STAGE[:ROW[:ITEM]] with a stage of timing, cast-on, rows, "
-          "stitches, faces, pattern.");
+          "stitches, faces, pattern; rows and items count from 1.");
     }
   }
   if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);

@@ -13,6 +13,7 @@
 #include "app/files/load.h"
 #include "app/files/session_file.h"
 #include "app/session/action.h"
+#include "app/session/at.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/program.h"
@@ -121,9 +122,7 @@ char mark_of(const Explained& at, std::size_t line) {
 
 std::string place_line(const Explained& at) {
   if (at.step == nullptr) return "start";
-  const knit::Place& place = at.step->place;
-  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
-         std::to_string(place.item) + (at.stopped ? "\tstopped" : "");
+  return text_of(at.step->place) + (at.stopped ? "\tstopped" : "");
 }
 
 std::string padded(std::size_t number) { return (number < 10 ? " " : "") + std::to_string(number); }
@@ -223,15 +222,10 @@ Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
 
 namespace {
 
-std::string place_text(const knit::Place& place) {
-  return std::string(knit::name_of(place.stage)) + ":" + std::to_string(place.row) + ":" +
-         std::to_string(place.item);
-}
-
 // A step: its number and place, its sentence, its numbers one a line.
 std::string step_text(const knit::Timeline& timeline, const std::string& what, std::size_t index) {
   const knit::Step& step = timeline.step(index);
-  std::string text = what + "\tstep " + std::to_string(index + 1) + "\t" + place_text(step.place) + "\t" +
+  std::string text = what + "\tstep " + std::to_string(index + 1) + "\t" + text_of(step.place) + "\t" +
                      std::string(knit::kind_name(step)) + "\n";
   text += knit::narrate(step, timeline.parameters_of_step(index)) + "\n";
   for (const auto& [name, value] : numbers_of(step)) {
@@ -283,7 +277,7 @@ std::optional<std::string> fault_of_why(const std::string& thing) {
   if (thing_named(thing) || row_named(thing) || thing == longest_wale_words) return std::nullopt;
   return "--why cannot be \"" + thing +
          "\"; give row:ROW, longest wale, stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
-         "label:ROW:ITEM or vertex:ID, rows from 1 and items from 0; ROW -1 is the first deal, with its "
+         "label:ROW:ITEM or vertex:ID, rows and items from 1; ROW -1 is the first deal, with its "
          "bridge.";
 }
 

@@ -17,6 +17,10 @@ struct AtStage {
 };  // its first step
 using At = std::variant<AtEnd, std::size_t, AtStage, knit::Place>;
 
+// Rows and items count from 1; a stage without rows has row 0. Inside, a Place's items count from 0.
 std::optional<At> parse_at(const std::string& text);
+
+// "rows:12:3", as parse_at reads it. An item beyond all is the greatest that can be written.
+std::string text_of(const knit::Place& place);
 
 }  // namespace app

@@ -30,7 +30,7 @@ inline constexpr CodeVariable anchor{"anchor", "v0",
                                      "The anchor: the stitch from which the next is measured."};
 inline constexpr CodeVariable candidate{"candidate", "vi",
                                         "The candidate: the vertex that is measured, or taken."};
-inline constexpr CodeVariable order{"order", "i", "The candidate's place in the ring, from 0."};
+inline constexpr CodeVariable order{"order", "i", "The candidate's place in the ring, from 1."};
 inline constexpr CodeVariable d{"d", "d", "The distance from the anchor to the candidate, by the metric."};
 inline constexpr CodeVariable metric{"metric", "d2",
                                      "The ruler: through the air, along the ring or along the surface."};

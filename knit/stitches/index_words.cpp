@@ -54,14 +54,14 @@ StepFields RowsMatched::numbers() const {
 }
 
 std::string MainPlaced::sentence(const Telling& at) const {
-  return at.row() + ": main stitch " + std::to_string(of_mains) + " goes to cell " + std::to_string(cell) +
-         ".";
+  return at.row() + ": main stitch " + std::to_string(of_mains) + " goes to cell " +
+         std::to_string(cell + 1) + ".";
 }
 StepFields MainPlaced::numbers() const { return {{var::cell, cell}, {var::main, of_mains}}; }
 
 std::string ShapingPlaced::sentence(const Telling& at) const {
-  return at.row() + ": " + std::string(name_of(label)) + " goes to cell " + std::to_string(cell) +
-         ", working with cell " + std::to_string(partner) + " (" + std::to_string(count) + " placed).";
+  return at.row() + ": " + std::string(name_of(label)) + " goes to cell " + std::to_string(cell + 1) +
+         ", working with cell " + std::to_string(partner + 1) + " (" + std::to_string(count) + " placed).";
 }
 StepFields ShapingPlaced::numbers() const {
   return {{var::label, name_of(label)}, {var::cell, cell}, {var::partner, partner}, {var::placed, count}};

@@ -20,7 +20,7 @@ inline constexpr CodeVariable remainder{"remainder", "left over", "What equal sp
 inline constexpr CodeVariable mains_set{"mains_set", "mains", "How many mains are set."};
 inline constexpr CodeVariable main{"main", "main", "The number of the main that is set, from 1."};
 inline constexpr CodeVariable cell{"cell", "cell",
-                                   "The place in the larger row that gets the label, from 0."};
+                                   "The place in the larger row that gets the label, from 1."};
 inline constexpr CodeVariable label{"label", "label", "What is knitted there."};
 inline constexpr CodeVariable partner{"partner", "partner",
                                       "The cell that an increase or decrease works with."};

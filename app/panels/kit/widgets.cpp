@@ -275,7 +275,7 @@ std::string with_capital(std::string words) {
 std::string words_of(const knit::Place& place) {
   std::string words = capitalised(knit::name_of(place.stage));
   if (place.row > 0) words += ", row " + std::to_string(place.row);
-  return words + ", item " + std::to_string(place.item);
+  return words + ", item " + std::to_string(place.item + 1);
 }
 
 void boxed_text(const PanelFrame& frame, ImVec2 at, const std::string& words, Colour colour) {

@@ -12,6 +12,12 @@ bool CandidateList::refresh(const knit::Timeline& timeline, std::int32_t row) {
   if (key == key_) return false;
   key_ = std::move(key);
   table_ = knit::candidates_of(timeline, row);
+  stitches_.assign(table_.candidates.size(), 0);
+  std::int32_t kept = 0;
+  for (const knit::Candidate& candidate : table_.candidates) {
+    if (candidate.verdict <= knit::CandidateVerdict::taken)
+      stitches_.at(static_cast<std::size_t>(candidate.order)) = ++kept;
+  }
   sort();
   return true;
 }
@@ -36,6 +42,8 @@ void CandidateList::sort() {
         return x.vertex < y.vertex;
       case CandidateColumn::distance:
         return x.distance < y.distance;
+      case CandidateColumn::stitch:
+        return stitch_of(x.order) < stitch_of(y.order);
       case CandidateColumn::verdict:
         break;
     }

@@ -12,7 +12,7 @@
 
 namespace app {
 
-enum class CandidateColumn : std::uint8_t { order, vertex, distance, verdict };
+enum class CandidateColumn : std::uint8_t { order, vertex, distance, verdict, stitch };
 
 class CandidateList {
  public:
@@ -25,6 +25,10 @@ class CandidateList {
   [[nodiscard]] const knit::Candidate& at(std::size_t line) const { return table_.candidates[lines_[line]]; }
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] std::size_t line_of(std::int32_t order) const;
+  // Which stitch of its row a candidate became as it was picked, from 1; 0: none.
+  [[nodiscard]] std::int32_t stitch_of(std::int32_t order) const {
+    return stitches_[static_cast<std::size_t>(order)];
+  }
 
   // The place in the ring of what is selected: a vertex, or a stitch picked at one.
   [[nodiscard]] std::optional<std::int32_t> order_of(const knit::Timeline& timeline,
@@ -45,7 +49,8 @@ class CandidateList {
 
   Key key_;
   knit::CandidateTable table_;
-  std::vector<std::size_t> lines_;  // indices of candidates, sorted
+  std::vector<std::size_t> lines_;      // indices of candidates, sorted
+  std::vector<std::int32_t> stitches_;  // by order
   CandidateColumn column_ = CandidateColumn::order;
   bool falling_ = false;
 };

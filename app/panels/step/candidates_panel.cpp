@@ -145,7 +145,7 @@ void pick_out(const PanelFrame& frame, const CandidatePlot& plot, const Stand& s
 
 std::string words_of(const knit::Candidate& candidate) {
   std::string words =
-      "Vertex " + std::to_string(candidate.vertex) + ", place " + std::to_string(candidate.order) + ": ";
+      "Vertex " + std::to_string(candidate.vertex) + ", place " + std::to_string(candidate.order + 1) + ": ";
   if (candidate.step == knit::no_step) return words + "never reached so far.";
   if (candidate.verdict == CandidateVerdict::first) return words + "the row begins here.\nClick: go there.";
   return words + knit::short_number(candidate.distance) + " from stitch " + std::to_string(candidate.stitch) +
@@ -156,9 +156,9 @@ void draw_ring_axis(const PanelFrame& frame, const CandidatePlot& plot, const St
                     const RingScale& scale) {
   std::vector<AxisWord> words;
   if (plot.current)
-    words.push_back({scale.x_of(*plot.current), 0.5f, std::to_string(*plot.current), theme().text});
-  words.push_back({stand.ground.x, 0.0f, "place 0"});
-  words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.places - 1)});
+    words.push_back({scale.x_of(*plot.current), 0.5f, std::to_string(*plot.current + 1), theme().text});
+  words.push_back({stand.ground.x, 0.0f, "place 1"});
+  words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.places)});
   draw_axis_words(frame, stand, words);
 }
 
@@ -299,11 +299,13 @@ void draw_line(PanelFrame& frame, const knit::Candidate& candidate, bool lit, bo
   if (ImGui::IsItemHovered()) tooltip(frame, tip_of(frame, candidate));
   ImGui::SameLine(0.0f, 0.0f);
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
-  text(order);
+  text(std::to_string(candidate.order + 1));
   ImGui::PopStyleColor();
   cell(std::to_string(candidate.vertex), colour, true);
   cell(reached ? knit::short_number(candidate.distance) : "\xE2\x80\x93", colour, true);
   cell(std::string(knit::name_of(candidate.verdict)), colour, false);
+  const std::int32_t stitch = frame.own<CandidateList>().stitch_of(candidate.order);
+  cell(stitch > 0 ? std::to_string(stitch) : "", colour, true);
 }
 
 void read_sorting(CandidateList& list) {
@@ -316,13 +318,14 @@ void read_sorting(CandidateList& list) {
 
 void draw_header(PanelFrame& frame) {
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("Order", ImGuiTableColumnFlags_WidthStretch, 0.21f);
-  ImGui::TableSetupColumn("Vertex", ImGuiTableColumnFlags_WidthStretch, 0.24f);
-  ImGui::TableSetupColumn("Distance", ImGuiTableColumnFlags_WidthStretch, 0.27f);
-  ImGui::TableSetupColumn("Verdict", ImGuiTableColumnFlags_WidthStretch, 0.33f);
+  ImGui::TableSetupColumn("Order", ImGuiTableColumnFlags_WidthStretch, 0.20f);
+  ImGui::TableSetupColumn("Vertex", ImGuiTableColumnFlags_WidthStretch, 0.22f);
+  ImGui::TableSetupColumn("Distance", ImGuiTableColumnFlags_WidthStretch, 0.26f);
+  ImGui::TableSetupColumn("Verdict", ImGuiTableColumnFlags_WidthStretch, 0.30f);
+  ImGui::TableSetupColumn("Stitch", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
-  for (int column = 0; column < 4; ++column) {
+  for (int column = 0; column < 5; ++column) {
     ImGui::TableSetColumnIndex(column);
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     frame.mark("candidates/sort/" + std::to_string(column));
@@ -345,7 +348,7 @@ void draw_table(PanelFrame& frame, const std::optional<std::int32_t>& current,
   constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                     ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Sortable;
   const float height = std::max(frame.units(least_table), ImGui::GetContentRegionAvail().y);
-  if (!ImGui::BeginTable("candidate table", 4, flags, ImVec2(0.0f, height))) return;
+  if (!ImGui::BeginTable("candidate table", 5, flags, ImVec2(0.0f, height))) return;
   CandidateList& list = frame.own<CandidateList>();
   draw_header(frame);
   read_sorting(list);

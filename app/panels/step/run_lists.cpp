@@ -13,7 +13,6 @@
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "app/session/remarks.h"
-#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
 #include "knit/insight/why.h"
