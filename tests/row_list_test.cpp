@@ -1,5 +1,5 @@
 // The list of rows in its panel, and the same as CSV.
-#include "app/files/row_table.h"
+#include "app/session/row_table.h"
 
 #include <cmath>
 #include <string>

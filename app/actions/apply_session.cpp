@@ -5,12 +5,12 @@
 #include "app/files/link.h"
 #include "app/files/preferences_file.h"
 #include "app/files/rescue.h"
-#include "app/files/row_table.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
+#include "app/session/row_table.h"
 
 namespace app {
 

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "app/base/text.h"
-#include "app/files/row_table.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "app/session/preferences.h"
 #include "app/session/program.h"
+#include "app/session/row_table.h"
 #include "knit/insight/causes.h"
 #include "knit/insight/why.h"
 #include "knit/model/words.h"

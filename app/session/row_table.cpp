@@ -1,4 +1,4 @@
-#include "app/files/row_table.h"
+#include "app/session/row_table.h"
 
 #include <glm/geometric.hpp>
 
