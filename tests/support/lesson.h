@@ -112,7 +112,7 @@ inline std::string wrong_answer(const app::Session& session, const app::Question
       break;
     case app::AnswerKind::stitch: {
       const std::string row = truth.answers.front().substr(0, truth.answers.front().rfind(':') + 1);
-      for (int stitch = 0; stitch < 200; ++stitch) {
+      for (int stitch = 1; stitch < 200; ++stitch) {
         if (!is_right(row + std::to_string(stitch))) return row + std::to_string(stitch);
       }
     }
