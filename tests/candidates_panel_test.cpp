@@ -44,6 +44,22 @@ TEST_CASE("candidates: a line each, and a click goes to the step that decided") 
   CHECK(count_of<ShowWhy>(desk.click("plot/candidates", 0.7f)) == 1);
 }
 
+TEST_CASE("candidates: those that were kept have their stitch's number, from 1") {
+  Desk desk(1280, 1200);
+  desk.open();
+  go_into_row(desk, 4);
+  const CandidateList& list = desk.ui.own<CandidateList>();
+  std::int32_t kept = 0;
+  for (const knit::Candidate& candidate : list.table().candidates) {
+    const bool is_kept = candidate.verdict <= knit::CandidateVerdict::taken;
+    CHECK(list.stitch_of(candidate.order) == (is_kept ? ++kept : 0));
+    if (is_kept)
+      CHECK(list.order_of(desk.session.document->timeline, knit::StitchElement{4, kept - 1}) ==
+            candidate.order);
+  }
+  CHECK(kept > 3);
+}
+
 TEST_CASE("candidates: sorted by what is clicked, both ways") {
   Desk desk;
   desk.open();
