@@ -25,7 +25,7 @@ std::string size_text(const PieceSize& size) {
   return size.height_cm ? cm_text(*size.height_cm) + " high and " + around : around + " at the widest";
 }
 
-std::string rounded(double value, double step) { return short_number(std::round(value / step) * step); }
+std::string to_step(double value, double step) { return short_number(std::round(value / step) * step); }
 
 }  // namespace
 
@@ -52,12 +52,12 @@ std::optional<Remark> remark_on_swatch(const Parameters& parameters) {
   const double share = gauge.stitches / gauge.rounds;  // a stitch's height over its width
   if (share >= flattest_stitch && share <= tallest_stitch) return std::nullopt;
   const std::string fabric =
-      "A stitch " + rounded(share, 0.01) +
-      " as high as it is wide is hardly knitted fabric: " + rounded(gauge.stitches, 0.1) + " stitches and " +
-      rounded(gauge.rounds, 0.1) + " rounds in 10 cm, where stockinette has 0.65 to 0.77.";
-  const std::string usual = rounded(gauge.stitches / height_of_width, 1.0);
+      "A stitch " + to_step(share, 0.01) +
+      " as high as it is wide is hardly knitted fabric: " + to_step(gauge.stitches, 0.1) + " stitches and " +
+      to_step(gauge.rounds, 0.1) + " rounds in 10 cm, where stockinette has 0.65 to 0.77.";
+  const std::string usual = to_step(gauge.stitches / height_of_width, 1.0);
   return Remark{RemarkKind::swatch, parameters.size.from() == SizesFrom::gauge
-                                        ? fabric + " " + rounded(gauge.stitches, 0.1) +
+                                        ? fabric + " " + to_step(gauge.stitches, 0.1) +
                                               " stitches go with about " + usual +
                                               " rounds; measure a swatch."
                                         : fabric + " Stitch height auto makes it 0.72."};

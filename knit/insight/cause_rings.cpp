@@ -12,7 +12,7 @@ namespace knit {
 
 namespace {
 
-struct Distances {
+struct RingDistances {
   double least = 0.0, most = 0.0;
   std::int32_t count = 0;
   void take(double distance) {
@@ -29,7 +29,7 @@ struct Distances {
 // Of stitches that stand `every` vertices after the one before: how far those taken lie, and those just before them.
 struct Pace {
   std::int32_t every = 1;
-  Distances taken, refused;
+  RingDistances taken, refused;
 };
 
 // A row's walk along its cycle, read from its steps.

@@ -1,6 +1,7 @@
 #include "knit/reader/published_needle.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "knit/reader/published_words.h"
@@ -30,15 +31,15 @@ void PublishedLoop::resize(std::int64_t count, PublishedStitch stitch) {
 PublishedHolder* PublishedHolders::find(const HolderWanted& wanted) {
   PublishedHolder* best = nullptr;
   int best_fit = -1;
-  for (auto held = all_.rbegin(); held != all_.rend(); ++held) {
-    if (held->emptied > 0 || !is_called(*held, wanted.name)) continue;
+  for (PublishedHolder& held : std::ranges::reverse_view(all_)) {
+    if (held.emptied > 0 || !is_called(held, wanted.name)) continue;
     int fit = 0;
-    if (wanted.count && held->loop.known && held->loop.count() == *wanted.count) fit += 4;
-    if (!wanted.name.empty() && wanted.name == held->name) fit += 2;
-    if (wanted.name.empty() && !wanted.section.empty() && !held->name.empty() &&
-        is_called(*held, wanted.section))
+    if (wanted.count && held.loop.known && held.loop.count() == *wanted.count) fit += 4;
+    if (!wanted.name.empty() && wanted.name == held.name) fit += 2;
+    if (wanted.name.empty() && !wanted.section.empty() && !held.name.empty() &&
+        is_called(held, wanted.section))
       fit += 2;
-    if (fit > best_fit) best = &*held, best_fit = fit;
+    if (fit > best_fit) best = &held, best_fit = fit;
   }
   return best;
 }
@@ -59,10 +60,10 @@ bool PublishedHolders::any_divided() const {
 }
 
 std::string PublishedHolders::why_not(const HolderWanted& wanted) const {
-  for (auto held = all_.rbegin(); held != all_.rend(); ++held) {
-    if (held->emptied > 0 && is_called(*held, wanted.name))
-      return "the holder" + of_the_name(held->name) + " is empty: its stitches were taken in " +
-             in_line(held->emptied) + ".";
+  for (const PublishedHolder& held : std::ranges::reverse_view(all_)) {
+    if (held.emptied > 0 && is_called(held, wanted.name))
+      return "the holder" + of_the_name(held.name) + " is empty: its stitches were taken in " +
+             in_line(held.emptied) + ".";
   }
   std::string there;
   for (const PublishedHolder& held : all_) {
@@ -103,17 +104,19 @@ std::string PublishedHolders::left_over() const {
     const std::string how_many = held.loop.known ? stitches_are(held.loop.count()) : "stitches are";
     const std::string place =
         std::string(" left on the ") + (held.waste ? "waste yarn" : "holder") + of_the_name(held.name);
-    text += (text.empty() ? "" : "; ") + how_many + place + " (" + in_line(held.line) + ")";
+    text += text.empty() ? "" : "; ";
+    text += how_many;
+    text += place + " (" + in_line(held.line) + ")";
   }
   return text.empty() ? "" : text + ".";
 }
 
 std::string PublishedHolders::forgotten(std::int64_t missing, std::size_t line) {
-  for (auto held = all_.rbegin(); held != all_.rend(); ++held) {
-    if (held->emptied > 0 || !held->loop.known || held->loop.count() != missing || missing < 1) continue;
-    held->emptied = line;
-    return "; " + std::to_string(missing) + of_the_name(held->name) + (missing == 1 ? " is" : " are") +
-           " still held (" + in_line(held->line) + ")";
+  for (PublishedHolder& held : std::ranges::reverse_view(all_)) {
+    if (held.emptied > 0 || !held.loop.known || held.loop.count() != missing || missing < 1) continue;
+    held.emptied = line;
+    return "; " + std::to_string(missing) + of_the_name(held.name) + (missing == 1 ? " is" : " are") +
+           " still held (" + in_line(held.line) + ")";
   }
   return "";
 }

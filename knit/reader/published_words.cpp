@@ -221,7 +221,7 @@ bool read_hold(PublishedPart& part) {
 }
 
 std::string taken_name(const Tokens& tokens) {
-  const std::string name = holder_name(whose(tokens));
+  std::string name = holder_name(whose(tokens));
   if (!name.empty()) return name;
   const std::size_t held = find_word(tokens, {"held"});
   if (held + 1 < tokens.size() && tokens[held + 1].is("for"))

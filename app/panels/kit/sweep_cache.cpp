@@ -16,8 +16,8 @@ double rounded(double value) {
   return std::round(value / unit) * unit;
 }
 
-std::optional<double> figure_of(SweepFigure figure, const SweepRun& run) {
-  const RunFigures& f = run.figures;
+std::optional<double> figure_of(SweepFigure figure, const SweepRun& swept) {
+  const RunFigures& f = swept.figures;
   switch (figure) {
     case SweepFigure::problems:
       return static_cast<double>(f.problems);
@@ -32,15 +32,15 @@ std::optional<double> figure_of(SweepFigure figure, const SweepRun& run) {
     case SweepFigure::most_in_a_row:
       return static_cast<double>(f.most_in_a_row);
     case SweepFigure::tubes:
-      return static_cast<double>(run.tubes.tubes);
+      return static_cast<double>(swept.tubes.tubes);
     case SweepFigure::yarns:
-      return static_cast<double>(run.tubes.yarns);
+      return static_cast<double>(swept.tubes.yarns);
     case SweepFigure::holders:
-      return static_cast<double>(run.tubes.holders);
+      return static_cast<double>(swept.tubes.holders);
     case SweepFigure::left_out:
-      return static_cast<double>(run.tubes.left_out);
+      return static_cast<double>(swept.tubes.left_out);
     case SweepFigure::uncovered:
-      return run.uncovered ? std::optional(100.0 * *run.uncovered) : std::nullopt;
+      return swept.uncovered ? std::optional(100.0 * *swept.uncovered) : std::nullopt;
   }
   return std::nullopt;
 }
