@@ -1,5 +1,5 @@
 // Finding what can be done by what is typed, and what the palette offers in a session.
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 
 #include <algorithm>
 #include <set>

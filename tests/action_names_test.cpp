@@ -1,5 +1,5 @@
 // Every action has a name, an entry in the palette, and a button, a line of a menu or a place to point at.
-#include "app/actions/action_names.h"
+#include "app/entries/action_names.h"
 #include "app/panels/pattern/pattern_parts.h"
 
 #include <set>

@@ -1,6 +1,6 @@
 // The palette of all actions by keyboard and mouse, and the ways that lead there.
 #include "app/panels/dialogs/action_palette.h"
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 #include "app/panels/dialogs/file_dialogs.h"
 #include "app/session/document.h"
 #include "app/session/program.h"

@@ -107,12 +107,17 @@ const std::vector<Arrow> arrows{
     {"app/describe",
      {"knit/", "app/base", "app/scene", "app/session", "app/explain", "app/lessons"},
      {"glm/"}},
+    {"app/facing", {"knit/", "app/scene", "app/session", "app/describe"}, {"glm/"}},
     {"app/files", {"knit/", "app/base", "app/session", "app/describe"}, {json[0], json[1], "unistd.h"}},
     {"app/reader", {"knit/import", "knit/stitches", "knit/reader", "app/base"}, {json[0], json[1]}},
     {"app/actions",
      {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/describe",
-      "app/files"},
+      "app/facing", "app/files"},
      {json[0], json[1]}},
+    {"app/entries",
+     {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files",
+      "app/actions"},
+     {}},
     {"app/script",
      {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files",
       "app/reader", "app/actions"},
@@ -142,9 +147,9 @@ const std::vector<Arrow> arrows{
     {"app", {"knit/", "app/session", "app/actions", "app/script", "app/window"}, {}}};
 
 // Folders of the app that "app/" stands for: all that knows no window.
-const std::set<std::string> app_core{"app/base",    "app/scene",   "app/session",  "app/explain",
-                                     "app/compare", "app/lessons", "app/describe", "app/files",
-                                     "app/reader",  "app/actions", "app/script"};
+const std::set<std::string> app_core{
+    "app/base",   "app/scene", "app/session", "app/explain", "app/compare", "app/lessons", "app/describe",
+    "app/facing", "app/files", "app/reader",  "app/actions", "app/entries", "app/script"};
 
 bool may_include(const Arrow& arrow, const std::string& folder) {
   const auto names = [&](const std::string& ours) {

@@ -138,8 +138,13 @@ TEST_CASE("compare: tubes that changed their names are known by their place on o
 }
 
 TEST_CASE("compare and sweep: one is not many") {
-  CHECK(contains(words_of(FirstRow{3, RowDiffers::size, 1, 2}), ": 1 stitch and 2."));
-  CHECK(contains(words_of(FirstRow{3, RowDiffers::places, 2, 2}), ": 2 stitches in both, "));
+  RunDifference difference;
+  difference.rows = 4;
+  difference.rows_differ = 1;
+  difference.first_row = FirstRow{3, RowDiffers::size, 1, 2};
+  CHECK(rows_words(difference) == "1 of 4 rows differs, first row 3: 1 stitch and 2.");
+  difference.first_row = FirstRow{3, RowDiffers::places, 2, 2};
+  CHECK(contains(rows_words(difference), ": 2 stitches in both, "));
   CHECK(words_of(TubeLine{"C", "B", 1, 2, 5, 1}) ==
         "Tube B, C before, has 2 rounds, 1 before, and 1 stitch, 5 before.");
   CHECK(with_commas(1, "run", "runs") == "1 run");

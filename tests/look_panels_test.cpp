@@ -1,7 +1,7 @@
 // Dragging, closing and opening panels, the look's menus, and the empty state: each act gives its one wish.
 #include <array>
 
-#include "app/session/every_panel.h"
+#include "app/session/preferences.h"
 #include "app/session/program.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"

@@ -1,7 +1,7 @@
 // Placed and settled positions beside each other: in what is written, in figures, in words and in what is kept.
 #include <nlohmann/json.hpp>
 
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 #include "app/explain/why_words.h"
 #include "app/files/card.h"
 #include "app/files/export.h"
@@ -142,7 +142,7 @@ TEST_CASE("positions: the card's figures have words of their own, and measure bo
   const auto closeness = closeness_now(*session.document);
   const CardFigures known{cache.quality(), closeness.get(), cache.both()};
   const auto groups = card_groups(known);
-  CHECK(groups.size() == 4);
+  CHECK(groups.size() == 3);
   std::set<std::string> names, helps;
   for (const CardGroup& group : groups) {
     for (const CardLine& line : group.lines) {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "app/actions/apply_parts.h"
-#include "app/session/every_panel.h"
 #include "app/session/outbox.h"
+#include "app/session/preferences.h"
 #include "app/session/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"

@@ -61,7 +61,7 @@ TEST_CASE("every edge is of some size, once, and ranges share them out") {
     REQUIRE(exists(state, thing.thing));
 }
 
-TEST_CASE("looking at a thing selects it and turns the view to it; what faces the viewer already stays") {
+TEST_CASE("looking at a thing selects it and turns the view to it and what faces the viewer already stays") {
   app::Session session = small_ball();
   const Timeline& timeline = session.document->timeline;
   const auto edges = things_of_size(timeline.state(), timeline.parameters().stitch, {Measured::wale, 0.0});

@@ -1,5 +1,5 @@
 // The view turns to what happens behind the surface: smoothly, not while a person turns it, and only where it is chosen.
-#include "app/describe/step_place.h"
+#include "app/facing/step_place.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -78,7 +78,7 @@ TEST_CASE("the camera turns until the place is in sight, by small turns, and not
   CHECK(turned_to(camera, place, 1.0) == camera);
 }
 
-TEST_CASE("what set the view has its way until the run goes on; then it turns, where that is chosen") {
+TEST_CASE("what set the view has its way until the run goes on and then it turns, where that is chosen") {
   Desk desk;
   stand_behind(desk);
   CHECK(desk.frame().empty());
@@ -129,7 +129,7 @@ TEST_CASE("played fast the view stays, and without motion it is there at once") 
   CHECK(facing(desk.session.view->gaze.camera, *step_place(desk.session)) > 0.2);
 }
 
-TEST_CASE("in a lesson the view follows, until a person says otherwise; left, it is as before") {
+TEST_CASE("in a lesson the view follows, until a person says otherwise and left, it is as before") {
   Desk desk;
   desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.act({StartLesson{"picking-a-row"}});

@@ -85,7 +85,7 @@ TEST_CASE("a lesson's worksheet has all of its pages, with what is right in each
   CHECK(session.document->timeline.position() == position);
 }
 
-TEST_CASE("in a window a worksheet waits for its pictures; without a lesson there is none") {
+TEST_CASE("in a window a worksheet waits for its pictures and without a lesson there is none") {
   Session session = test_support::small_session();
   apply(session, OpenExample{"sphere"});
   apply(session, Export{"worksheet", "sheet.html"});

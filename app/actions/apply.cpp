@@ -11,7 +11,7 @@
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
 #include "app/actions/playing.h"
-#include "app/describe/step_place.h"
+#include "app/facing/step_place.h"
 #include "app/files/export.h"
 #include "app/files/load.h"
 #include "app/files/pattern_export.h"

@@ -4,7 +4,7 @@
 #include "app/actions/apply_parts.h"
 #include "app/files/preferences_file.h"
 #include "app/session/document.h"
-#include "app/session/every_panel.h"
+#include "app/session/preferences.h"
 #include "app/session/program.h"
 
 namespace app {

@@ -173,11 +173,11 @@ namespace {
 std::string first_words(const FirstRow& row) {
   switch (row.how) {
     case RowDiffers::size:
-      return std::to_string(row.a) + " stitches and " + std::to_string(row.b) + ".";
+      return knit::plural(row.a, "stitch", "stitches") + " and " + std::to_string(row.b) + ".";
     case RowDiffers::places:
-      return std::to_string(row.a) + " stitches in both, in other places.";
+      return knit::plural(row.a, "stitch", "stitches") + " in both, in other places.";
     case RowDiffers::shaping:
-      return std::to_string(row.a) + " stitches in both, made by other increases or decreases.";
+      return knit::plural(row.a, "stitch", "stitches") + " in both, made by other increases or decreases.";
     case RowDiffers::missing:
       break;
   }

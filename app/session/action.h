@@ -177,7 +177,7 @@ struct SetFollowing {
 };  // whether the view turns to what happens behind the surface
 struct TurnToStep {
   double seconds = 0.0;
-};  // so far as it turns in this time; nothing where the step is in sight: app/describe/step_place.h
+};  // so far as it turns in this time; nothing where the step is in sight: app/facing/step_place.h
 struct SetAspect {
   double aspect = 1.6;
 };
@@ -332,8 +332,8 @@ using ActionKinds =
              ForgetRecent, StartLesson, LeaveLesson, TurnLesson, AnswerLesson, SetPredicting, Guess, PointAt,
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
-             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present, SetRing, ShowBoth,
-             SetFollowing, TurnToStep, CopyRows, ShowRowColumn>;
+             SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present,
+             SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

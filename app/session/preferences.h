@@ -16,6 +16,8 @@ namespace app {
 // What can be closed. The view cannot.
 enum class Panel : std::uint8_t { parameters, side, timeline };
 inline constexpr std::array<std::string_view, 3> panel_keys{"parameters", "side", "timeline"};
+// In ShowPanel: all that can be closed, at once.
+inline constexpr Panel every_panel{static_cast<Panel>(panel_keys.size())};
 
 // The line between two panels that can be dragged: its panel's width or height, in units of a plain screen.
 // 0: as there is room.

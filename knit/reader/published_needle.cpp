@@ -1,7 +1,6 @@
 #include "knit/reader/published_needle.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "knit/reader/published_words.h"
@@ -31,7 +30,8 @@ void PublishedLoop::resize(std::int64_t count, PublishedStitch stitch) {
 PublishedHolder* PublishedHolders::find(const HolderWanted& wanted) {
   PublishedHolder* best = nullptr;
   int best_fit = -1;
-  for (PublishedHolder& held : std::ranges::reverse_view(all_)) {
+  for (std::size_t i = all_.size(); i-- > 0;) {
+    PublishedHolder& held = all_[i];
     if (held.emptied > 0 || !is_called(held, wanted.name)) continue;
     int fit = 0;
     if (wanted.count && held.loop.known && held.loop.count() == *wanted.count) fit += 4;
@@ -60,7 +60,8 @@ bool PublishedHolders::any_divided() const {
 }
 
 std::string PublishedHolders::why_not(const HolderWanted& wanted) const {
-  for (const PublishedHolder& held : std::ranges::reverse_view(all_)) {
+  for (std::size_t i = all_.size(); i-- > 0;) {
+    const PublishedHolder& held = all_[i];
     if (held.emptied > 0 && is_called(held, wanted.name))
       return "the holder" + of_the_name(held.name) + " is empty: its stitches were taken in " +
              in_line(held.emptied) + ".";
@@ -112,7 +113,8 @@ std::string PublishedHolders::left_over() const {
 }
 
 std::string PublishedHolders::forgotten(std::int64_t missing, std::size_t line) {
-  for (PublishedHolder& held : std::ranges::reverse_view(all_)) {
+  for (std::size_t i = all_.size(); i-- > 0;) {
+    PublishedHolder& held = all_[i];
     if (held.emptied > 0 || !held.loop.known || held.loop.count() != missing || missing < 1) continue;
     held.emptied = line;
     return "; " + std::to_string(missing) + of_the_name(held.name) + (missing == 1 ? " is" : " are") +

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 #include "app/panels/dialogs/destination_field.h"
 #include "app/panels/kit/commands.h"
 

@@ -8,9 +8,9 @@
 #include "app/actions/navigate.h"
 #include "app/lessons/lesson.h"
 #include "app/session/document.h"
-#include "app/session/every_panel.h"
 #include "app/session/learning.h"
 #include "app/session/outbox.h"
+#include "app/session/preferences.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
 

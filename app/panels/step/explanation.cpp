@@ -143,7 +143,6 @@ void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
   const float width = ImGui::GetContentRegionAvail().x;
   glossary_wrapped_text(frame, words, colour);
   frame.mark("sentence");
-  draw_cause(frame);
   const float least = (width < frame.units(400.0f) ? 3.0f : 2.0f) * ImGui::GetTextLineHeight();
   const float spare = top + least - (ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
   if (spare > 0.0f) {
@@ -152,12 +151,17 @@ void draw_sentence(PanelFrame& frame, const std::string& words, Colour colour) {
   }
 }
 
+// The code and the lists need room there.
+bool is_low(const PanelFrame& frame) { return frame.layout.explanation.height < frame.units(820.0f); }
+
 void draw_last_step(PanelFrame& frame) {
   const knit::Step* stop = stop_shown(frame.session);
   const knit::Step* step = stop != nullptr ? stop : last_step(frame.session);
   draw_place(frame, step);
   draw_sentence(frame, sentence(frame.session), stop != nullptr ? theme().problem : theme().text);
+  if (!is_low(frame)) draw_cause(frame);
   draw_pseudo_code(frame);
+  if (is_low(frame)) draw_cause(frame);  // every line of the code and its values come first
 }
 
 struct Legend {
@@ -166,10 +170,7 @@ struct Legend {
 
 // The code and the lists need room: in a low window what there is to see folds away for them, unless a person
 // has said how it should be.
-bool shows_legend(const PanelFrame& frame) {
-  const bool low = frame.layout.explanation.height < frame.units(820.0f);
-  return frame.own<Legend>().open.value_or(!low);
-}
+bool shows_legend(const PanelFrame& frame) { return frame.own<Legend>().open.value_or(!is_low(frame)); }
 
 bool draw_fold(PanelFrame& frame) {
   const bool open = shows_legend(frame);

@@ -6,8 +6,8 @@
 
 #include "app/compare/beside_words.h"
 #include "app/describe/pick.h"
-#include "app/describe/step_place.h"
 #include "app/explain/why_words.h"
+#include "app/facing/step_place.h"
 #include "app/lessons/lesson.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/view_help.h"

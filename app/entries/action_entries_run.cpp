@@ -2,9 +2,9 @@
 #include <array>
 #include <cstdint>
 
-#include "app/actions/action_entries_parts.h"
 #include "app/actions/parameters_text.h"
 #include "app/base/text.h"
+#include "app/entries/action_entries_parts.h"
 #include "app/explain/destination.h"
 #include "app/explain/glossary.h"
 #include "app/explain/why_words.h"

@@ -1,4 +1,4 @@
-#include "app/describe/step_place.h"
+#include "app/facing/step_place.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/actions/action_names.h"
+#include "app/entries/action_names.h"
 
 #include <type_traits>
 #include <utility>

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/actions/action_entries_parts.h"
 #include "app/actions/navigate.h"
 #include "app/base/text.h"
+#include "app/entries/action_entries_parts.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
 #include "app/session/document.h"

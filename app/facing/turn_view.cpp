@@ -1,4 +1,4 @@
-#include "app/describe/turn_view.h"
+#include "app/facing/turn_view.h"
 
 #include <algorithm>
 #include <cmath>

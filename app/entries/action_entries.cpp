@@ -1,9 +1,9 @@
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 
 #include <algorithm>
 
-#include "app/actions/action_entries_parts.h"
 #include "app/base/word_search.h"
+#include "app/entries/action_entries_parts.h"
 #include "app/files/session_file.h"
 #include "app/lessons/lesson.h"
 #include "app/session/program.h"

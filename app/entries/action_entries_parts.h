@@ -1,7 +1,7 @@
 // The list of entries in the making; its parts stand in files of their own.
 #pragma once
 
-#include "app/actions/action_entries.h"
+#include "app/entries/action_entries.h"
 #include "app/session/document.h"
 
 namespace app {
