@@ -511,11 +511,11 @@ TEST_CASE("the current row is lit at every stage that goes through its stitches,
     REQUIRE(timeline.place().row == 3);
     const Scene scene = scene_of(session);
     const knit::Row& row = timeline.state().fabric.row(3);
-    for (const auto& [from, to] : knit::edges_of(row)) {
+    for (const auto& edge : knit::edges_of(row)) {
       const bool lit = std::any_of(scene.lines.begin(), scene.lines.end(), [&](const Line& line) {
         return line.colour == with_alpha(scene.theme->accepted, 235) && line.width_px > 3.0F &&
-               line.from == glm::vec3(row.stitches[from].position) &&
-               line.to == glm::vec3(row.stitches[to].position);
+               line.from == glm::vec3(row.stitches[edge.from].position) &&
+               line.to == glm::vec3(row.stitches[edge.to].position);
       });
       CHECK(lit);
     }

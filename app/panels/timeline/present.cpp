@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "app/actions/playing.h"
 #include "app/panels/kit/large_lines.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
@@ -103,7 +104,14 @@ void draw_thin_timeline(PanelFrame& frame) {
     const float margin = frame.units(8.0f);
     const float middle = box.y + 0.5f * box.height;
     const float half = frame.units(2.5f);
-    const Track track{box.x + margin, box.right() - margin, middle - half, middle + half, timeline->known()};
+    const Prelude prelude = prelude_of(*timeline);
+    const Track track{box.x + margin,
+                      box.right() - margin,
+                      middle - half,
+                      middle + half,
+                      timeline->known(),
+                      prelude.steps,
+                      prelude.share(timeline->known())};
     ImGui::InvisibleButton("track", ImVec2(box.width, box.height));
     frame.mark("track");
     if (ImGui::IsItemActive()) {
