@@ -153,7 +153,7 @@ std::string end_words(const knit::State& run, const knit::TubeEvent& event) {
   const std::string row = ", row " + str(end->id) + ", ";
   if (begins)
     return " Its first row" + row + "is cast on with " + knit::stitch_count_text(knit::size_of(*end)) + ".";
-  const bool whole = run.fabric.rows().size() > 0 && run.finished();
+  const bool whole = !run.fabric.rows().empty() && run.finished();
   return whole ? " Its last row" + row + "has " + knit::stitch_count_text(knit::size_of(*end)) + "." : "";
 }
 
