@@ -254,6 +254,31 @@ TEST_CASE("settle: a system of blocks is solved, and one that is not positive is
   CHECK_FALSE(solver.solve(system, 0.25, solution));
 }
 
+// The last four columns of a panel are worked at once, though it may have but two of them left: what is written then lies
+// behind it, and there must be room however short the panels after it are (found by the sanitizers).
+TEST_CASE("settle: long panels of an odd number of stitches stand before and behind a short one") {
+  for (const double lone : {-50.0, 50.0}) {
+    constexpr std::uint32_t many = 31;
+    std::vector<glm::dvec3> places;
+    Pairs pairs;
+    for (std::uint32_t i = 0; i < many; ++i) {
+      places.emplace_back(0.01 * i, 0.0, 0.0);
+      for (std::uint32_t j = 0; j < i; ++j) pairs.push_back({j, i});
+    }
+    places.emplace_back(lone, lone, lone);
+    const BlockPattern pattern = make_block_pattern(pairs, places);
+    BlockSystem system;
+    system.diagonal.assign(places.size(), Block{40.0, 0.0, 0.0, 40.0});
+    system.below.assign(pairs.size(), Block{1.0, 0.0, 0.0, 1.0});
+    system.right.assign(places.size(), glm::dvec2(70.0, 140.0));
+    system.right[pattern.place[many]] = {40.0, 80.0};
+    BlockSolver solver(pattern);
+    std::vector<glm::dvec2> solution;
+    REQUIRE(solver.solve(system, 0.0, solution));
+    for (const glm::dvec2& found : solution) CHECK(glm::length(found - glm::dvec2(1.0, 2.0)) < 1e-12);
+  }
+}
+
 TEST_CASE("settle: the graph of a tube has its edges, corners and rims") {
   test_support::HandTube tube;
   tube.sizes = {16, 16, 18};

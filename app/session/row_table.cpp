@@ -1,6 +1,7 @@
 #include "app/session/row_table.h"
 
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "app/session/document.h"
 #include "app/session/pins.h"
@@ -19,7 +20,8 @@ RowFacts facts_of_row(const knit::Row& row, double stitch_width) {
   for (const auto& [from, to] : edges)
     length += glm::distance(row.stitches[from].position, row.stitches[to].position);
   facts.course = length / (static_cast<double>(edges.size()) * stitch_width);
-  facts.holds = (row.ring ? row.ring->length : length) / stitch_width;
+  const std::shared_ptr<const knit::Ring> ring = row.ring.pointer();
+  facts.holds = (ring != nullptr ? ring->length : length) / stitch_width;
   return facts;
 }
 

@@ -265,7 +265,7 @@ void BlockSolver::refer_to(const BlockPattern& pattern, const Heard& heard) {
   panel_of_.resize(pattern.size());
   local_.resize(pattern.size());
   solved_.resize(2 * pattern.size());
-  std::size_t numbers = 0;
+  std::size_t numbers = 0, room = 0;
   double products = 0.0;
   for (std::uint32_t s = 0; s + 1 < pattern.panel.size(); ++s) {
     const std::size_t columns = pattern.panel[s + 1] - pattern.panel[s];
@@ -273,18 +273,18 @@ void BlockSolver::refer_to(const BlockPattern& pattern, const Heard& heard) {
     panels_.push_back({numbers, stride, 2 * columns});
     done_by_.push_back(products);
     numbers += stride * 2 * columns;
+    // Behind a panel four numbers may be read, and two columns written that mean nothing; panels after it are loaded later.
+    room = std::max(room, numbers + 2 * stride + 4);
     products += static_cast<double>(stride) * static_cast<double>(stride) * static_cast<double>(columns);
     for (std::uint32_t column = pattern.panel[s]; column < pattern.panel[s + 1]; ++column)
       panel_of_[column] = s;
   }
   for (double& done : done_by_) done /= products;
-  // Behind the last, four numbers may be read, and two columns written that mean nothing.
-  numbers += 4 + (panels_.empty() ? 0 : 2 * panels_.back().stride);
   numbers_.clear();
-  numbers_.reserve(numbers);
-  while (numbers_.size() < numbers) {  // new memory is slow to come
+  numbers_.reserve(room);
+  while (numbers_.size() < room) {  // new memory is slow to come
     if (heard) heard(0.0);
-    numbers_.resize(std::min(numbers, numbers_.size() + (std::size_t{1} << 20U)));
+    numbers_.resize(std::min(room, numbers_.size() + (std::size_t{1} << 20U)));
   }
   head_.resize(panels_.size());
   next_.resize(panels_.size());

@@ -65,7 +65,8 @@ std::string where_of(const LessonRun& run) {
 // Beside the view, while presenting: a line each.
 void draw_tall_head(PanelFrame& frame, const LessonRun& run) {
   push_font(frame.fonts.strong);
-  wrapped_text(run.shown() != nullptr ? run.shown()->title : run.lesson->title);
+  const LessonPage* page = run.shown();
+  wrapped_text(page != nullptr ? page->title : run.lesson->title);
   pop_font();
   frame.mark("lesson/title");
   wrapped_text(where_of(run), theme().faint_text);
