@@ -7,6 +7,7 @@
 #include "app/explain/destination_reader.h"
 #include "app/script/queries.h"
 #include "app/session/outbox.h"
+#include "knit/insight/causes.h"
 #include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -196,7 +197,7 @@ TEST_CASE("why is asked of what is shown or selected, and the answer stays") {
   const auto decided = knit::count_decided_by(session.document->timeline, 4);
   REQUIRE(decided);
   CHECK(session.document->timeline.position() == *decided + 1);
-  CHECK(says(session.outbox->notices.back().text, "Row 4 has "));
+  CHECK(session.outbox->notices.back().text == knit::why_count(session.document->timeline, 4));
   CHECK(says(there(session, "why row").words, "Row 4 has "));
   apply(session, Select{knit::StitchElement{3, 4}});
   CHECK(says(there(session, "why stitch").words, "Stitch 5 of row 3 (step "));

@@ -16,6 +16,7 @@
 #include "app/session/document.h"
 #include "app/session/planned_pieces.h"
 #include "app/session/view.h"
+#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
 #include "knit/limbs/limb_plan.h"
@@ -115,6 +116,7 @@ class Finder {
 
   // "Row 7 has 33 stitches, 5 more than row 6. 33 of the ring's 128 vertices ..."
   [[nodiscard]] std::string row_words(std::int32_t id) const {
+    if (wish_.why) return knit::why_count(timeline_, id);
     const knit::Row& row = run_.fabric.row(id);
     const std::int32_t count = knit::size_of(row);
     std::string words = "Row " + digits(id) + " has " + knit::stitch_count_text(count);
@@ -135,11 +137,8 @@ class Finder {
     if (number > run_.fabric.row_count()) {
       if (timeline_.complete() || number > 1000000) return nowhere(rows_there(timeline_));
       const auto row = static_cast<std::int32_t>(number);
-      return Destination{"Row " + digits(row) + " is not worked out yet; the run goes on to it.",
-                         {},
-                         {},
-                         end_of(row),
-                         false};
+      const std::string words = "Row " + digits(row) + " is not worked out yet; the run goes on to it.";
+      return Destination{words, {}, {}, end_of(row), false};
     }
     const auto row = static_cast<std::int32_t>(number);
     const auto decided = wish_.why ? knit::count_decided_by(timeline_, row) : std::nullopt;

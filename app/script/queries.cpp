@@ -311,8 +311,10 @@ Answer why_row_answer(Session& session, std::int32_t row) {
 std::optional<std::string> fault_of_select(const std::string& what) {
   if (what.empty() || thing_named(what) || knit::size_range_named(what)) return std::nullopt;
   return "--select cannot be \"" + what +
-         "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or vertex:ID, "
-         "or all of a size: course:FROM:TO in stitch widths, wale:FROM:TO in stitch heights, corner:FROM:TO in "
+         "\"; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, label:ROW:ITEM or "
+         "vertex:ID, "
+         "or all of a size: course:FROM:TO in stitch widths, wale:FROM:TO in stitch heights, corner:FROM:TO "
+         "in "
          "degrees.";
 }
 
