@@ -8,6 +8,7 @@
 #include "app/files/worksheet.h"
 #include "app/render/gl_handle.h"
 #include "app/render/headless_gl.h"
+#include "app/session/program.h"
 
 namespace app {
 
