@@ -1,7 +1,6 @@
 #include "app/session/row_table.h"
 
 #include <glm/geometric.hpp>
-#include <memory>
 
 #include "app/session/document.h"
 #include "app/session/pins.h"
@@ -20,7 +19,7 @@ RowFacts facts_of_row(const knit::Row& row, double stitch_width) {
   for (const auto& [from, to] : edges)
     length += glm::distance(row.stitches[from].position, row.stitches[to].position);
   facts.course = length / (static_cast<double>(edges.size()) * stitch_width);
-  const std::shared_ptr<const knit::Ring> ring = row.ring.pointer();
+  const knit::Ring* const ring = row.ring.pointer().get();  // the row keeps it
   facts.holds = (ring != nullptr ? ring->length : length) / stitch_width;
   return facts;
 }
