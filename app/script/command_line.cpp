@@ -87,8 +87,8 @@ void declare_saves(CLI::App& app, std::vector<std::string>& saves) {
   }
 }
 
-void declare(CLI::App& app, Words& words) {
-  app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
+// What is opened, with which settings.
+void declare_opening(CLI::App& app, Words& words) {
   app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
   app.add_option("--session", words.session, "open a saved session instead");
@@ -107,6 +107,10 @@ void declare(CLI::App& app, Words& words) {
         ->group("Parameters")
         ->allow_extra_args(false);
   }
+}
+
+// How long the run is, and how it is looked at.
+void declare_looking(CLI::App& app, Words& words) {
   app.add_flag("--headless", words.headless, "no window: run, write what is asked, exit");
   app.add_option("--at", words.at, "where to stop: end, a number of steps, or STAGE[:ROW[:ITEM]]");
   app.add_option(
@@ -129,6 +133,10 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--lesson-page", words.lesson_page, "the lesson's page to begin with, from 1");
   app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
   app.add_flag("--follow", words.follow, "turn the view to what happens when that is behind the surface");
+}
+
+// What is asked about the run.
+void declare_asking(CLI::App& app, Words& words) {
   app.add_option("--break", words.breaks, "stop where this holds; may be given more than once")
       ->allow_extra_args(false);
   app.add_option("--why", words.why,
@@ -143,7 +151,10 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--sweep", words.sweep, "run for PARAM=FROM:TO:N and write a table as CSV; twice: a grid")
       ->allow_extra_args(false);
   app.add_option("--diff", words.diff, "say what differs from the run of another session file");
-  declare_saves(app, words.saves);
+}
+
+// What a person says about the written pattern.
+void declare_pattern(CLI::App& app, Words& words) {
   app.add_option("--title", words.title, "the pattern's title")->group("Pattern");
   app.add_option("--yarn", words.yarn, "the yarn's name, for the pattern")->group("Pattern");
   app.add_option("--colour", words.colour, "the yarn's colour, for the pattern")->group("Pattern");
@@ -157,6 +168,16 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--piece-order", words.piece_order,
                  "the order in which pieces are worked, by their letters in the cheapest one: B,A,C")
       ->group("Pattern");
+}
+
+// In the order of --help.
+void declare(CLI::App& app, Words& words) {
+  app.set_version_flag("--version", "knit-mesh " KNIT_MESH_VERSION);
+  declare_opening(app, words);
+  declare_looking(app, words);
+  declare_asking(app, words);
+  declare_saves(app, words.saves);
+  declare_pattern(app, words);
   declare_figures(app, words.figures);
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
@@ -169,7 +190,8 @@ void declare(CLI::App& app, Words& words) {
   refuse_empty_values(app);
   refuse_empty_values(*index);
   CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");
-  check->add_option("FILE", words.check_file, "text, Markdown or HTML (\"-\": standard input)")->required();
+  check->add_option("FILE", words.check_file, "text, Markdown, HTML or JSON (\"-\": standard input)")
+      ->required();
   refuse_empty_values(*check);
 }
 
