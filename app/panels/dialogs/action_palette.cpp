@@ -1,6 +1,7 @@
 #include "app/panels/dialogs/action_palette.h"
 #include "app/files/export.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/panels/dialogs/top_popup.h"
 
 #include <algorithm>
 #include <iterator>
@@ -373,17 +374,7 @@ void draw_action_palette(PanelFrame& frame) {
     begin(frame.session, state);
     ImGui::OpenPopup(popup);
   }
-  const Box& window = frame.layout.window;
-  const Box& view = frame.layout.view;
-  const float width = std::min(frame.units(640.0f), 0.96f * window.width);
-  const float left = std::clamp(view.x + 0.5f * (view.width - width), 0.02f * window.width,
-                                std::max(0.02f * window.width, 0.98f * window.width - width));
-  ImGui::SetNextWindowPos(ImVec2(left, view.y + frame.units(10.0f)));
-  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
-  push_raised_look(frame);
-  const bool open = ImGui::BeginPopup(popup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  pop_raised_look();
-  if (!open) {  // a click beside it
+  if (!begin_top_popup(frame, popup, 640.0f)) {  // a click beside it
     state.shown = false;
     if (wanted) frame.wish(ShowActionPalette{false});
     return;

@@ -5,6 +5,7 @@
 
 #include "app/panels/dialogs/destination_field.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/panels/dialogs/top_popup.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
@@ -129,18 +130,7 @@ void draw_go_to(PanelFrame& frame) {
     fill_go_to(state, "");
     ImGui::OpenPopup(go_to_popup);
   }
-  const Box& window = frame.layout.window;
-  const Box& view = frame.layout.view;
-  const float width = std::min(frame.units(560.0f), 0.96f * window.width);
-  const float left = std::clamp(view.x + 0.5f * (view.width - width), 0.02f * window.width,
-                                std::max(0.02f * window.width, 0.98f * window.width - width));
-  ImGui::SetNextWindowPos(ImVec2(left, view.y + frame.units(10.0f)));
-  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
-  push_raised_look(frame);
-  const bool open =
-      ImGui::BeginPopup(go_to_popup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  pop_raised_look();
-  if (!open) {  // a click beside it
+  if (!begin_top_popup(frame, go_to_popup, 560.0f)) {  // a click beside it
     state.shown = false;
     if (wanted) frame.wish(ShowGoTo{false});
     return;
