@@ -13,10 +13,10 @@ inline constexpr bool sanitized = true;
 #if __has_feature(address_sanitizer)
 inline constexpr bool sanitized = true;
 #else
-inline constexpr bool sanitized = true;
+inline constexpr bool sanitized = false;
 #endif
 #else
-inline constexpr bool sanitized = true;
+inline constexpr bool sanitized = false;
 #endif
 
 // What is counted over the repetitions is held to its bounds only then.
