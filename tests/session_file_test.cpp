@@ -50,6 +50,7 @@ Session rich_session() {
   options.title = "Ball \"one\" \xC3\xA9";
   options.needle_mm = 3.25;
   options.stars = true;
+  options.short_form = true;
   apply(session, SetPatternOptions{options});
   session.document->travel.loop = Stretch{10, 40};
   session.view->slow_motion = true;
@@ -208,6 +209,7 @@ TEST_CASE("what is wrong with a session file is one sentence, and the session st
       {"/knit-along/round", "0", "knit-along.round"},
       {"/pattern/needle-mm", "900", "pattern.needle-mm"},
       {"/pattern/stars", "\"yes\"", "pattern.stars"},
+      {"/pattern/form", "\"brief\"", "pattern.form"},
   };
   for (const Case& c : cases) {
     CAPTURE(c.pointer, c.value);

@@ -265,6 +265,7 @@ void add_pattern(EntryList& list) {
             "", "", true});
   add_switch(list, "Markers at main lines: on or off", &knit::PatternOptions::markers);
   add_switch(list, "Repeats with stars: on or off", &knit::PatternOptions::stars);
+  add_switch(list, "The pattern in its short form: on or off", &knit::PatternOptions::short_form);
   list.add({"Knit along from round...", group::the_pattern, "One round at a time, large.",
             ActionPrompt{"Round", "1",
                          [](const Session& /*session*/, const std::string& typed) -> Read {

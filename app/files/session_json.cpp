@@ -54,6 +54,7 @@ Json pattern_json(const knit::PatternOptions& pattern, const PatternPieces& piec
                {"colour", pattern.colour},
                {"markers", pattern.markers},
                {"stars", pattern.stars}};
+  if (pattern.short_form) json["form"] = "short";
   if (pattern.needle_mm) json["needle-mm"] = *pattern.needle_mm;
   if (!pieces.names.empty()) json["piece-names"] = pieces.names;
   if (!pieces.order.empty()) json["piece-order"] = pieces.order;
@@ -254,6 +255,8 @@ void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
   pattern.colour = fields.text("colour");
   pattern.markers = fields.flag("markers");
   pattern.stars = fields.flag("stars");
+  constexpr std::array<std::string_view, 2> forms{"full", "short"};
+  if (fields.has("form")) pattern.short_form = fields.choice("form", forms) == 1;
   if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
 }
 

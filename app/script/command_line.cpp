@@ -17,6 +17,7 @@
 #include "app/session/pattern_pieces.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
+#include "knit/import/quoting.h"
 #include "knit/model/stage.h"
 #include "knit/pattern/limb_words.h"
 
@@ -39,6 +40,7 @@ struct Words {
   std::vector<std::string> piece_names;
   std::string piece_order;
   bool markers = false, stars = false;
+  std::string pattern_form;
   std::vector<std::string> beside;  // PARAM=VALUE
   bool explain = false, ways_on = false, presenting = false, follow = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
@@ -162,6 +164,9 @@ void declare_pattern(CLI::App& app, Words& words) {
       ->group("Pattern");
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
+  app.add_option("--pattern-form", words.pattern_form,
+                 "full, or short: named rounds and [Knit 2 rnds, inc rnd] 3 times, where that says the same")
+      ->group("Pattern");
   app.add_option("--piece-name", words.piece_names, "what a piece of the pattern is called: A=Tail")
       ->group("Pattern")
       ->allow_extra_args(false);
@@ -357,7 +362,10 @@ std::optional<std::string> read_order_words(const Words& words, CommandLine& lin
 
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
-  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, {}};
+  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, false, {}};
+  if (!words.pattern_form.empty() && words.pattern_form != "short" && words.pattern_form != "full")
+    return "--pattern-form cannot be " + knit::quoted(words.pattern_form) + "; give short or full.";
+  line.pattern.short_form = words.pattern_form == "short";
   if (auto fault = read_piece_names(words, line)) return fault;
   if (auto fault = read_order_words(words, line)) return fault;
   if (words.needle.empty()) return std::nullopt;

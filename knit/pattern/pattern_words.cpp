@@ -76,7 +76,9 @@ std::string RoundLine::text() const {
   const std::string label = first == last ? "Rnd " + std::to_string(first)
                                           : "Rnds " + std::to_string(first) + "-" + std::to_string(last);
   const std::string moved = moves_marker ? ", marker moved back 1 st" : "";
-  return label + ": " + words + ". (" + stitches_text(stitches) + moved + ")";
+  std::string after;
+  for (std::size_t i = 0; i + 1 < counts.size(); ++i) after += std::to_string(counts[i]) + ", ";
+  return label + ": " + words + ". (" + after + stitches_text(stitches) + moved + ")";
 }
 
 std::vector<RoundLine> round_lines(const Rounds& rounds, const PatternOptions& options) {

@@ -105,7 +105,7 @@ std::string yarn_line(const PatternSizes& sizes, const PatternOptions& options) 
 }
 
 std::string marker_line(const Used& used) {
-  if (!used.markers) return "Stitch marker.";
+  if (!used.markers && !used.sections) return "Stitch marker.";
   return "Stitch markers: one for the beginning of the round and " + std::to_string(used.most_markers) +
          " in another colour.";
 }
@@ -122,11 +122,12 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
     bool used;
     const char *word, *meaning;
   };
-  const std::array<Entry, 11> entries{{
+  const std::array<Entry, 12> entries{{
       {binds_off, "BO", "bind off"},
       {true, "CO", "cast on"},
       {true, "k", "knit; K4 is knit 4 stitches"},
       {used.has(Hand::k2tog), "k2tog", "knit 2 stitches together; leans right"},
+      {used.sections, "m", "marker"},
       {used.has(Hand::m1l), "m1l",
        "make 1 left: lift the bar between the stitches from front to back, knit it through the back"},
       {used.has(Hand::m1r), "m1r",
@@ -148,6 +149,12 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
 void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::string>& notes) {
   if (used.repeats)
     notes.emplace_back("Work what stands in square brackets as many times in all as is said after them.");
+  if (used.sections) {
+    notes.emplace_back(
+        "Markers (m) stand between sections that are shaped alike. A named round says what is done in each "
+        "of them; slip "
+        "the marker after it. Where a named round does not fit yet, or no longer, the round is written out.");
+  }
   if (used.increases()) {
     notes.emplace_back(
         "An increase is made between two stitches and uses none of them; at the end of a round it is made "
@@ -173,11 +180,11 @@ void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::stri
   }
 }
 
-std::string start_sentence(std::int32_t cast_on) {
+std::string start_sentence(std::int32_t cast_on, const std::string& place_marker) {
   const std::string needles =
       cast_on <= most_on_double_points ? "double-pointed needles" : "a circular needle";
   return "Using " + needles + ", CO " + stitches_text(cast_on) +
-         " (Rnd 1). Join to work in the round, being careful not to twist. Place marker.";
+         " (Rnd 1). Join to work in the round, being careful not to twist. " + place_marker;
 }
 
 std::string closing_sentence(std::int32_t stitches) {

@@ -15,6 +15,7 @@ namespace knit {
 struct Used {
   std::set<Hand> hands;
   bool repeats = false, stars = false, markers = false;
+  bool sections = false;         // markers part the round into sections, each shaped alike
   bool turned = false;           // shaping that leans to both sides
   bool mixed = false;            // increases and decreases in one round
   bool neighbours = false;       // two increases with no stitch between
@@ -50,7 +51,8 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
 // `tight_start`: increases follow right on a cast on.
 void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::string>& notes);
 
-std::string start_sentence(std::int32_t cast_on);
+// `place_marker`: how the markers are placed.
+std::string start_sentence(std::int32_t cast_on, const std::string& place_marker = "Place marker.");
 std::string closing_sentence(std::int32_t stitches);
 inline constexpr const char* stuff_and_close =
     "Stuff the piece firmly now, while the opening is wide; add more as it closes.";

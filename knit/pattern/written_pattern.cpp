@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "knit/pattern/pattern_words.h"
+#include "knit/pattern/short_form.h"
 #include "knit/pattern/written_parts.h"
 #include "knit/pattern/yarn.h"
 
@@ -88,14 +89,26 @@ std::vector<std::string> finishing_lines(const Rounds& rounds) {
   return lines;
 }
 
+std::string place_sections(const ShortForm& form) {
+  const std::string every = form.stitches_each == 1 ? "st" : stitches_text(form.stitches_each);
+  return "Place a marker (m) after every " + every + ": " + std::to_string(form.sections) +
+         " markers, the last where the round begins.";
+}
+
 }  // namespace
 
 WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name) {
   const PatternSizes sizes = sizes_of(rounds, gauge);
-  std::vector<RoundLine> lines = round_lines(rounds, options);
+  const std::optional<ShortForm> form =
+      options.short_form ? short_form(rounds, stuffed_after(rounds)) : std::nullopt;
+  std::vector<RoundLine> lines = form ? form->lines : round_lines(rounds, options);
   Used used;
   add_used(rounds, lines, used);
+  if (form) {
+    used.sections = true;
+    used.most_markers = static_cast<std::size_t>(form->sections) - 1;
+  }
   WrittenPattern pattern;
   pattern.title = title_of(options, mesh_name);
   pattern.level = level_of(used);
@@ -104,8 +117,15 @@ WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const Pat
   pattern.gauge = gauge_line(gauge, options);
   pattern.abbreviations = abbreviations_of(used, !is_drawn_in(rounds.last_count()));
   pattern.notes = note_lines(rounds, used);
-  pattern.start = start_sentence(rounds.cast_on);
+  pattern.start =
+      form ? start_sentence(rounds.cast_on, place_sections(*form)) : start_sentence(rounds.cast_on);
   pattern.instructions = instructions_of(rounds, std::move(lines));
+  if (form) {
+    std::vector<WrittenPattern::Instruction> named;
+    for (const NamedRound& round : form->named)
+      named.push_back({std::nullopt, round.text(), WrittenPattern::Instruction::Kind::step, 0});
+    pattern.instructions.insert(pattern.instructions.begin(), named.begin(), named.end());
+  }
   pattern.finishing = finishing_lines(rounds);
   return pattern;
 }

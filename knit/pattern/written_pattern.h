@@ -33,6 +33,9 @@ struct PatternOptions {
   std::optional<double> needle_mm;  // none: the usual one for the weight class
   bool markers = false;             // at main lines
   bool stars = false;               // *...; rep from * to end, where a round is one repeat
+  // Told shortly where that says the same (short_form.h): named rounds, [Knit 2 rnds, inc rnd] 3 times. Then the words
+  // have neither markers at main lines nor stars.
+  bool short_form = false;
   // What a person calls pieces, by their letters: {"A", "Tail"}. One capitalised word each (is_piece_word).
   std::map<std::string, std::string> piece_names = {};
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
@@ -71,6 +74,8 @@ struct RoundLine {
   std::int32_t rows_before = 0;
   std::vector<std::int32_t> twins_before = {};  // the same of twins that are made by the same words
   bool moves_marker = false;                    // back by a stitch
+  // In the short form, after each shaping round: "(64, 72, 80 sts)".
+  std::vector<std::int32_t> counts = {};
   [[nodiscard]] std::string text() const;
 };
 

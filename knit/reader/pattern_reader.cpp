@@ -1,10 +1,12 @@
 #include "knit/reader/pattern_reader.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "knit/import/quoting.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/named_rounds.h"
 #include "knit/reader/published_reader.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
@@ -59,15 +61,49 @@ class Reader {
 
   void prose(const Tokens& tokens) {
     if (is_glossary(tokens)) return;
+    if (auto named = named_words_in(tokens)) return name_round(std::move(*named));
     if (const auto number = cast_on_in(tokens)) {
       if (read_.rounds_read > 0)
         second_piece();
       else
         cast_on(*number, tokens, says_round_one(tokens));
+      place_markers(tokens);
       return;
     }
+    place_markers(tokens);
     if (read_.rounds_read == 0 || closed_) return;
     if (const auto closing = closing_in(tokens)) close(*closing);
+  }
+
+  void name_round(NamedWords named) {
+    if (!named.words.mistake.empty()) blame("the " + named.name + named.words.mistake);
+    if (!named_.try_emplace(named.name, std::move(named.words)).second)
+      blame("the " + named.name + " is told twice; give each way to shape a name of its own.");
+  }
+
+  void place_markers(std::span<const Token> tokens) {
+    const auto placed = markers_placed_in(tokens);
+    if (!placed || counts_.size() != 1) return;
+    if (placed->markers < 1 || placed->every < 1 || placed->markers * placed->every != counts_.front()) {
+      blame("a marker after every " + stitches_text(placed->every) + " and " +
+            std::to_string(placed->markers) + " markers do not go round " + stitches_text(counts_.front()) +
+            ".");
+      return;
+    }
+    sections_ = placed->markers;
+    markers_ = equal_sections(counts_.front());
+  }
+
+  [[nodiscard]] Markers equal_sections(std::int64_t live) const {
+    Markers markers;
+    for (std::int64_t i = 1; i <= sections_; ++i) markers.push_back(live / sections_ * i);
+    return markers;
+  }
+
+  // Where they stand among so many stitches. After a mistake they are taken to stand in equal sections again.
+  [[nodiscard]] Markers markers_among(std::int64_t live) const {
+    if (!markers_.empty() && markers_.back() == live) return markers_;
+    return sections_ > 0 && !sound_ && live % sections_ == 0 ? equal_sections(live) : Markers{};
   }
 
   void second_piece() {
@@ -195,7 +231,8 @@ class Reader {
 
   void work(std::int64_t first, std::int64_t last, std::span<const Token> tokens,
             std::size_t mistakes_before) {
-    const RoundWords words = round_words(tokens);
+    if (const auto told = told_rounds_in(tokens)) return work_told(first, last, *told, mistakes_before);
+    const RoundWords words = round_words(tokens, sections_ > 0 ? MarkerWords::known : MarkerWords::unknown);
     read_.rounds_read += static_cast<std::size_t>(last - first + 1);
     if (!words.mistake.empty()) {
       // One sentence a line: a label that is wrong has been said.
@@ -210,7 +247,52 @@ class Reader {
     }
   }
 
+  // "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
+  void work_told(std::int64_t first, std::int64_t last, const ToldRounds& told, std::size_t mistakes_before) {
+    read_.rounds_read += static_cast<std::size_t>(last - first + 1);
+    std::optional<std::int64_t> stated;
+    if (!told.counts.empty()) stated = told.counts.back();
+    const std::string name = name_of_round(first, last);
+    const bool quiet = read_.mistakes.size() > mistakes_before;
+    const std::string wrong = wrong_with(told, last - first + 1);
+    if (!wrong.empty()) {
+      if (!quiet) blame(name + wrong);
+      return go_on_with(stated);
+    }
+    const RoundWords knit = round_words(tokens_of("knit"));
+    std::int64_t number = first;
+    std::size_t count = 0;
+    for (std::int64_t time = 0; time < told.times; ++time) {
+      for (const ToldRounds::Part& part : told.parts) {
+        RoundWords words = part.name.empty() ? knit : named_.at(part.name);
+        if (!words.mistake.empty()) return go_on_with(stated);  // its own line is blamed
+        if (!part.name.empty()) words.stated = told.counts[count++];
+        for (std::int64_t i = 0; i < part.rounds && !stopped_; ++i, ++number) {
+          if (!work_one(number, words, words.stated.has_value(), quiet)) return go_on_with(stated);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::string wrong_with(const ToldRounds& told, std::int64_t rounds) const {
+    if (!told.mistake.empty()) return told.mistake;
+    for (const ToldRounds::Part& part : told.parts) {
+      if (!part.name.empty() && named_.count(part.name) == 0)
+        return ": no line before tells what the " + part.name + " is.";
+    }
+    if (told.rounds() != rounds)
+      return ": its words are " + std::to_string(told.rounds()) +
+             (told.rounds() == 1 ? " round" : " rounds") + ", the label names " + std::to_string(rounds) +
+             ".";
+    if (static_cast<std::int64_t>(told.counts.size()) != told.named_ones())
+      return ": it is shaped in " + std::to_string(told.named_ones()) +
+             (told.named_ones() == 1 ? " round" : " rounds") + ", and " + std::to_string(told.counts.size()) +
+             (told.counts.size() == 1 ? " count is" : " counts are") + " told.";
+    return {};
+  }
+
   void go_on_with(std::optional<std::int64_t> stated) {
+    markers_.clear();
     counts_.clear();
     if (stated && *stated >= 1 && *stated <= most_stitches) counts_ = {*stated};
   }
@@ -224,9 +306,10 @@ class Reader {
       counts_ = {*takes};
     }
     Counts after;
+    Markers markers;
     std::string why;
     for (const std::int64_t live : counts_) {
-      WorkedRound round = work_round(words.nodes, live);
+      WorkedRound round = work_round(words.nodes, live, markers_among(live));
       spend(round.made);
       if (!round.mistake.empty()) {
         if (why.empty()) why = round.mistake;
@@ -237,10 +320,12 @@ class Reader {
         wrong_made_.push_back(round.made);
       } else {
         if (after.empty()) read_.stitches += round.made;
+        if (after.empty()) markers = round.markers;
         after.push_back(round.made);
         keep(std::move(round), live);
       }
     }
+    markers_ = std::move(markers);
     return settle(std::move(after), name, why, words.stated, quiet);
   }
 
@@ -285,6 +370,9 @@ class Reader {
   std::int64_t cast_on_ = 0, next_ = 1, work_ = 0;
   Counts also_next_;  // round numbers that would do as well, after one out of turn
   Counts counts_, wrong_made_;
+  std::map<std::string, RoundWords> named_;
+  std::int64_t sections_ = 0;  // that markers part the round into; 0: none is placed
+  Markers markers_;            // among the stitches of the first of `counts_`; empty: not known
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ std::int64_t bounded(std::int64_t value) { return std::min(value, most_number); 
 
 class Parser {
  public:
-  explicit Parser(std::span<const Token> line) : at_(line) {}
+  Parser(std::span<const Token> line, MarkerWords markers) : at_(line), markers_(markers) {}
 
   RoundWords run() {
     RoundWords words;
@@ -102,6 +102,7 @@ class Parser {
       return;
     }
     for (const WorkNode& inner : node.inside) {
+      node.varies = node.varies || inner.varies;
       node.takes = bounded(node.takes + bounded(inner.takes * inner.times));
       node.makes = bounded(node.makes + bounded(inner.makes * inner.times));
     }
@@ -141,11 +142,30 @@ class Parser {
       if (*count < 1) fail(": " + node.words + " is no stitch at all.");
       node.inside.push_back(std::move(one));
     }
-    if (const auto times = times_here()) {
+    if (const auto tail = to_next_marker(node)) {
+      node.tail = *tail;
+      node.to_marker = node.varies = true;
+      node.bare = false;
+    } else if (const auto times = times_here()) {
       set_times(node, *times);
       node.bare = false;
     }
     return finished(std::move(node), depth);
+  }
+
+  // "k to next m", "k to 2 sts before next m": the stitches that are kept.
+  std::optional<std::int64_t> to_next_marker(const WorkNode& node) {
+    const std::size_t begin = at_.at();
+    if (markers_ != MarkerWords::known || !node.bare || !at_.take({"to"})) return std::nullopt;
+    std::int64_t tail = 0;
+    if (at_.peek().is_number() && is_stitches_word(at_.peek(1)) && at_.sees({"before"}, 2)) {
+      tail = at_.peek().value;
+      at_.skip(3);
+    }
+    at_.take({"the"});
+    if (at_.take({"next"}) && at_.take({"m", "marker"})) return tail;
+    at_.back_to(begin);
+    return std::nullopt;
   }
 
   // "knit 4", "k the next 4": not "k 4 times".
@@ -281,6 +301,7 @@ class Parser {
   }
 
   TokenCursor at_;
+  MarkerWords markers_;
   std::string mistake_;
 };
 
@@ -326,9 +347,9 @@ std::optional<Stated> find_stated(std::span<const Token> line) {
 
 }  // namespace
 
-RoundWords round_words(std::span<const Token> line) {
+RoundWords round_words(std::span<const Token> line, MarkerWords markers) {
   const auto stated = find_stated(line);
-  RoundWords words = Parser(stated ? line.first(stated->begin) : line).run();
+  RoundWords words = Parser(stated ? line.first(stated->begin) : line, markers).run();
   if (!stated) return words;
   words.stated = stated->number;
   // Behind the count only a remark may stand.

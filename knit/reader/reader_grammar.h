@@ -28,6 +28,8 @@ struct WorkNode {
   std::optional<StitchKind> stitch;  // none: `inside`
   std::vector<WorkNode> inside;
   bool open = false;
+  bool to_marker = false;  // up to `tail` stitches before the next marker, not `times` times
+  bool varies = false;     // something inside goes up to a marker, so that what it takes depends on markers
   std::int64_t times = 1, tail = 0;
   std::int64_t takes = 0, makes = 0;  // one time through; at most `most_number`
   bool bare = false;                  // "knit" without a number
@@ -39,8 +41,10 @@ struct RoundWords {
   std::optional<std::int64_t> stated;  // "(30 sts)"
   std::string mistake;                 // empty, or what cannot be read: ": the bracket "[" is not closed."
 };
+// Whether "k to next m" means something: where markers are placed.
+enum class MarkerWords : std::uint8_t { unknown, known };
 // Of what stands between label and closing words.
-RoundWords round_words(std::span<const Token> line);
+RoundWords round_words(std::span<const Token> line, MarkerWords markers = MarkerWords::unknown);
 
 // "CO 6 sts", "cast on 6 stitches": the number.
 std::optional<std::int64_t> cast_on_in(std::span<const Token> line);

@@ -42,7 +42,7 @@ std::uint64_t key_of(std::uint64_t planned, const knit::Parameters& parameters,
     knit::hash_into(hasher, std::string_view(letters));
     knit::hash_into(hasher, std::string_view(word));
   }
-  hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U));
+  hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U) + (options.short_form ? 4U : 0U));
   return hasher.value();
 }
 

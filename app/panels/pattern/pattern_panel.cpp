@@ -236,6 +236,10 @@ void draw_style(PanelFrame& frame, knit::PatternOptions options) {
     frame.mark(mark);
     tooltip(frame, help);
   };
+  box("Short form", "pattern/short", options.short_form,
+      "Shaping rounds are named once, and what comes again is said once: [Knit 2 rnds, inc rnd] 3 times. "
+      "Where rounds "
+      "have no sections that stay alike, they are written out.");
   box("Markers at main lines", "pattern/markers", options.markers,
       "Says where stitch markers are placed and slipped.");
   box("Repeats with stars", "pattern/stars", options.stars,
