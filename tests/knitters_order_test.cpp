@@ -10,7 +10,6 @@
 #include "knit/model/stitch_size.h"
 #include "knit/order/limb_order.h"
 #include "knit/run/timeline.h"
-#include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 
 using namespace knit;
@@ -57,10 +56,16 @@ const TubesPlanned* planning_of(const Timeline& timeline) {
   return nullptr;
 }
 
+std::shared_ptr<const Input> example_named(const char* name) {
+  auto mesh = read_obj_file(std::filesystem::path(KNIT_ASSETS_DIR) / name / "mesh.obj");
+  REQUIRE(std::holds_alternative<Mesh>(mesh));
+  return make_input(std::get<Mesh>(std::move(mesh)));
+}
+
 // Whether it branches.
-bool check_order(const std::shared_ptr<const Input>& input, TimingKind timing, double width_percent) {
-  INFO("timing " << static_cast<int>(timing) << ", w " << width_percent << " %");
-  Timeline timeline(input, parameters_for(*input, timing, width_percent));
+bool check_order(const std::shared_ptr<const Input>& input, const Parameters& parameters) {
+  INFO("timing " << static_cast<int>(parameters.timing.kind) << ", w " << parameters.stitch.width);
+  Timeline timeline(input, parameters);
   timeline.extend_to_end();
   REQUIRE(timeline.stop() == nullptr);
   const State& state = timeline.furthest();
@@ -91,32 +96,55 @@ TEST_CASE("knitter's order: rows of the examples are made as their pieces are wr
   int branching = 0;
   for (const char* example : examples) {
     INFO(example);
-    auto mesh = read_obj_file(std::filesystem::path(KNIT_ASSETS_DIR) / example / "mesh.obj");
-    REQUIRE(std::holds_alternative<Mesh>(mesh));
-    const auto input = make_input(std::get<Mesh>(std::move(mesh)));
+    const auto input = example_named(example);
     for (const TimingKind timing : {TimingKind::linear, TimingKind::geodesic})
-      branching += check_order(input, timing, 4.0) ? 1 : 0;
+      branching += check_order(input, parameters_for(*input, timing, 4.0)) ? 1 : 0;
   }
   CHECK(branching >= 17);
 }
 
-TEST_CASE("knitter's order: neither placement nor where rounds begin changes it, and it is found again") {
-  const auto input = make_input(test_support::arch());
-  const Parameters parameters = parameters_for(*input, TimingKind::linear, 5.0);
-  Timeline first(input, parameters);
+TEST_CASE(
+    "knitter's order: it is looked for among the stitches that are worked, whatever places and begins them") {
+  const auto mug = example_named("mug"), starfish = example_named("starfish");
+  Parameters by_sections = parameters_for(*mug, TimingKind::geodesic, 4.0);
+  by_sections.stitches.placement = PlacementPolicy::thesis;
+  CHECK(check_order(mug, by_sections));
+  Parameters on_a_side = parameters_for(*starfish, TimingKind::linear, 4.0);
+  on_a_side.rows.round_start = RoundStart::direction;
+  CHECK(check_order(starfish, on_a_side));
+  Parameters all = parameters_for(*starfish, TimingKind::linear, 4.0);
+  all.stitches.placement = PlacementPolicy::even;
+  all.rows.round_start = RoundStart::direction;
+  all.rows.cast_on = 9;
+  CHECK(check_order(starfish, all));
+  // Nobody said which placement.
+  Parameters by_itself = parameters_for(*starfish, TimingKind::linear, 4.0);
+  by_itself.stitches.placement = PlacementPolicy::by_itself;
+  CHECK(check_order(starfish, by_itself));
+}
+
+TEST_CASE("knitter's order: a placement turned anew finds it again, one that is turned midway leaves it") {
+  const auto input = example_named("mug");
+  const Parameters before = parameters_for(*input, TimingKind::geodesic, 4.0);
+  Parameters after = before;
+  after.stitches.placement = PlacementPolicy::thesis;
+  Timeline first(input, before), second(input, after);
   first.extend_to_end();
-  Parameters other = parameters;
-  other.stitches.placement = PlacementPolicy::thesis;
-  other.rows.round_start = RoundStart::direction;
-  other.rows.cast_on = 9;
-  Timeline second(input, other);
   second.extend_to_end();
-  REQUIRE(first.furthest().tubes);
-  CHECK(first.furthest().tubes == second.furthest().tubes);
-  CHECK(tubes_of_pieces(plan_limbs(second.furthest())) == tubes_of_rows(second.furthest().fabric));
-  const State& state = first.furthest();
-  const UnorderedTubes at{*input, *state.timing, *state.graph, parameters.stitch};
-  const TubePlan unordered = plan_tubes(*state.graph, {parameters.stitch.width, parameters.stitch.height, 1});
+  const Shared<TubePlan> planned = first.furthest().tubes;
+  REQUIRE(planned);
+  REQUIRE(*planned != *second.furthest().tubes);
+  Timeline midway = first;
+  midway.seek(midway.position_of({Stage::stitches, 40, 0}));
+  midway.edit_from_here(after);
+  midway.extend_to_end();
+  CHECK(*midway.furthest().tubes == *planned);
+  first.tune(after);
+  first.extend_to_end();
+  CHECK(first.furthest() == second.furthest());
+  const State& state = second.furthest();
+  const UnorderedTubes at{*input, *state.timing, *state.graph, after.stitch, after.rows, after.stitches};
+  const TubePlan unordered = plan_tubes(*state.graph, {after.stitch.width, after.stitch.height, 1});
   CHECK(in_knitters_order(at, unordered) == *state.tubes);
 }
 

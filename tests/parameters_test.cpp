@@ -87,6 +87,29 @@ TEST_CASE("the first reader of a change is the earliest among what differs") {
   CHECK(first_reader_of_change(base, p) == Stage::import);
 }
 
+TEST_CASE("with contours all that makes stitches is read where tubes get their order") {
+  for (const RowSource source : {RowSource::rings, RowSource::contours, RowSource::by_itself}) {
+    Parameters base;
+    base.rows.source = source;
+    Parameters p = base;
+    p.stitches.placement = PlacementPolicy::even;
+    const bool rings = source == RowSource::rings;
+    CHECK(first_reader_of_change(base, p) == (rings ? Stage::stitches : Stage::tubes));
+    p = base;
+    p.rows.cast_on = 9;
+    CHECK(first_reader_of_change(base, p) == (rings ? Stage::cast_on : Stage::tubes));
+    p = base;
+    p.settle.settling = Settling::on;
+    CHECK(first_reader_of_change(base, p) == Stage::faces);
+  }
+  // Only `nearest` reads it, and so does nothing here.
+  Parameters base;
+  base.rows.source = RowSource::contours;
+  Parameters p = base;
+  p.stitches.stacking_penalty = 1.0;
+  CHECK(first_reader_of_change(base, p) == Stage::done);
+}
+
 TEST_CASE("a change is carried over without touching the rest") {
   Parameters base;
   base.rows.cast_on = 9;

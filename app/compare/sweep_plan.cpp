@@ -135,11 +135,15 @@ std::variant<Knobs, std::string> swept_knobs(const SweepBase& base, const SweepP
   return tuned(base.knobs, base.current, wanted, *base.input);
 }
 
-knit::Stage first_reader_of(const SweepPlan& plan) {
-  const auto reader = [](const SweepAxis& axis) {
-    const knit::Stage first = knit::find_parameter(axis.key)->first_reader;
+knit::Stage first_reader_of(const SweepPlan& plan, const Knobs& knobs) {
+  const auto reader = [&](const SweepAxis& axis) {
+    const knit::ParameterInfo& info = *knit::find_parameter(axis.key);
     // No stage reads it itself, but stitch sizes may follow it.
-    return first == knit::Stage::done ? knit::Stage::cast_on : first;
+    if (info.first_reader == knit::Stage::done) return knit::Stage::tubes;
+    knit::Stage first = knit::first_stage_to_read(info, knobs.base);
+    for (const knit::Edit& edit : knobs.edits)
+      first = std::min(first, knit::first_stage_to_read(info, edit.parameters));
+    return first;
   };
   const knit::Stage first = reader(plan.axis);
   return plan.second ? std::min(first, reader(*plan.second)) : first;

@@ -69,7 +69,7 @@ struct SweepWork::Shared {
   // Where even this goes wrong, each run begins at the beginning and tells.
   bool work_out_prefix() {
     try {
-      return go_on_while_wanted(prefix, base.knobs, first_reader_of(plan));
+      return go_on_while_wanted(prefix, base.knobs, first_reader_of(plan, base.knobs));
     } catch (const std::exception&) {
       prefix = {};
       return true;

@@ -59,6 +59,6 @@ knit::Parameters with_values(const knit::Parameters& current, const SweepPlan& p
 std::variant<Knobs, std::string> swept_knobs(const SweepBase& base, const SweepPlan& plan,
                                              const std::vector<double>& values);
 // The first stage in which the plan's runs may differ.
-knit::Stage first_reader_of(const SweepPlan& plan);
+knit::Stage first_reader_of(const SweepPlan& plan, const Knobs& knobs);
 
 }  // namespace app

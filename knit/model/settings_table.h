@@ -56,7 +56,8 @@ struct ParameterInfo {
   std::string_view unit;
   std::string_view help;   // one sentence
   std::string_view group;  // what belongs together for people: "Timing"
-  Stage first_reader;      // nothing before this stage depends on it; `done`: no stage reads it
+  Stage
+      first_reader;  // of its value itself; first_stage_to_read: also of what follows. `done`: no stage reads it
   std::variant<Number, Count, PickedVertex, AxisChoice, DirectionChoice, GaugeChoice, Choice> kind;
   // What it depends on whether anything reads it; null: it always is.
   bool (*read_when)(const Parameters&) = nullptr;
@@ -116,6 +117,9 @@ std::optional<std::string> fault_of(const Parameters& parameters, const Input& i
 // Whether a difference came only from what else was set: the view that is not given, an epsilon that goes with the width.
 bool only_follows(const ParameterInfo& info, const Parameters& from, const Parameters& to);
 bool same_value(const ParameterInfo& info, const Parameters& a, const Parameters& b);
+// Nothing before this stage depends on it: its first reader, or, with contours, the stage that looks for the order of tubes among
+// the stitches that its rows will have.
+Stage first_stage_to_read(const ParameterInfo& info, const Parameters& parameters);
 // The first stage that reads any parameter in which the two differ; `done` when they are equal.
 Stage first_reader_of_change(const Parameters& a, const Parameters& b);
 

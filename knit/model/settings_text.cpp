@@ -353,12 +353,20 @@ bool same_value(const ParameterInfo& info, const Parameters& a, const Parameters
   return std::visit([&](const auto& kind) { return kind.get(a) == kind.get(b); }, info.kind);
 }
 
+Stage first_stage_to_read(const ParameterInfo& info, const Parameters& parameters) {
+  const bool makes_stitches = info.first_reader > Stage::tubes && info.first_reader <= Stage::stitches;
+  const bool orders_tubes =
+      makes_stitches && parameters.rows.source != RowSource::rings && is_read(info, parameters);
+  return orders_tubes ? Stage::tubes : info.first_reader;
+}
+
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {
   Stage first = Stage::done;
   for (const ParameterInfo& info : parameter_table()) {
     // The timing groups levels for contours too; but no row of contours reads what is the rings' own.
     const bool by_none = info.first_reader > Stage::timing && !is_read(info, a) && !is_read(info, b);
-    if (info.first_reader < first && !by_none && !same_value(info, a, b)) first = info.first_reader;
+    if (by_none || same_value(info, a, b)) continue;
+    first = std::min({first, first_stage_to_read(info, a), first_stage_to_read(info, b)});
   }
   return first;
 }

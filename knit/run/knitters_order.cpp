@@ -8,11 +8,14 @@
 #include "knit/order/limb_order.h"
 #include "knit/rows/contour_stage.h"
 #include "knit/rows/dealing.h"
-#include "knit/stitches/nearest.h"
+#include "knit/stitches/below_joins.h"
+#include "knit/stitches/index_stage.h"
 
 namespace knit {
 
 namespace {
+
+constexpr int most_times = 4;  // that rows are worked out
 
 void add_rows_and_deals(const UnorderedTubes& at, const TubePlan& plan, Fabric& fabric) {
   ContourWork work;
@@ -21,18 +24,21 @@ void add_rows_and_deals(const UnorderedTubes& at, const TubePlan& plan, Fabric& 
     std::optional<Deal> deal;
     std::optional<TubePlan> other_plan;  // never made: the stitch stays
     const ContourAt now{at.input, at.timing, at.graph, plan, fabric};
-    ended = advance_contours({}, at.stitch, now, work, {row, deal, other_plan}).ended;
+    ended = advance_contours(at.rows, at.stitch, now, work, {row, deal, other_plan}).ended;
     if (row) fabric.add(std::move(*row));
     if (deal) fabric.add(std::move(*deal));
   }
 }
 
-// Links alone; how shaping leans is nothing to an order.
-void add_joins(Fabric& fabric) {
+void add_joins(const UnorderedTubes& at, Fabric& fabric) {
+  const bool follows = at.rows.round_start == RoundStart::follow;
   for (RowId id = fabric.next_worked(0); id > 0; id = fabric.next_worked(id)) {
     const Row& row = fabric.row(id);
     const std::vector<Stitch> below = fabric.stitches_of(row.on);
-    Join join = plan_nearest({below, row.stitches, {}, {}, true}, {}, id);
+    const BelowJoins joins = joins_below(fabric, row.on);
+    Join join =
+        plan_row_join(at.stitches, at.stitch,
+                      {id, row.on, below, joins.mains, joins.shaped, joins.cast_on, &row, follows, false});
     join.from = row.on;
     fabric.add(Shared(std::move(join)));
   }
@@ -41,7 +47,7 @@ void add_joins(Fabric& fabric) {
 LimbTubes knitted(const UnorderedTubes& at, const TubePlan& plan) {
   Fabric fabric;
   add_rows_and_deals(at, plan, fabric);
-  add_joins(fabric);
+  add_joins(at, fabric);
   return {fabric, &plan};
 }
 
@@ -66,13 +72,18 @@ TubePlan in_order_of(const TubePlan& plan, const TubeOrder& least, const FoundOr
   return ordered;
 }
 
+TubeId first_with_rows(const TubePlan& plan, const std::vector<TubeId>& order) {
+  return *std::find_if(order.begin(), order.end(), [&](TubeId id) { return plan.tube(id).rows() > 0; });
+}
+
 // Whether two orders make the same rows but for their numbers: of each join the same loop brings the yarn, of each ring the same
-// side is cast on first.
-bool make_the_same_rows(const TubePlan& plan, const std::vector<TubeId>& one,
+// side is cast on first, and so is the tube whose count was given.
+bool make_the_same_rows(const RowsSettings& rows, const TubePlan& plan, const std::vector<TubeId>& one,
                         const std::vector<TubeId>& two) {
   const auto comes_first = [](const std::vector<TubeId>& order, const std::vector<TubeId>& pair) {
     return std::find(order.begin(), order.end(), pair[0]) < std::find(order.begin(), order.end(), pair[1]);
   };
+  if (rows.cast_on != 0 && first_with_rows(plan, one) != first_with_rows(plan, two)) return false;
   return std::all_of(plan.events.begin(), plan.events.end(), [&](const TubeEvent& event) {
     if (event.kind == EventKind::join)
       return yarn_bringer(plan, one, event) == yarn_bringer(plan, two, event);
@@ -88,18 +99,23 @@ TubePlan in_knitters_order(const UnorderedTubes& at, const TubePlan& plan) {
       std::count_if(plan.tubes.begin(), plan.tubes.end(), [](const Tube& tube) { return tube.rows() > 0; });
   if (with_rows < 2) return plan;
   const TubeOrder least{plan.order, plan.held_most, plan.yarns, plan.order_is_exact};
-  const LimbTubes tubes = knitted(at, plan);
-  const FoundOrder first = search(tubes, plan);
-  TubePlan ordered = in_order_of(plan, least, first);
-  if (make_the_same_rows(plan, plan.order, first.order)) return ordered;
-  // On the rows of that order; from there no further one that makes others again.
-  const LimbTubes again = knitted(at, ordered);
-  const FoundOrder second = search(again, ordered);
-  if (make_the_same_rows(ordered, ordered.order, second.order)) return in_order_of(ordered, least, second);
-  if (const auto limbs = in_order(again, order_of_rows(again)))
-    return in_order_of(ordered, least, {ordered.order, *limbs, second.tried});
-  const auto limbs = in_order(tubes, order_of_rows(tubes));
-  return limbs ? in_order_of(plan, least, {plan.order, *limbs, first.tried}) : plan;
+  // Each time on the rows of the order found last, until it makes them again.
+  TubePlan worked = plan;
+  std::optional<TubePlan> cheapest;  // of those that were worked as they stand
+  double least_cost = 0.0;
+  for (int times = 0; times < most_times; ++times) {
+    const LimbTubes tubes = knitted(at, worked);
+    const FoundOrder found = search(tubes, worked);
+    if (make_the_same_rows(at.rows, worked, worked.order, found.order))
+      return in_order_of(worked, least, found);
+    const auto limbs = in_order(tubes, order_of_rows(tubes));
+    if (limbs && (!cheapest || limbs->cost < least_cost)) {
+      least_cost = limbs->cost;
+      cheapest = in_order_of(worked, least, {worked.order, *limbs, found.tried});
+    }
+    worked = in_order_of(worked, least, found);
+  }
+  return cheapest.value_or(plan);
 }
 
 // Rows after deals take longest, and there are as many as tubes; of many tubes fewer orders are tried.

@@ -2,13 +2,12 @@
 // (knit/order/limb_order.h).
 //
 // What an order costs hangs on where the yarn is when a loop is dealt, and so on every link of the stitches below it. So all rows
-// are worked out once in the order of fewest holders, and linked as placement `nearest` does; the cheapest order is looked for
+// are worked out once in the order of fewest holders, begun and linked as the settings say; the cheapest order is looked for
 // among these stitches. Which loop a join begins on, and which side of a ring is cast on first, follows from the order; where that
-// is another than before, rows are worked out once more, and the order is looked for again among those.
-// Only the mesh, its time and the stitch's size decide; where rounds begin, the cast on's count and the placement are left alone, so
-// that changing them works no tube anew. With those as they are by default yarns and holders are just the pattern's; with others
-// the holders are, and a yarn may have to be moved at a split more often.
-// Cost: the rows, their links and the search (limb_order.h), once or twice.
+// is another than before, rows are worked out once more, and the order is looked for again among those. Where each order makes
+// the rows that another is cheapest on, the cheapest of them on its own rows is taken.
+// So yarns and holders are just the pattern's, whatever is set. A setting that is changed midway finds the order made.
+// Cost: the rows, their links and the search (limb_order.h), mostly once or twice, four times at most.
 #pragma once
 
 #include "knit/mesh/mesh.h"
@@ -22,6 +21,8 @@ struct UnorderedTubes {
   const Timing& timing;
   const TubeGraph& graph;
   const StitchSize& stitch;
+  const RowsSettings& rows;
+  const StitchSettings& stitches;  // the placement chosen
 };
 // The plan with its tubes in that order, its yarns and holders as the pattern counts them. As it is where fewer than two tubes have
 // rows, or no order can be worked.

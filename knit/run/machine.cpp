@@ -7,7 +7,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/run/knitters_order.h"
 #include "knit/settle/settle_stage.h"
-#include "knit/stitches/nearest.h"
+#include "knit/stitches/below_joins.h"
 
 namespace knit {
 
@@ -74,32 +74,6 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
-// Of live stitches, one by one: what the joins that made them say.
-struct BelowJoins {
-  std::vector<std::int32_t> mains;  // rising
-  std::vector<std::uint8_t> shaped;
-  bool cast_on = true;  // all of them
-};
-
-BelowJoins joins_below(const Fabric& fabric, const LiveStitches& live) {
-  BelowJoins below;
-  std::int32_t place = 0;
-  for (const StitchSpan& span : live.spans) {
-    const Join* join = fabric.join_into(span.row);
-    if (join != nullptr) below.cast_on = false;
-    const std::vector<std::uint8_t> shaped = join != nullptr ? shaped_by(*join) : std::vector<std::uint8_t>{};
-    for (std::int32_t i = 0; i < span.count; ++i, ++place) {
-      const std::int32_t stitch = span.first + i;
-      below.shaped.push_back(join != nullptr ? shaped[static_cast<std::size_t>(stitch)] : 0);
-      const bool main = join != nullptr && std::binary_search(join->mains.begin(), join->mains.end(), stitch);
-      if (main) below.mains.push_back(place);
-    }
-  }
-  // Loops that met have brought theirs together.
-  if (live.spans.size() > 1) below.mains = thinned_mains(below.mains, live.size());
-  return below;
-}
-
 // The join into row state.next.row; where no row is worked on another, there is none to make.
 Taken take_join(const Parameters& parameters, State& state) {
   const Fabric& fabric = state.fabric;
@@ -155,7 +129,9 @@ Taken take_choice(const Input& input, State& state) {
 
 Taken take_tubes(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const auto reorder = [&](const TubeGraph& graph, const TubePlan& plan) {
-    return in_knitters_order({input, *state.timing, graph, parameters.stitch}, plan);
+    const Parameters chosen = as_chosen(parameters, state);
+    return in_knitters_order({input, *state.timing, graph, chosen.stitch, chosen.rows, chosen.stitches},
+                             plan);
   };
   return advance_tubes(input, *state.timing, parameters.tubes, parameters.stitch,
                        std::get<TubesWork>(state.work), {state.graph, state.tubes}, reorder, heard);

@@ -33,20 +33,9 @@ JoinCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& w
           carried};
 }
 
-Join plan(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
-  const Placement& placement = placement_of(settings.placement);
-  const RowBelow below = row_below(at);
-  if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});
-  const double square = stitch.width * stitch.width;
-  const NearestPenalties penalties{settings.stacking_penalty * square,
-                                   settings.follow_mains == FollowMains::on ? square : 0.0};
-  return placement.plan(
-      {below, size_of(*at.above), at.row, at.below, at.above->stitches, at.shaped, penalties, at.follows});
-}
-
 Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
                            IndexWork& work, Shared<Join>& join) {
-  Join made = plan(settings, stitch, at);
+  Join made = plan_row_join(settings, stitch, at);
   made.from = at.from;
   work.plan = Shared(std::move(made));
   work.phase = IndexPhase::place;
@@ -81,6 +70,17 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
 }
 
 }  // namespace
+
+Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
+  const Placement& placement = placement_of(settings.placement);
+  const RowBelow below = row_below(at);
+  if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});
+  const double square = stitch.width * stitch.width;
+  const NearestPenalties penalties{settings.stacking_penalty * square,
+                                   settings.follow_mains == FollowMains::on ? square : 0.0};
+  return placement.plan(
+      {below, size_of(*at.above), at.row, at.below, at.above->stitches, at.shaped, penalties, at.follows});
+}
 
 Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
                                    IndexWork& work, Shared<Join>& join) {

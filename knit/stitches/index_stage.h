@@ -34,6 +34,8 @@ struct JoinAt {
   bool follows;                          // its round begins where its wales are shortest
   bool last;                             // no row follows
 };
+// The whole of it at once, as the placement that is set plans it; `from` is left to the caller. Requires a row above.
+Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at);
 // `join`: the product, once it has ended; then `work` is that of the next one.
 Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,
                                    IndexWork& work, Shared<Join>& join);
