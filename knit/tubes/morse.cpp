@@ -8,6 +8,7 @@
 
 #include "knit/import/check_topology.h"
 #include "knit/mesh/edge_table.h"
+#include "knit/mesh/flat_flips.h"
 #include "knit/model/bug.h"
 
 namespace knit {
@@ -220,6 +221,7 @@ MorseSurface make_morse(const Input& input, std::span<const double> field) {
   if (field.size() != input.twin.size()) throw Bug("a field has not one value a vertex");
   MorseSurface surface;
   surface.triangles = agreeing_triangles(input);
+  flip_flat_edges(surface.triangles, input.mesh.positions);
   std::vector<std::uint8_t> used(input.twin.size(), 0);
   for (const Triangle& t : surface.triangles)
     for (const VertexId v : t) used[v] = 1;

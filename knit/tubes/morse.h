@@ -4,6 +4,7 @@
 // part is ordered like any other. A vertex whose link changes sides more than four times (a multi-saddle) is unfolded:
 // one vertex after another is split off at the same place, with the next rank, until each has two runs of upper
 // neighbours; two triangles without area join the halves. The surface stays what it was.
+// Flat parts are cut into triangles anew (knit/mesh/flat_flips.h), so that level curves do not hang on how a file cut them.
 // algorithm: triangles by the corner that is their middle by rank (T. Banchoff, "Critical points and curvature for
 // embedded polyhedra", 1970); a vertex that is the middle of two triangles is regular, of none an extremum.
 #pragma once
