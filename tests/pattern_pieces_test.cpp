@@ -7,6 +7,7 @@
 #include "app/panels/pattern/pattern_lines.h"
 #include "app/panels/pattern/pattern_parts.h"
 #include "knit/limbs/limb_plan.h"
+#include "knit/mesh/branching_shapes.h"
 #include "knit/mesh/shapes.h"
 #include "knit/model/stitch_size.h"
 #include "knit/pattern/limb_words.h"
@@ -173,6 +174,55 @@ TEST_CASE("pieces: notes and materials tell holders, markers and gaps") {
   CHECK(read_pattern(pattern_as_text(pattern)).mistakes.empty());
 }
 
+TEST_CASE("pieces: how a seam is grafted is told, with the pattern's own stitches") {
+  const State state = run_of(cup(0.08), 0.06);
+  const LimbPlan plan = plan_limbs(state);
+  const LimbEnd& end = plan.pieces.back().end;
+  REQUIRE(end.kind == LimbEndKind::grafted);
+  const WrittenPattern pattern = words_for(state);
+  const std::string notes = all_of(pattern.notes), first = std::to_string(end.other_first + 1);
+  CHECK(has_words(notes,
+                  "\"Backwards from st " + first + "\": the first st on the needle meets held st " + first));
+  CHECK(has_words(notes, "\"Graft 1 to 2\": ") ==
+        std::any_of(end.grafts.begin(), end.grafts.end(),
+                    [](const LimbGraft& graft) { return graft != LimbGraft{}; }));
+  CHECK(has_words(all_of(pattern.materials), "Stuffing, if the space between"));
+  // The lining hangs together with nothing before it is grafted; a ring's inner half does, and turns as it is pushed through.
+  CHECK(has_words(told(pattern), " inside out and put it inside, wrong sides together"));
+  CHECK_FALSE(has_words(told(pattern), "Push "));
+  const WrittenPattern ball = words_for(run_of(test_support::arch(), 0.05));
+  CHECK_FALSE(has_words(all_of(ball.notes), "Graft"));
+  CHECK(has_words(all_of(ball.materials), "Stuffing.\n"));
+}
+
+TEST_CASE(
+    "pieces: what waits on a thread is as long as the most stitches that wait, and says so in numbers of its "
+    "own") {
+  const State state = run_of(standing_torus(), 0.03);
+  const LimbPlan plan = plan_limbs(state);
+  const WrittenPattern pattern = words_for(state);
+  for (const LimbItem& item : plan.piece(2).deals.front().items) {
+    if (item.kind != LimbItemKind::take || item.count == item.held) continue;
+    CHECK(has_words(all_of(pattern.notes),
+                    "Fewer held sts than all, as of Branch C (" + std::to_string(item.first + 1)));
+    break;
+  }
+  // Two holders, an end of 20 cm each; a stitch of this gauge is 2 cm wide.
+  const std::int32_t most = std::max(plan.piece(1).last_count(), plan.piece(1).deals.front().held);
+  const std::string metres = std::to_string(2 * (2 * most + 20) / 100 + 1);
+  CHECK(has_words(all_of(write_pattern(plan, {5.0, 7.0}, {}, "ring").materials),
+                  "colour, about " + metres + " m"));
+}
+
+TEST_CASE("pieces: narrow limbs are pulled shut and stuffed lightly, wide ones before they are joined") {
+  const std::string narrow = told(words_for(run_of(test_support::arch(), 0.07))),
+                    wide = told(words_for(run_of(test_support::arch(), 0.03)));
+  CHECK(has_words(
+      narrow,
+      "(Pull the cast-on hole shut with its tail. Stuff each lightly, or leave it empty: it is narrow.)"));
+  CHECK(has_words(wide, "(Pull the cast-on hole shut with its tail. Stuff each before it is joined.)"));
+}
+
 TEST_CASE("pieces: yarn counts the stitches of all rounds, and of gaps once") {
   const State state = run_of(standing_torus(), 0.05);
   const Gauge gauge{22.0, 32.0};
@@ -217,6 +267,7 @@ TEST_CASE("pieces: text, Markdown and page have headings and a chart for each pi
   CHECK(has_words(page, "<li class=\"round step\">Join with Branch "));
   CHECK(has_words(page, "<rect class=\"piece\""));
   CHECK(has_words(page, "<td>Branch C</td>"));
+  CHECK(has_words(page, "\n.sheet:not(.wide) { break-before: auto; }"));  // charts begin where the words end
   CHECK_FALSE(has_words(page, "(Order of work; "));
   const std::vector<std::string> lines = pattern_instructions(session);
   CHECK(lines.front() == "(Worked in 4 pieces, one after the other, from A to D.)");

@@ -79,6 +79,8 @@ constexpr std::string_view style_of_pieces = R"css(.rounds .piece { margin: 4mm 
 .pieces th, .pieces td { padding: .5mm 2.5mm .5mm 0; vertical-align: top; border-bottom: .2mm solid #ddd; }
 .pieces td:first-child { font-weight: 600; }
 .sheet { text-align: center; }
+.sheet:not(.wide) { break-before: auto; }
+.sheet:not(.wide) h2 { margin-top: 5mm; }
 .sheet svg { display: inline-block; margin: 0; max-width: 100%; break-inside: avoid; vertical-align: top; }
 @media print {
   .rounds .piece { margin: 2mm 0 .6mm; }

@@ -20,10 +20,26 @@ bool has_deal(const LimbPlan& plan, LimbDealKind kind) {
   });
 }
 
-// Rows of stitches that wait on a thread take about their own width of it.
+// The most stitches that wait on one thread.
+std::int32_t longest_wait(const LimbPlan& plan) {
+  std::int32_t most = 0;
+  for (const LimbPiece& piece : plan.pieces) {
+    if (piece.end.kind == LimbEndKind::held) most = std::max(most, piece.last_count());
+    for (const LimbDeal& deal : piece.deals) {
+      most = std::max(most, deal.held);
+      const bool all = deal.kind == LimbDealKind::provisional || deal.kind == LimbDealKind::set_aside;
+      if (all) most = std::max(most, deal.after);
+    }
+  }
+  return most;
+}
+
+// Stitches that wait on a thread take about their own width of it, and an end to tie.
 std::string waste_yarn_line(const LimbPlan& plan, const PatternSizes& sizes, std::int32_t holders) {
+  constexpr double gauge_cm = 10.0, end_cm = 20.0, cm_in_m = 100.0;
   const bool provisional = has_deal(plan, LimbDealKind::provisional);
-  const double metres = (holders + (provisional ? 1 : 0)) * (sizes.around_cm + 20.0) / 100.0;
+  const double wide_cm = longest_wait(plan) * gauge_cm / sizes.gauge.stitches;
+  const double metres = (holders + (provisional ? 1 : 0)) * (wide_cm + end_cm) / cm_in_m;
   std::string line = "Waste yarn, smooth and in another colour, about " +
                      std::to_string(static_cast<int>(metres) + 1) + " m";
   if (provisional && holders == 0) return line + ": for the provisional cast on.";
@@ -66,6 +82,21 @@ bool is_stuffed(const LimbPlan& plan) {
   });
 }
 
+namespace {
+
+bool is_grafted(const LimbPiece& piece) {
+  return piece.end.kind == LimbEndKind::grafted && !piece.end.three_needle;
+}
+
+// Whether an inner tube closes a space between itself and the outside.
+bool has_lining(const LimbPlan& plan) {
+  return std::any_of(plan.pieces.begin(), plan.pieces.end(), [&](const LimbPiece& piece) {
+    return piece.end.kind == LimbEndKind::grafted && (piece.inner || plan.piece(piece.end.piece).inner);
+  });
+}
+
+}  // namespace
+
 std::string worked_in(const LimbPlan& plan) {
   return plural(plan.count(), "piece", "pieces") + ", one after the other, from A to " +
          tube_name(plan.count() - 1);
@@ -87,7 +118,10 @@ std::vector<std::string> materials_of_limbs(const LimbPlan& plan, const PatternS
                   [](const LimbPiece& piece) { return piece.end.three_needle; }))
     lines.emplace_back("A third needle of that size, for the three-needle bind off.");
   add_holder_lines(plan, sizes, lines);
-  if (is_stuffed(plan)) lines.emplace_back("Stuffing.");
+  if (is_stuffed(plan))
+    lines.emplace_back("Stuffing.");
+  else if (has_lining(plan))
+    lines.emplace_back("Stuffing, if the space between inside and outside shall be filled.");
   add_marker_lines(plan, used, lines);
   lines.emplace_back("Tapestry needle.");
   return lines;
@@ -107,20 +141,23 @@ const LimbItem* entered_late(const LimbPlan& plan) {
   return nullptr;
 }
 
-bool takes_portions(const LimbPlan& plan) {
-  return std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
-    return std::any_of(piece.deals.begin(), piece.deals.end(), [](const LimbDeal& deal) {
-      return std::any_of(deal.items.begin(), deal.items.end(), [](const LimbItem& item) {
-        return item.kind == LimbItemKind::take && item.count < item.held;
-      });
-    });
-  });
+// The first that takes fewer stitches than are held; null: none does.
+const LimbItem* takes_a_portion(const LimbPlan& plan) {
+  for (const LimbPiece& piece : plan.pieces) {
+    for (const LimbDeal& deal : piece.deals) {
+      for (const LimbItem& item : deal.items) {
+        if (item.kind == LimbItemKind::take && item.count < item.held) return &item;
+      }
+    }
+  }
+  return nullptr;
 }
 
 bool any_slip(const LimbPlan& plan) {
   return std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
     return std::any_of(piece.rounds.begin(), piece.rounds.end(),
-                       [](const LimbRound& r) { return r.slips_back; });
+                       [](const LimbRound& r) { return r.slips_back; }) ||
+           piece.end.slips_back > 0;
   });
 }
 
@@ -138,10 +175,13 @@ void add_marker_notes(const LimbPlan& plan, const LimbNames& names, std::vector<
                     last + ")\": begin at the second marker, which hangs before held st " + first +
                     ", and go round to st " + last + ", so that all of them are worked.");
   }
-  if (takes_portions(plan))
-    notes.emplace_back(
-        "Fewer held sts than all, as \"2 sts of Limb A (10 to 11)\": those by number, counted from its "
-        "marker.");
+  if (const LimbItem* portion = takes_a_portion(plan)) {
+    const std::string first = std::to_string(portion->first + 1),
+                      last = std::to_string((portion->first + portion->count - 1) % portion->held + 1);
+    notes.push_back("Fewer held sts than all, as of " + names(portion->piece) + " (" + first +
+                    (portion->count > 1 ? " to " + last : "") +
+                    "): those by number, counted from its marker.");
+  }
   if (any_slip(plan))
     notes.emplace_back(
         "\"Slip last st back\": put the last st of the rnd before back on the left needle; the marker moves "
@@ -193,6 +233,27 @@ void add_gap_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
                       : ""));
 }
 
+void add_graft_notes(const LimbPlan& plan, const LimbNames& names, std::vector<std::string>& notes) {
+  const auto grafted = std::find_if(plan.pieces.begin(), plan.pieces.end(), is_grafted);
+  if (grafted == plan.pieces.end()) return;
+  const std::int32_t held = plan.piece(grafted->end.piece).last_count(), first = grafted->end.other_first;
+  notes.push_back(
+      "\"Graft\": break the yarn, leaving four times the length of the seam, and join the sts of the needle "
+      "to the held ones with a tapestry needle (kitchener stitch), as if one more rnd were knit between "
+      "them. \"Backwards from st " +
+      std::to_string(first + 1) + "\": the first st on the needle meets held st " +
+      std::to_string(first + 1) + " of " + names(grafted->end.piece) + ", the next one held st " +
+      std::to_string((first + held - 1) % held + 1) + ", and so on round.");
+  const bool uneven = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
+    return is_grafted(piece) && !std::all_of(piece.end.grafts.begin(), piece.end.grafts.end(),
+                                             [](const LimbGraft& graft) { return graft == LimbGraft{}; });
+  });
+  if (uneven)
+    notes.emplace_back(
+        "\"Graft 7\": 7 sts, each to one. \"Graft 1 to 2\": 1 st of the needle to 2 held ones, taken "
+        "together as if they were one; \"graft 2 to 1\": 2 of the needle to 1 held one.");
+}
+
 void add_piece_notes(const LimbPlan& plan, std::vector<std::string>& notes) {
   if (has_deal(plan, LimbDealKind::provisional))
     notes.emplace_back(
@@ -237,6 +298,7 @@ std::vector<std::string> notes_of_limbs(const LimbPlan& plan, const LimbNames& n
       "new yarn is joined before the first st of its list, and the marker goes there.");
   add_gap_notes(plan, notes);
   add_marker_notes(plan, names, notes);
+  add_graft_notes(plan, names, notes);
   add_piece_notes(plan, notes);
   const bool tight = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
     return piece.is_cast_on() && !piece.rounds.empty() && piece.rounds.front().after > piece.first_count();

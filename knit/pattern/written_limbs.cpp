@@ -110,9 +110,9 @@ class Writer {
     const LimbPiece& piece = plan_.piece(first);
     heading(first, end);
     if (piece.inner)
-      remark(
-          "This tube is the inside of the work: knit it right side out like the others. It is pushed through "
-          "at the end.");
+      remark("This tube is the inside of the work: knit it right side out like the others. " +
+             std::string(is_apart(first) ? "It is turned inside out and put inside at the end."
+                                         : "It is pushed through at the end."));
     for (const LimbDeal& deal : piece.deals) begin_with(deal);
     rounds(first, end);
     ends(first, end);
@@ -214,6 +214,15 @@ class Writer {
     return last;
   }
 
+  // Hung together with no other piece before it is grafted.
+  [[nodiscard]] bool is_apart(std::int32_t number) const {
+    const auto meets = [&](const LimbPiece& piece) {
+      return piece.end.kind == LimbEndKind::grafted &&
+             (&piece == &plan_.piece(number) || piece.end.piece == number);
+    };
+    return begins_alone(plan_.piece(number)) && std::any_of(plan_.pieces.begin(), plan_.pieces.end(), meets);
+  }
+
   [[nodiscard]] bool is_divided_next(std::int32_t piece) const {
     if (plan_.piece(piece).end.kind != LimbEndKind::goes_on) return false;
     const LimbDealKind next = plan_.piece(plan_.piece(piece).end.piece).deals.front().kind;
@@ -225,12 +234,15 @@ class Writer {
     const LimbPiece& piece = plan_.piece(first);
     constexpr std::int32_t long_limb = 3;
     const bool joined = piece.end.kind == LimbEndKind::held || piece.end.kind == LimbEndKind::goes_on;
-    if (!stuffed_ || !joined || widest_of(piece) < wide_enough_to_stuff || piece.round_count() <= long_limb)
-      return;
+    if (!stuffed_ || !joined || piece.round_count() <= long_limb) return;
     const bool divided = is_divided_next(first), alone = begins_alone(piece);
-    if (!alone && !divided) return;
+    const bool narrow = widest_of(piece) < wide_enough_to_stuff;
+    if (!alone && (!divided || narrow)) return;
     std::string words = alone ? "Pull the cast-on hole shut with its tail. " : "";
-    if (divided)
+    if (narrow)
+      words += std::string("Stuff ") + (end - first > 1 ? "each" : "it") +
+               " lightly, or leave it empty: it is narrow.";
+    else if (divided)
       words += "Stuff what is made so far, up to a finger below the needle, before it is divided.";
     else
       words += std::string("Stuff ") + (end - first > 1 ? "each" : "it") + " before it is joined.";
@@ -243,9 +255,9 @@ class Writer {
                                : plan_.piece(piece.end.piece).inner ? piece.end.piece
                                                                     : -1;
     if (inner >= 0)
-      remark("Push " + names_(inner) +
-             " to the inside, wrong sides together; stuff the space between, if you like, "
-             "before the last sts are " +
+      remark((is_apart(inner) ? "Turn " + names_(inner) + " inside out and put it inside"
+                              : "Push " + names_(inner) + " to the inside") +
+             ", wrong sides together; stuff the space between, if you like, before the last sts are " +
              (piece.end.three_needle ? "bound off." : "grafted."));
     const bool one_by_one = std::all_of(piece.end.grafts.begin(), piece.end.grafts.end(),
                                         [](const LimbGraft& graft) { return graft == LimbGraft{}; });
