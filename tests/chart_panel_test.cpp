@@ -1,4 +1,5 @@
 // The chart in the centre and the round at hand over it: keys, pointer, and what they wish.
+#include "app/panels/pattern/chart_bands.h"
 #include "app/panels/pattern/chart_cache.h"
 #include "app/panels/pattern/pattern_parts.h"
 #include "app/session/document.h"
@@ -29,6 +30,40 @@ TEST_CASE("T shows the chart and the view again, K the round at hand") {
   CHECK_FALSE(only<KnitAlong>(desk.press({Key::K, {}, 0})).round);
   desk.act({KnitAlong{std::nullopt}});
   CHECK(only<KnitAlong>(desk.press({Key::K, {}, 0})).round == 7);  // remembered
+}
+
+TEST_CASE("a wide chart is broken into bands where its squares would be too small to read") {
+  const ChartRoom room{700.0f, 400.0f, 20.0f, 9.0f, 28.0f};
+  const ChartBands whole = bands_for(60, 30, room);  // 11.7 across, 13.3 up
+  CHECK(whole.count == 1);
+  CHECK(whole.gap == 0.0f);
+  CHECK(whole.side == 700.0f / 60.0f);
+  CHECK(bands_for(60, 100, room).count == 1);  // its height makes it small, breaking would not help
+  CHECK(bands_for(3, 3, room).side == 28.0f);
+
+  // All in sight: as large as two bands let it be. In one it would have squares of 5.5.
+  const ChartBands two = bands_for(127, 15, room);
+  CHECK(two.count == 2);
+  CHECK(two.each == 70);
+  CHECK(two.columns_in(1) == 57);
+  CHECK(two.side == 10.0f);
+  CHECK(two.height() <= room.height);
+
+  // Not all in sight, but legible; and never wider than the room.
+  const ChartBands high = bands_for(127, 29, room);
+  CHECK(high.count == 2);
+  CHECK(high.side == 9.0f);
+  CHECK(high.height() > room.height);
+  CHECK(high.width() <= room.width);
+  CHECK(bands_for(127, 29, {120.0f, 400.0f, 20.0f, 9.0f, 28.0f}).width() <= 120.0f);
+
+  // Column 0 is the right edge of the first band, row 0 the lowest; the second begins at the right again.
+  CHECK(two.at(0, 0).x == 690.0f);
+  CHECK(two.at(14, 0).y == 20.0f);
+  CHECK(two.at(0, 69).x == 0.0f);
+  CHECK(two.at(0, 70).x == 690.0f);
+  CHECK(two.at(14, 70).y == 20.0f + 150.0f + 20.0f);
+  CHECK(two.scaled(2.0f).at(14, 70).y == 380.0f);
 }
 
 TEST_CASE("the chart stands in the view's place, before there is anything to chart too") {

@@ -337,3 +337,24 @@ TEST_CASE("pieces: the chart of a piece is chosen by its letter") {
   for (const char* letter : {"A", "B", "C", "D"})
     CHECK(desk.ui.controls.count("chart/piece/" + std::string(letter)) == 1);
 }
+
+TEST_CASE(
+    "pieces: in a narrow room the chart goes on in bands, and squares of all of them are under the pointer") {
+  desk::Desk desk(1280, 960, 2.5f);
+  desk.session.document = torus_document();
+  desk.act({app::ToLast{}, app::ShowCentre{app::CentrePanel::chart, "B"}});
+  desk.settle();
+  const app::ChartCache& cache = desk.ui.own<app::ChartCache>();
+  const auto columns = static_cast<std::size_t>(cache.piece_charts().at(1).chart.columns);
+  const app::Box room = desk.ui.controls.at("chart");
+  std::vector<std::int32_t> rows;  // met on the way down
+  for (float y = room.y + 2.0f; y < room.bottom(); y += 4.0f) {
+    desk.act(desk.frames({app::MouseMove{room.x + 0.6f * room.width, y}}));
+    const auto hovered = desk.session.view->gaze.hovered_stitch;
+    if (hovered && (rows.empty() || rows.back() != hovered->row)) rows.push_back(hovered->row);
+  }
+  const auto up = std::adjacent_find(rows.begin(), rows.end(), [](auto a, auto b) { return b > a; });
+  CAPTURE(columns, room.width, rows);
+  CHECK(up != rows.end());
+  CHECK(rows.size() > 4);
+}

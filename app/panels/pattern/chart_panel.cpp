@@ -1,3 +1,4 @@
+#include "app/panels/pattern/chart_bands.h"
 #include "app/panels/pattern/chart_cache.h"
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/pattern/pattern_parts.h"
@@ -103,13 +104,13 @@ void draw_square(ImDrawList& list, ImVec2 low, const knit::ChartSquare& square, 
 
 namespace {
 
-// Where squares stand on the screen. Column 0 is the right edge, the first row the lowest.
+// Where squares stand on the screen. Column 0 is the right edge, the first row the lowest of each band.
 struct Sheet {
   const knit::Chart& chart;
   const knit::PieceChart* piece;  // null: the whole pattern is one chart
   const knit::LimbPlan* plan;     // of which the piece is
-  ImVec2 low;                     // of the upper left square
-  float side;
+  ChartBands bands;
+  ImVec2 low;  // of all bands
 
   // The fabric's row that a row of the chart is; 0: none's, it knits nothing.
   [[nodiscard]] std::int32_t round_of(std::size_t row) const {
@@ -133,12 +134,14 @@ struct Sheet {
   }
 
   [[nodiscard]] ImVec2 at(std::size_t row, std::size_t column) const {
-    const auto columns = static_cast<std::size_t>(chart.columns);
-    return {low.x + side * static_cast<float>(columns - 1 - column),
-            low.y + side * static_cast<float>(chart.rows.size() - 1 - row)};
+    const ChartBands::Place place = bands.at(row, column);
+    return {low.x + place.x, low.y + place.y};
   }
-  [[nodiscard]] ImVec2 size() const {
-    return {side * static_cast<float>(chart.columns), side * static_cast<float>(chart.rows.size())};
+  [[nodiscard]] float side() const { return bands.side; }
+  // The columns that a band begins and ends with.
+  [[nodiscard]] std::size_t first_of(std::size_t band) const { return band * bands.each; }
+  [[nodiscard]] std::size_t last_of(std::size_t band) const {
+    return first_of(band) + bands.columns_in(band) - 1;
   }
 };
 
@@ -147,20 +150,27 @@ struct SquarePlace {
 };
 
 std::optional<SquarePlace> square_under(const Sheet& sheet, ImVec2 pointer) {
-  const float x = (pointer.x - sheet.low.x) / sheet.side;
-  const float y = (pointer.y - sheet.low.y) / sheet.side;
-  const auto columns = static_cast<float>(sheet.chart.columns);
-  const auto rows = static_cast<float>(sheet.chart.rows.size());
-  if (x < 0.0f || y < 0.0f || x >= columns || y >= rows) return std::nullopt;
-  return SquarePlace{static_cast<std::size_t>(rows - 1.0f - std::floor(y)),
-                     static_cast<std::size_t>(columns - 1.0f - std::floor(x))};
+  for (std::size_t band = 0; band < sheet.bands.count; ++band) {
+    const ImVec2 low = sheet.at(sheet.bands.rows - 1, sheet.last_of(band));
+    const float x = (pointer.x - low.x) / sheet.side(), y = (pointer.y - low.y) / sheet.side();
+    const auto columns = static_cast<float>(sheet.bands.columns_in(band));
+    const auto rows = static_cast<float>(sheet.bands.rows);
+    if (x < 0.0f || y < 0.0f || x >= columns || y >= rows) continue;
+    return SquarePlace{static_cast<std::size_t>(rows - 1.0f - std::floor(y)),
+                       sheet.last_of(band) - static_cast<std::size_t>(std::floor(x))};
+  }
+  return std::nullopt;
 }
 
-float fitting_side(const PanelFrame& frame, const knit::Chart& chart, const Box& box) {
-  const float across = (box.width - frame.units(110.0f)) / static_cast<float>(std::max(1, chart.columns));
-  const float up =
-      (box.height - frame.units(40.0f)) / static_cast<float>(std::max<std::size_t>(1, chart.rows.size()));
-  return std::clamp(std::min(across, up), 1.0f, frame.units(28.0f));
+// Wide charts of pieces are broken, as on paper; that of a shape without limbs is seen as a whole.
+ChartBands bands_of(const PanelFrame& frame, const knit::Chart& chart, bool piece, const Box& box) {
+  ChartRoom room;
+  room.width = box.width - frame.units(110.0f);
+  room.height = box.height - frame.units(40.0f);
+  room.gap = ImGui::GetTextLineHeight() + frame.units(12.0f);
+  room.legible = piece ? frame.units(9.0f) : 0.0f;
+  room.largest = frame.units(28.0f);
+  return bands_for(static_cast<std::size_t>(std::max(1, chart.columns)), chart.rows.size(), room);
 }
 
 void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
@@ -181,9 +191,10 @@ void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
   view.zoom *= factor;
 }
 
+// Beside every band, as on paper; the counts beside the last.
 void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) {
   const float needed = ImGui::GetTextLineHeight();
-  const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side)));
+  const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side())));
   const knit::ChartRow& round = sheet.chart.rows[row];
   if (sheet.piece != nullptr && sheet.round_of(row) == 0) return;
   const std::int32_t hand = current_round(frame);
@@ -194,12 +205,32 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   if (!current && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = style::packed(current ? theme().anchor : theme().faint_text);
-  const float y = sheet.at(row, 0).y + 0.5f * (sheet.side - needed);
   const std::string words = std::to_string(round.number) + (round.slips_back ? " <" : "");
-  list.AddText(ImVec2(sheet.low.x + sheet.size().x + frame.units(6.0f), y), colour, words.c_str());
+  const float down = 0.5f * (sheet.side() - needed);
+  for (std::size_t band = 0; band < sheet.bands.count; ++band) {
+    const ImVec2 right = sheet.at(row, sheet.first_of(band));
+    list.AddText(ImVec2(right.x + sheet.side() + frame.units(6.0f), right.y + down), colour, words.c_str());
+  }
   const std::string count = std::to_string(round.stitches);
   const float width = ImGui::CalcTextSize(count.c_str()).x;
-  list.AddText(ImVec2(sheet.low.x - width - frame.units(6.0f), y), colour, count.c_str());
+  const ImVec2 left = sheet.at(row, sheet.bands.columns - 1);
+  list.AddText(ImVec2(left.x - width - frame.units(6.0f), left.y + down), colour, count.c_str());
+}
+
+// "Columns 1 to 70 of 127", above each band; nothing where the chart is whole, or so small that it has no room. `more`: not all
+// bands are in sight.
+void draw_band_words(const Sheet& sheet, bool more) {
+  if (sheet.bands.gap < ImGui::GetTextLineHeight()) return;
+  for (std::size_t band = 0; band < sheet.bands.count; ++band) {
+    std::string words = "Columns " + std::to_string(sheet.first_of(band) + 1) + " to " +
+                        std::to_string(sheet.last_of(band) + 1) + " of " +
+                        std::to_string(sheet.bands.columns);
+    if (more && band == 0) words += "; drag the chart to see the others";
+    const ImVec2 low = sheet.at(sheet.bands.rows - 1, sheet.last_of(band));
+    const float free = sheet.bands.gap - ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddText(ImVec2(low.x, low.y - sheet.bands.gap + 0.6f * free),
+                                        style::packed(theme().faint_text), words.c_str());
+  }
 }
 
 void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
@@ -211,15 +242,15 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
     if (!each.empty()) hovered = each.front();
   }
   for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
-    const float y = sheet.at(row, 0).y;
-    if (y > box.bottom() || y + sheet.side < box.y) continue;
     const knit::ChartRow& round = sheet.chart.rows[row];
     const bool lit =
         sheet.piece != nullptr ? sheet.round_of(row) == current && current > 0 : round.number == current;
     for (std::size_t column = 0; column < round.squares.size(); ++column) {
+      const ImVec2 low = sheet.at(row, column);
+      if (low.y > box.bottom() || low.y + sheet.side() < box.y) continue;
       const knit::ChartSquare& square = round.squares[column];
       const bool here = hovered && hovered == sheet.stitch_at(row, square);
-      draw_square(list, sheet.at(row, column), square, {sheet.side, lit, here});
+      draw_square(list, low, square, {sheet.side(), lit, here});
     }
     draw_numbers(frame, sheet, row);
   }
@@ -242,12 +273,13 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
     first = static_cast<std::size_t>(begin - all.begin());
     last = static_cast<std::size_t>(end - all.begin()) - 1;
   }
-  const ImVec2 low = sheet.at(last, static_cast<std::size_t>(sheet.chart.columns) - 1);
-  const ImVec2 high = sheet.at(first, 0);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 end(high.x + sheet.side, high.y + sheet.side);
-  list.AddRectFilled(low, end, style::packed(theme().accent, 50));
-  list.AddRect(low, end, style::packed(theme().accent), frame.units(2.0f), 0, frame.units(2.0f));
+  for (std::size_t band = 0; band < sheet.bands.count; ++band) {
+    const ImVec2 low = sheet.at(last, sheet.last_of(band)), high = sheet.at(first, sheet.first_of(band));
+    const ImVec2 end(high.x + sheet.side(), high.y + sheet.side());
+    list.AddRectFilled(low, end, style::packed(theme().accent, 50));
+    list.AddRect(low, end, style::packed(theme().accent), frame.units(2.0f), 0, frame.units(2.0f));
+  }
 }
 
 // What a square stands for: the label that shaped it, else its stitch.
@@ -294,7 +326,7 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
     if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
       under = sheet.stitch_at(place->row, sheet.chart.rows[place->row].squares[place->column]);
       const ImVec2 low = sheet.at(place->row, place->column);
-      tooltip_about(frame, {low.x, low.y, sheet.side, sheet.side}, words_for(sheet, *place));
+      tooltip_about(frame, {low.x, low.y, sheet.side(), sheet.side()}, words_for(sheet, *place));
       const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
       const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                            std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);
@@ -353,6 +385,20 @@ const knit::PieceChart& chosen_piece(PanelFrame& frame, const Box& box) {
   return charts[shown.chart];
 }
 
+// Bands that are higher than the room begin at its top, or so much higher that the current round of the first is seen.
+float lowered_by(const PanelFrame& frame, const Sheet& sheet, const Box& room) {
+  const float margin = frame.units(20.0f), over = sheet.bands.height() + 2.0f * margin - room.height;
+  if (over <= 0.0f || sheet.bands.count == 1) return 0.0f;
+  float up = 0.0f;
+  const std::int32_t current = sheet.own_row(current_round(frame));
+  for (std::size_t row = 0; row < sheet.bands.rows; ++row) {
+    if (current == 0 || sheet.round_of(row) != current) continue;
+    const float bottom = margin + sheet.bands.at(row, 0).y + sheet.side() + margin;
+    up = std::max(0.0f, bottom - room.height);
+  }
+  return 0.5f * over - up;
+}
+
 // Below what stands in the panel already.
 void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceChart* piece, const Box& box) {
   Box room = box;
@@ -367,11 +413,14 @@ void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceCh
   handle_zoom_and_drag(frame, room);
   const ChartView& view = frame.own<ChartView>();
   const knit::LimbPlan* plan = piece != nullptr ? &frame.own<ChartCache>().pieces().plan : nullptr;
-  Sheet sheet{chart, piece, plan, {}, fitting_side(frame, chart, room) * view.zoom};
-  const ImVec2 size = sheet.size();
-  sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - size.x) + view.move.x),
-                     std::floor(room.y + 0.5f * (room.height - size.y) + view.move.y));
+  const ChartBands bands = bands_of(frame, chart, piece != nullptr, room);
+  Sheet sheet{chart, piece, plan, bands, {}};
+  const float lower = view.zoom * lowered_by(frame, sheet, room);
+  sheet.bands = bands.scaled(view.zoom);
+  sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - sheet.bands.width()) + view.move.x),
+                     std::floor(room.y + 0.5f * (room.height - sheet.bands.height()) + lower + view.move.y));
   draw_squares(frame, sheet, room, frame.session.view->gaze.hovered_stitch);
+  draw_band_words(sheet, sheet.bands.height() > room.height);
   draw_hovered_rounds(frame, sheet);
   handle_pointer(frame, sheet);
 }
