@@ -207,6 +207,35 @@ TEST_CASE("repair: what cannot be calculated with is left alone", "[repair]") {
   CHECK_FALSE(plan_repairs({}));
 }
 
+TEST_CASE("repair: where none alone makes it better, those that do together are found, and no more",
+          "[repair]") {
+  // A fin that stands there twice: dropping one of the two leaves as much wrong as before.
+  Mesh mesh = corpus::ball();
+  const auto [a, b, c] = mesh.triangles[40];
+  const auto tip = static_cast<VertexId>(mesh.positions.size());
+  mesh.positions.push_back(1.3 * mesh.positions[a]);
+  mesh.triangles.push_back({a, b, tip});
+  mesh.triangles.push_back({b, a, tip});
+  for (const RepairKind kind : all_kinds) CHECK_FALSE(check(carry_out(mesh, {kind}).mesh).fit());
+  const auto plan = plan_repairs(mesh);
+  REQUIRE(plan);
+  CHECK(keys_of(*plan) == "doubles,fins");
+  CHECK(check(plan->mesh).fit());
+  CHECK(plan->mesh.triangles.size() == corpus::ball().triangles.size());
+  CHECK(plan->pieces.empty());
+  // Beside another piece, which is left out too.
+  Mesh two = mesh;
+  const Mesh other = corpus::moved(corpus::ball(), 0.2, 5.0);
+  const auto first = static_cast<VertexId>(two.positions.size());
+  two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
+  for (const auto& triangle : other.triangles)
+    two.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  const auto of_two = plan_repairs(two);
+  REQUIRE(of_two);
+  CHECK(keys_of(*of_two) == "doubles,fins,largest-piece");
+  CHECK(of_two->pieces.size() == 2);
+}
+
 TEST_CASE("repair: names lead back to their kind", "[repair]") {
   for (const RepairKind kind : all_kinds) CHECK(repair_named(key_of(kind)) == kind);
   CHECK_FALSE(repair_named("all"));

@@ -381,6 +381,28 @@ std::vector<RepairKind> every_kind(std::size_t piece) {
   return kinds;
 }
 
+// Where no repair alone makes it better, all of them together may: welding closes a crack and leaves faces twice, which
+// the next one drops. Then those are left out, last first, without which it is fit too. At most twice as many repairs as
+// there are kinds for each kind.
+std::optional<RepairPlan> plan_together(const Mesh& mesh, std::size_t piece) {
+  RepairPlan plan = carry_out(mesh, every_kind(piece));
+  if (!check(plan.mesh).fit()) return std::nullopt;
+  std::vector<RepairKind> kinds = plan.kinds();
+  for (std::size_t i = kinds.size(); i-- > 0;) {
+    std::vector<RepairKind> fewer = kinds;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    RepairPlan tried = carry_out(mesh, fewer);
+    if (!check(tried.mesh).fit()) continue;
+    kinds = std::move(fewer);
+    plan = std::move(tried);
+  }
+  const auto keeps = std::find_if(kinds.begin(), kinds.end(), [](RepairKind kind) {
+    return kind == RepairKind::largest_piece || piece_kept(kind) > 0;
+  });
+  if (keeps != kinds.end()) plan.pieces = piece_shares(carry_out(mesh, {kinds.begin(), keeps}).mesh);
+  return plan;
+}
+
 }  // namespace
 
 std::size_t RepairWish::piece() const {
@@ -413,7 +435,7 @@ std::optional<RepairPlan> plan_repairs(const Mesh& mesh, std::size_t piece) {
     wrong = std::move(after);
     if (wrong.fit()) return plan;
   }
-  return std::nullopt;
+  return plan_together(mesh, piece);
 }
 
 RepairPlan carry_out(const Mesh& mesh, const std::vector<RepairKind>& kinds) {
