@@ -1,0 +1,223 @@
+#include "knit/rhythm/rhythm_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "knit/model/ties.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::array dials{8.0 / 3.0, 1.0, 7.0 / 15.0, 0.2, 0.08, 1.0 / 30.0};
+
+constexpr std::array one_a_section{4, 5, 6, 7, 8, 9, 10, 12};
+constexpr std::array pairs_alone{2, 3, 4, 5, 6};
+constexpr std::array pairs_or_halves{3, 4, 6};
+
+std::vector<RhythmFamily> families_of(const RhythmSettings& settings) {
+  std::vector<RhythmFamily> families;
+  if (settings.style != RhythmStyle::pairs || settings.changes % 2 == 1) {
+    if (settings.changes > 0) return {{settings.changes, true, false}};
+    for (const std::int32_t sections : one_a_section) families.push_back({sections, true, false});
+    return families;
+  }
+  if (settings.changes > 0) return {{settings.changes / 2, false, true}, {settings.changes / 2, true, true}};
+  for (const std::int32_t sections : pairs_alone) families.push_back({sections, false, true});
+  for (const std::int32_t sections : pairs_or_halves) families.push_back({sections, true, true});
+  return families;
+}
+
+// What a piece of this width may be made of: enough stitches for a few shaping rounds. On a narrow one the smallest number
+// of changes is all there is.
+std::vector<RhythmFamily> families_for(const RhythmSettings& settings, double belt) {
+  std::vector<RhythmFamily> families = families_of(settings);
+  if (settings.changes > 0) return families;
+  const auto too_many = [&](const RhythmFamily& family) { return family.changes() > belt / 3.4; };
+  const RhythmFamily least = families.front();
+  families.erase(std::remove_if(families.begin(), families.end(), too_many), families.end());
+  if (!families.empty()) return families;
+  return {least, {3, true, false}};
+}
+
+double belt_of(std::span<const double> ideals) { return *std::max_element(ideals.begin(), ideals.end()); }
+
+// As it was asked for; and so that a number of stitches that the family has is exactly the widest row's, unless that is far.
+std::vector<double> sizes_for(const RhythmFamily& family, double belt, bool may_change_size) {
+  constexpr double least = 0.004;
+  constexpr double most = 0.04;
+  std::vector<double> sizes{1.0};
+  const double size = family.sections * rounded(belt / family.sections) / belt;
+  const double change = std::abs(size - 1.0);
+  if (may_change_size && change > least && change <= most) sizes.push_back(size);
+  return sizes;
+}
+
+double preference(std::int32_t changes) {
+  switch (changes) {
+    case 4:
+    case 6:
+    case 8:
+    case 12:
+      return 0.0;
+    case 3:
+    case 5:
+    case 9:
+    case 10:
+      return 0.5;
+    case 7:
+      return 1.0;
+    default:
+      return 2.0;
+  }
+}
+
+double score_of(const RhythmPlan& plan) {
+  double lines = 0.0;
+  std::set<std::int32_t> steps;
+  for (const Segment& segment : plan.segments) {
+    lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;
+    if (segment.change != 0) steps.insert(std::abs(segment.change));
+  }
+  const auto is_change = [&](std::size_t row) {
+    return row < plan.roles.size() && plan.roles[row] == RowRole::change;
+  };
+  std::int32_t shaping = 0;
+  std::int32_t unrested = 0;
+  for (std::size_t row = 0; row < plan.roles.size(); ++row) {
+    shaping += is_change(row) ? 1 : 0;
+    unrested += is_change(row) && is_change(row + 1) ? 1 : 0;
+  }
+  const double more_steps = steps.empty() ? 0.0 : static_cast<double>(steps.size()) - 1.0;
+  return lines + 0.3 * std::max(0, unrested - 2) + 0.04 * shaping + preference(plan.changes) + more_steps +
+         15.0 * std::abs(plan.size - 1.0);
+}
+
+std::vector<double> opening_half(std::span<const double> ideals) {
+  std::vector<double> half;
+  for (std::size_t row = 0; row < (ideals.size() + 1) / 2; ++row)
+    half.push_back((ideals[row] + ideals[ideals.size() - 1 - row]) / 2.0);
+  return half;
+}
+
+// The one with the least rank, the first of equals.
+template <class Rank>
+const RhythmPlan* least_by(const std::vector<RhythmPlan>& plans, bool (*taken)(const RhythmPlan&),
+                           Rank rank) {
+  const RhythmPlan* best = nullptr;
+  for (const RhythmPlan& plan : plans) {
+    if (taken(plan) && (best == nullptr || clearly_less(rank(plan), rank(*best), 1.0))) best = &plan;
+  }
+  return best;
+}
+
+const RhythmPlan* best_of(const std::vector<RhythmPlan>& plans) {
+  const RhythmPlan* best = least_by(
+      plans, [](const RhythmPlan& plan) { return plan.within; },
+      [](const RhythmPlan& plan) { return plan.score; });
+  if (best != nullptr) return best;
+  return least_by(
+      plans, [](const RhythmPlan&) { return true; },
+      [](const RhythmPlan& plan) { return 1.5 * plan.seen.worst() + 0.3 * plan.score; });
+}
+
+}  // namespace
+
+IdealsAt resized_ideals(std::vector<double> ideals) {
+  return [ideals = std::move(ideals)](double size) {
+    const auto rows = ideals.size();
+    if (size == 1.0 || rows < 3) {
+      std::vector<double> scaled = ideals;
+      for (double& ideal : scaled) ideal *= size;
+      return scaled;
+    }
+    // The first and the last row stand one row from the ends.
+    const auto resized_rows =
+        static_cast<std::size_t>(std::max(3.0, rounded(size * (static_cast<double>(rows) + 1.0)) - 1.0));
+    std::vector<double> resized;
+    for (std::size_t row = 0; row < resized_rows; ++row) {
+      const double at = (static_cast<double>(row) + 1.0) * (static_cast<double>(rows) + 1.0) /
+                            (static_cast<double>(resized_rows) + 1.0) -
+                        1.0;
+      const double within = std::clamp(at, 0.0, static_cast<double>(rows - 1));
+      const auto below = std::min(static_cast<std::size_t>(within), rows - 2);
+      const double part = at - static_cast<double>(below);
+      const double between = ideals[below] + part * (ideals[below + 1] - ideals[below]);
+      resized.push_back(size * std::max(between, 0.1 * ideals[below]));
+    }
+    return resized;
+  };
+}
+
+std::span<const double> rhythm_dials() { return dials; }
+
+bool is_mirrored(std::span<const double> ideals) {
+  constexpr double alike = 0.01;
+  const double belt = belt_of(ideals);
+  for (std::size_t row = 0; row < ideals.size() / 2; ++row) {
+    if (!clearly_less(std::abs(ideals[row] - ideals[ideals.size() - 1 - row]), alike * belt, belt))
+      return false;
+  }
+  return true;
+}
+
+std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const RhythmFamily& family, double dial,
+                                      const RhythmStart& start) {
+  RhythmPlan plan;
+  plan.sections = family.sections;
+  plan.changes = family.changes();
+  plan.dial = dial;
+  plan.mirrored = start == RhythmStart{} && is_mirrored(ideals);
+  const RhythmPrices prices = rhythm_prices(family, dial, ideals);
+  const std::vector<double> half = plan.mirrored ? opening_half(ideals) : std::vector<double>{};
+  const std::span<const double> planned = plan.mirrored ? std::span<const double>(half) : ideals;
+  std::optional<FoundSegments> found = find_segments({planned, family, prices, start, plan.mirrored});
+  if (!found) return {};
+  plan.cost = found->cost;
+  plan.segments = plan.mirrored
+                      ? with_mirror(std::move(found->segments), static_cast<std::int32_t>(ideals.size()))
+                      : std::move(found->segments);
+  plan.counts = counts_of(found->first, plan.segments);
+  plan.roles = roles_of(plan.segments);
+  plan.seen = seen_deviation(plan.counts, ideals.subspan(static_cast<std::size_t>(start.row)));
+  plan.seen.row += start.row;
+  plan.score = score_of(plan);
+  return plan;
+}
+
+std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettings& settings,
+                                      const RhythmStart& start) {
+  const std::vector<double> asked = ideals(1.0);
+  const double belt = belt_of(asked);
+  std::vector<RhythmPlan> plans;
+  for (const RhythmFamily& family : families_for(settings, belt)) {
+    const bool may_change_size = settings.fit_size == FitSize::on && start == RhythmStart{};
+    for (const double size : sizes_for(family, belt, may_change_size)) {
+      const std::vector<double> sized = size == 1.0 ? asked : ideals(size);
+      for (const double dial : dials) {
+        std::optional<RhythmPlan> plan =
+            plan_family(sized, family, settings.dial > 0.0 ? settings.dial : dial, start);
+        if (plan) {
+          plan->size = size;
+          plan->score = score_of(*plan);
+          plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
+          plans.push_back(*std::move(plan));
+        }
+        if (settings.dial > 0.0) break;
+      }
+    }
+  }
+  // A rhythm that never comes near the widest row is none, as long as there is another.
+  const auto too_narrow = [&](const RhythmPlan& plan) {
+    return *std::max_element(plan.counts.begin(), plan.counts.end()) < 0.7 * plan.size * belt;
+  };
+  if (!std::all_of(plans.begin(), plans.end(), too_narrow))
+    plans.erase(std::remove_if(plans.begin(), plans.end(), too_narrow), plans.end());
+  const RhythmPlan* best = best_of(plans);
+  return best != nullptr ? std::optional(*best) : std::nullopt;
+}
+
+}  // namespace knit

@@ -1,0 +1,234 @@
+#include "knit/rhythm/segment_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "knit/model/ties.h"
+
+namespace knit {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::int32_t longest_turn = 12;
+constexpr std::int32_t most_turns = 40;
+constexpr std::int32_t ends = 4;
+constexpr std::int32_t after_plain = 1;
+constexpr std::int32_t after_change = 2;
+constexpr std::int32_t after_rest = 3;
+static_assert(static_cast<std::int32_t>(SegmentEnd::rested) == after_rest);
+
+double highest_first(double ideal) { return std::max(12.0, 2.6 * ideal); }
+
+class SegmentSearch {
+ public:
+  explicit SegmentSearch(const SegmentTask& task)
+      : task_(task), rows_(static_cast<std::int32_t>(task.ideals.size())), twice_(task.half ? 2.0 : 1.0) {
+    const double belt = *std::max_element(task.ideals.begin(), task.ideals.end());
+    levels_ = static_cast<std::int32_t>(std::ceil(1.12 * belt / sections())) + 1;
+    levels_ = std::max(levels_, std::max(task.start.count, task.last) / sections());
+    band_ = std::max(1.6 * task.family.changes(), 0.1 * belt) + 2.0;
+    sum_stretches();
+    tie_scale_ = std::max(1.0, belt * belt);
+  }
+
+  std::optional<FoundSegments> found() {
+    begin();
+    for (std::int32_t row = task_.start.row; row < rows_; ++row) {
+      for (std::int32_t level = 0; level < levels_; ++level) {
+        for (std::int32_t end = 0; end < ends; ++end) {
+          const Place here{row, level, end};
+          if (at(here).cost < never && is_near(row, level)) go_on(here);
+        }
+      }
+    }
+    return best();
+  }
+
+ private:
+  // A count is sections x (level + 1).
+  struct Place {
+    std::int32_t row = 0, level = 0, end = 0;
+  };
+  // By a segment of so many turns that begins at the place with the number `from`; the two places say the rest of it.
+  struct Reached {
+    double cost = never;
+    std::int32_t from = -1;
+    std::int32_t times = 1;
+  };
+
+  [[nodiscard]] std::int32_t sections() const { return task_.family.sections; }
+  [[nodiscard]] std::int32_t count_at(std::int32_t level) const { return sections() * (level + 1); }
+  [[nodiscard]] double ideal(std::int32_t row) const { return task_.ideals[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] std::int32_t number_of(const Place& place) const {
+    return (place.row * levels_ + place.level) * ends + place.end;
+  }
+  [[nodiscard]] Place place_of(std::int32_t number) const {
+    const std::int32_t line = number / ends;
+    return {line / levels_, line % levels_, number % ends};
+  }
+  [[nodiscard]] Reached& at(const Place& place) {
+    return reached_[static_cast<std::size_t>(number_of(place))];
+  }
+  // Of the rows a to b - 1 at one count.
+  [[nodiscard]] double stretch(std::int32_t level, std::int32_t a, std::int32_t b) const {
+    const auto line = static_cast<std::size_t>(level) * (task_.ideals.size() + 1);
+    return sums_[line + static_cast<std::size_t>(b)] - sums_[line + static_cast<std::size_t>(a)];
+  }
+  // The first rows about a pole may be far off: a cast on has its least.
+  [[nodiscard]] bool is_near(std::int32_t row, std::int32_t level) const {
+    return row <= 2 || std::abs(count_at(level) - ideal(row)) <= band_;
+  }
+
+  void sum_stretches() {
+    for (std::int32_t level = 0; level < levels_; ++level) {
+      sums_.push_back(0.0);
+      for (const double ideal : task_.ideals) {
+        const double off = count_at(level) - ideal;
+        sums_.push_back(sums_.back() + twice_ * std::min(1.0, ideal / 12.0) * off * off);
+      }
+    }
+    reached_.resize(static_cast<std::size_t>(rows_ * levels_ * ends));
+  }
+
+  void begin() {
+    const RhythmStart& start = task_.start;
+    for (std::int32_t level = 0; level < levels_; ++level) {
+      const std::int32_t count = count_at(level);
+      const bool begins =
+          start.count > 0 ? count == start.count : count >= 3 && count <= highest_first(ideal(0));
+      if (!begins) continue;
+      Reached& first = at({start.row, level, static_cast<std::int32_t>(start.ended)});
+      first.cost = start.row == 0 ? stretch(level, 0, 1) : 0.0;
+    }
+  }
+
+  void reach(const Place& to, double cost, const Place& from, std::int32_t times) {
+    Reached& there = at(to);
+    if (there.cost < never && !clearly_less(cost, there.cost, tie_scale_)) return;
+    there = {cost, number_of(from), times};
+  }
+
+  void go_on(const Place& from) {
+    if (from.end != after_plain) stay(from);
+    for (const std::int32_t each : {1, 2}) {
+      if (!(each == 1 ? task_.family.one : task_.family.two)) continue;
+      for (const std::int32_t step : {each, -each}) {
+        for (std::int32_t turn = 1; turn <= longest_turn && from.row + turn < rows_; ++turn) {
+          change_last(from, step, turn);
+          if (turn > 1) change_first(from, step, turn);
+        }
+      }
+    }
+  }
+
+  void stay(const Place& from) {
+    const double cost = at(from).cost + twice_ * task_.prices.plain;
+    for (std::int32_t row = from.row + 1; row < rows_; ++row) {
+      reach({row, from.level, after_plain}, cost + stretch(from.level, from.row + 1, row + 1), from, 1);
+    }
+  }
+
+  [[nodiscard]] double begun(const Place& from, std::int32_t step) {
+    const bool single = task_.family.two && std::abs(step) == 1;
+    return at(from).cost + twice_ * (task_.prices.rhythm + (single ? task_.prices.single : 0.0));
+  }
+  [[nodiscard]] bool can_turn(const Place& now, std::int32_t step, std::int32_t turn) const {
+    return now.row + turn < rows_ && now.level + step >= 0 && now.level + step < levels_ &&
+           may_change(now.level + 1, step);
+  }
+
+  void change_last(const Place& from, std::int32_t step, std::int32_t turn) {
+    Place now{from.row, from.level, after_change};
+    double cost = begun(from, step);
+    const bool at_once = from.end == after_change;
+    for (std::int32_t times = 1; times <= most_turns && can_turn(now, step, turn); ++times) {
+      cost += stretch(now.level, now.row + 1, now.row + turn);
+      now.level += step;
+      now.row += turn;
+      if (!is_near(now.row, now.level)) return;
+      const bool unrested = turn == 1 && (times > 1 || at_once);
+      cost += stretch(now.level, now.row, now.row + 1) +
+              twice_ * (task_.prices.change + (unrested ? task_.prices.unrested : 0.0));
+      reach(now, cost, from, times);
+    }
+  }
+
+  void change_first(const Place& from, std::int32_t step, std::int32_t turn) {
+    Place now{from.row, from.level, after_rest};
+    double cost = begun(from, step);
+    if (from.end == after_change) cost += twice_ * task_.prices.unrested;
+    for (std::int32_t times = 1; times <= most_turns && can_turn(now, step, turn); ++times) {
+      now.level += step;
+      cost += stretch(now.level, now.row + 1, now.row + turn + 1) + twice_ * task_.prices.change;
+      now.row += turn;
+      if (!is_near(now.row, now.level)) return;
+      reach(now, cost, from, times);
+    }
+  }
+
+  [[nodiscard]] Segment segment_between(const Place& from, const Place& to) {
+    const std::int32_t times = at(to).times;
+    const SegmentKind kind = to.end == after_plain    ? SegmentKind::plain
+                             : to.end == after_change ? SegmentKind::pre
+                                                      : SegmentKind::post;
+    return {kind, (to.row - from.row) / times, (to.level - from.level) / times * sections(), times};
+  }
+
+  [[nodiscard]] std::optional<FoundSegments> best() {
+    std::optional<Place> least;
+    const auto look = [&](bool (*allowed)(std::int32_t, const SegmentTask&)) {
+      for (std::int32_t level = 0; level < levels_; ++level) {
+        if (!allowed(count_at(level), task_)) continue;
+        for (std::int32_t end = 0; end < ends; ++end) {
+          const Place here{rows_ - 1, level, end};
+          if (at(here).cost == never) continue;
+          if (least && !clearly_less(at(here).cost, at(*least).cost, tie_scale_)) continue;
+          least = here;
+        }
+      }
+    };
+    look([](std::int32_t count, const SegmentTask& task) {
+      if (task.last > 0) return count == task.last;
+      return task.half || count <= highest_first(task.ideals.back());
+    });
+    if (!least && task_.last == 0) look([](std::int32_t, const SegmentTask&) { return true; });
+    if (!least) return {};
+    FoundSegments found;
+    found.cost = at(*least).cost;
+    Place now = *least;
+    while (now.row > task_.start.row) {
+      const Place from = place_of(at(now).from);
+      found.segments.push_back(segment_between(from, now));
+      now = from;
+    }
+    std::reverse(found.segments.begin(), found.segments.end());
+    found.first = count_at(now.level);
+    return found;
+  }
+
+  const SegmentTask& task_;
+  std::int32_t rows_ = 0, levels_ = 0;
+  double twice_ = 1.0, band_ = 0.0, tie_scale_ = 1.0;
+  std::vector<double> sums_;  // of a level's rows, level after level
+  std::vector<Reached> reached_;
+};
+
+}  // namespace
+
+RhythmPrices rhythm_prices(const RhythmFamily& family, double dial, std::span<const double> ideals) {
+  const double percent = *std::max_element(ideals.begin(), ideals.end()) / 100.0;
+  const double unit = percent * percent * static_cast<double>(ideals.size());
+  const double rhythm = 1.5 * dial * unit;
+  return {rhythm, 0.4 * rhythm, 0.015 * unit, 0.05 * unit, family.one && family.two ? 0.3 * rhythm : 0.0};
+}
+
+bool may_change(std::int32_t section, std::int32_t change) {
+  if (change > 0) return change <= section;
+  return section + change >= 1 && -2 * change <= section;
+}
+
+std::optional<FoundSegments> find_segments(const SegmentTask& task) { return SegmentSearch(task).found(); }
+
+}  // namespace knit
