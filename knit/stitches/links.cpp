@@ -24,7 +24,6 @@ void pair_section(Join& t, std::size_t main, std::size_t end) {
 void link_cells(Join& join) {
   const std::size_t cells = join.labels.size();
   join.partner.resize(cells);
-  join.link.resize(cells);
   for (std::size_t cell = 0; cell < cells; ++cell) join.partner[cell] = static_cast<std::int32_t>(cell);
 
   std::size_t main = 0;
@@ -33,13 +32,17 @@ void link_cells(Join& join) {
     pair_section(join, main, cell);
     main = cell;
   }
+  link_by_partners(join);
+}
 
+void link_by_partners(Join& join) {
+  join.link.resize(join.labels.size());
   std::int32_t stitch = 0;
-  for (std::size_t cell = 0; cell < cells; ++cell) {
+  for (std::size_t cell = 0; cell < join.labels.size(); ++cell) {
     if (is_shaping(join.labels[cell])) continue;
     join.link[cell] = stitch++;
   }
-  for (std::size_t cell = 0; cell < cells; ++cell) {
+  for (std::size_t cell = 0; cell < join.labels.size(); ++cell) {
     if (is_shaping(join.labels[cell]))
       join.link[cell] = join.link[static_cast<std::size_t>(join.partner[cell])];
   }

@@ -13,4 +13,7 @@ namespace knit {
 // Fills partner and link from labels, below and above.
 void link_cells(Join& join);
 
+// Fills link from labels and partner.
+void link_by_partners(Join& join);
+
 }  // namespace knit
