@@ -1,6 +1,6 @@
 #include "knit/rhythm/segments.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace knit {
 
@@ -46,8 +46,8 @@ std::vector<Segment> with_mirror(std::vector<Segment> opening, std::int32_t rows
   std::vector<Segment> all = opening;
   if (const std::int32_t between = rows - 1 - 2 * used; between > 0)
     all.push_back({SegmentKind::plain, between});
-  for (auto segment = opening.rbegin(); segment != opening.rend(); ++segment)
-    all.push_back(turned_round(*segment));
+  std::reverse(opening.begin(), opening.end());
+  for (const Segment& segment : opening) all.push_back(turned_round(segment));
   return all;
 }
 
