@@ -10,6 +10,7 @@
 #include "knit/mesh/closest_point.h"
 #include "knit/mesh/triangle_tree.h"
 #include "knit/model/stitch_size.h"
+#include "knit/quality/coverage.h"
 #include "knit/quality/measures.h"
 #include "knit/run/timeline.h"
 #include "knit/settle/settle.h"
@@ -135,6 +136,16 @@ Mesh elbow() {
     const double angle = turn / bend;
     p = {bend - (bend - p.x) * std::cos(angle) + rest * std::sin(angle),
          (bend - p.x) * std::sin(angle) + rest * std::cos(angle), p.z};
+  }
+  return mesh;
+}
+
+// A ball with a thin horn on its side, in the middle of the rows: no row ends on it.
+Mesh horned() {
+  Mesh mesh = sphere(160, 121);
+  for (glm::dvec3& p : mesh.positions) {
+    const double aside = (p.y * p.y + p.z * p.z) / 0.06;
+    if (p.x > 0.0 && aside < 1.0) p.x += 1.2 * (1.0 - aside);
   }
   return mesh;
 }
@@ -337,7 +348,19 @@ TEST_CASE("settle: slopes are those of the sum, and the step's right side is hal
   test_support::Dice dice(13);  // shaken so that corners turn over and rims are off
   for (glm::dvec3& p : positions)
     p += 0.4 * made.stitch.width * glm::dvec3(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
-  const SettleTerms& terms = work.plan->terms;
+  SettleTerms terms = work.plan->terms;
+  terms.places.clear();  // some that the fabric leaves
+  for (std::size_t i = 0; i < positions.size(); i += 7)
+    terms.places.push_back({work.plan->start.positions[i] + made.stitch.width * normals[i],
+                            made.stitch.width * made.stitch.height, 0.5 * made.stitch.height});
+  // Places are found wherever they were found last.
+  SettleSettings no_cover = settings;
+  no_cover.cover = 0.0;
+  std::vector<std::uint32_t> near(terms.places.size(), 0);
+  const double sum = sum_of_terms(terms, settings, {positions, normals});
+  CHECK(sum > 1.1 * sum_of_terms(terms, no_cover, {positions, normals}));
+  for (int time = 0; time < 2; ++time)
+    CHECK(sum_of_terms(terms, settings, {positions, normals, near}) == sum);
   const std::vector<glm::dvec3> slopes = slopes_of(terms, settings, {positions, normals});
   const double tiny = 1e-6 * made.stitch.width;
   double largest = 0.0;
@@ -482,6 +505,30 @@ TEST_CASE("settle: a few stitches at a sharp edge hold up nobody but those besid
   while (!work.done) tries += advance_settling(*made.input, settings, work).tries;
   CHECK(work.iteration >= 5);
   CHECK(tries <= work.iteration + 3);
+}
+
+TEST_CASE("settle: a limb that no row ends on stays covered") {
+  Knitted made = knitted(horned(), 0.04);
+  const auto uncovered = [&](const Settled& at) {
+    State state = made.state;
+    state.fabric = state.fabric.moved_to(at.positions);
+    return measure_uncovered(*made.input, state, made.stitch.width, made.stitch.height).share;
+  };
+  SettleSettings without;
+  without.cover = 0.0;
+  const SettleWork slid = settled(made, without), held = settled(made);
+  const double placed = uncovered(held.plan->start);
+  CHECK(uncovered(*slid.at) > placed + 0.03);
+  CHECK(uncovered(*held.at) < placed + 0.0015);
+  // Only there is anything asked for, and a horn's end is its farthest place.
+  double farthest = 0.0;
+  REQUIRE(!held.plan->terms.places.empty());
+  for (const CoverPlace& place : held.plan->terms.places) {
+    CHECK(place.at.x > 0.9);
+    farthest = std::max(farthest, place.at.x);
+  }
+  CHECK(farthest > 2.15);
+  CHECK(begun(knitted(sphere(64, 33), 0.04)).plan->terms.places.empty());
 }
 
 TEST_CASE("settle: it ends after as many iterations as are allowed") {

@@ -132,7 +132,7 @@ struct SettleSettings {
   double shear = 0.25;  // of a quad's two diagonals, which are to be alike
   double rim = 1.0;     // of the way from where the rim of an opening was
   double fold = 1.0;    // of a face's corner that is about to turn over
-  double cover = 0.5;   // of the way in of a stitch that stood out, as at the end of a limb
+  double cover = 1.0;   // of a place that fabric slides off, as from the end of a limb
   int most_iterations = 60;
   friend bool operator==(const SettleSettings&, const SettleSettings&) = default;
 };

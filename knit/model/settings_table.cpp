@@ -233,7 +233,7 @@ constexpr std::array table{
     ParameterInfo{"settle-fold", "Folds", "", "How much it counts that no face turns over.", "Settling",
                   Stage::settle, settle_weight<&SettleSettings::fold>(), is_settled},
     ParameterInfo{"settle-cover", "Cover", "",
-                  "How much it counts that stitches at the ends of limbs stay there.", "Settling",
+                  "How much it counts that thin limbs and their ends stay covered.", "Settling",
                   Stage::settle, settle_weight<&SettleSettings::cover>(), is_settled},
     ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
                   "Settling", Stage::settle,

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "knit/mesh/elementary.h"
+#include "knit/mesh/triangle_tree.h"
 
 namespace knit {
 
@@ -16,9 +18,6 @@ namespace {
 constexpr double least_corner = 0.25;
 // And below which what it lacks counts once more, so that pulls of several stitches do not turn it over.
 constexpr double turning_corner = 0.15;
-
-// From where on a stitch stands out, in w, from where on it does so wholly, and how far it may slide in before it is held.
-constexpr double tip_begins = 0.6, tip_ends = 1.0, tip_slack = 0.25;
 
 // One residual, and how it changes with the positions of the stitches that it hangs on.
 template <std::size_t N>
@@ -32,6 +31,11 @@ struct Term {
 struct EdgeTerm : Term<2> {
   glm::dvec3 along{0.0};
   double stiffness = 0.0;
+};
+
+// Of a place that a face is to cover: the face's stitches have shares in it.
+struct CoverTerm : Term<3> {
+  std::array<double, 3> shares{};
 };
 
 // |a - b| as a unit vector and a length; no direction where they meet.
@@ -120,13 +124,43 @@ void visit_corners(const SettleTerms& terms, double weight, Placed placed, Sink&
   }
 }
 
+// Of a place on a triangle, the corners'; alike where the triangle has no area.
+std::array<double, 3> shares_of(const glm::dvec3& place, const Corners& corners) {
+  const auto& [a, b, c] = corners;
+  const glm::dvec3 across = glm::cross(b - a, c - a);
+  const double area = glm::dot(across, across);
+  if (!(area > 0.0)) return {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+  const double first = glm::dot(glm::cross(c - b, place - b), across) / area;
+  const double second = glm::dot(glm::cross(a - c, place - c), across) / area;
+  return {first, second, 1.0 - first - second};
+}
+
+// A place that the triangle remembered covers is passed over; for the others the nearest of all is searched.
 template <class Sink>
-void visit_tips(const SettleTerms& terms, double weight, Placed placed, Sink& sink) {
-  for (const Tip& tip : terms.tips) {
-    const double in = (tip.was - glm::dot(tip.out, placed.positions[tip.stitch])) / terms.width - tip_slack;
-    if (in <= 0.0) continue;
-    const double scale = std::sqrt(weight * tip.share);
-    sink(Term<1>{scale * in, {tip.stitch}, {-scale / terms.width * tip.out}});
+void visit_places(const SettleTerms& terms, double weight, Placed placed, Sink& sink) {
+  const auto& triangles = terms.graph.triangles;
+  const auto corners_of = [&](std::uint32_t triangle) {
+    const auto& [a, b, c] = triangles[triangle];
+    return Corners{placed.positions[a], placed.positions[b], placed.positions[c]};
+  };
+  const double unit = left_by * terms.height;
+  std::optional<TriangleTree> tree;
+  for (std::size_t i = 0; i < terms.places.size(); ++i) {
+    const CoverPlace& place = terms.places[i];
+    const std::uint32_t near = placed.near.empty() ? place.near : placed.near[i];
+    if (distance_to_triangle(place.at, corners_of(near)) <= place.allowed) continue;
+    if (!tree) tree.emplace(placed.positions, triangles);
+    const SurfacePlace nearest = tree->nearest(place.at);
+    if (!placed.near.empty()) placed.near[i] = nearest.triangle;
+    const Span span = span_of(nearest.point, place.at);
+    if (span.length <= place.allowed) continue;
+    const double scale = std::sqrt(weight * place.area / (terms.width * terms.height)) / unit;
+    const glm::dvec3 slope = scale * span.along;
+    const auto shares = shares_of(nearest.point, corners_of(nearest.triangle));
+    sink(CoverTerm{{scale * (span.length - place.allowed),
+                    triangles[nearest.triangle],
+                    {shares[0] * slope, shares[1] * slope, shares[2] * slope}},
+                   shares});
   }
 }
 
@@ -137,7 +171,7 @@ void visit_terms(const SettleTerms& terms, const SettleSettings& settings, Place
   visit_quads(terms, settings.shear, placed, sink);
   visit_rims(terms, settings.rim, placed, sink);
   visit_corners(terms, settings.fold, placed, sink);
-  visit_tips(terms, settings.cover, placed, sink);
+  if (settings.cover > 0.0) visit_places(terms, settings.cover, placed, sink);
 }
 
 struct Summing {
@@ -200,6 +234,15 @@ struct Linearising {
     Block& both = system.below[pattern.slot(a, b)];
     add_across(both, frames[p > q ? a : b], frames[p > q ? b : a], term.along, -term.stiffness);
   }
+  void operator()(const CoverTerm& term) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Frame& frame = frames[term.stitches[i]];
+      const glm::dvec2 g{glm::dot(term.slopes[i], frame.u), glm::dot(term.slopes[i], frame.v)};
+      const std::uint32_t place = pattern.place[term.stitches[i]];
+      system.right[place] -= term.residual * g;
+      if (term.shares[i] > 0.0) add_product(system.diagonal[place], g / term.shares[i], g);
+    }
+  }
   // The part of the identity across a direction, between two planes.
   static void add_across(Block& block, const Frame& down, const Frame& across, const glm::dvec3& along,
                          double factor) {
@@ -232,34 +275,6 @@ double facing_of(const SettleGraph& graph, Placed placed) {
   for (const auto& corner : graph.corners)
     balance += glm::dot(corner_area(corner, placed.positions), placed.normals[corner[0]]) < 0.0 ? -1 : 1;
   return balance < 0 ? -1.0 : 1.0;
-}
-
-std::vector<Tip> tips_of(const SettleGraph& graph, Placed placed, double width) {
-  std::vector<std::vector<std::uint32_t>> beside(graph.stitches);
-  for (const auto& [a, b] : graph.beside) {
-    beside[a].push_back(b);
-    beside[b].push_back(a);
-  }
-  std::vector<Tip> tips;
-  std::vector<std::uint32_t> around;
-  for (std::uint32_t i = 0; i < graph.stitches; ++i) {
-    around.clear();
-    for (const std::uint32_t near : beside[i]) {
-      around.push_back(near);
-      around.insert(around.end(), beside[near].begin(), beside[near].end());
-    }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    glm::dvec3 middle(0.0);
-    for (const std::uint32_t near : around) middle += placed.positions[near];
-    if (around.empty()) continue;
-    middle /= static_cast<double>(around.size());
-    const Span away = span_of(placed.positions[i], middle);
-    const double out = away.length / width * std::max(0.0, glm::dot(away.along, placed.normals[i]));
-    const double share = std::clamp((out - tip_begins) / (tip_ends - tip_begins), 0.0, 1.0);
-    if (share > 0.0) tips.push_back({i, share, away.along, glm::dot(away.along, placed.positions[i])});
-  }
-  return tips;
 }
 
 double sum_of_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed) {

@@ -5,10 +5,13 @@
 //   shear  * sum over quads    ((|d1| - |d2|) / hypotenuse(w, h))^2      d1, d2 the diagonals
 //   rim    * sum over stitches of rims  (distance to the rim's first polygon / w)^2
 //   fold   * sum over corners  (max(0, 1/4 - a) + max(0, 0.15 - a))^2     a = n . ((q - p) x (r - p)) / (w h)
-//   cover  * sum over tips     share * max(0, (where it was - p) . out / w - slack)^2
-// Without the last, fabric slides off what sticks out: it would be shorter farther in.
+//   cover  * sum over places that fabric may slide off  area / (w h) * (max(0, d - allowed) / (h / 4))^2
+//            d from the place to the nearest face; allowed 3/4 h, or what it was at first if that is more
+// Without the last, fabric slides off what sticks out: it would be shorter farther in. So a place that comes to lie uncovered,
+// h away, costs its area in stitches.
 // One step of Levenberg-Marquardt linearises each in the tangent planes of its stitches, two unknowns a stitch, normals
-// held still: A = sum of g g^T, b = sum of g r, and (A + shift) x = -b. To A comes how edges that are too long resist being
+// held still: A = sum of g g^T, b = sum of g r, and (A + shift) x = -b. Of a place that a face's stitches cover by the shares
+// c, A gets c g g^T at each stitch alone, which is no less (Jensen) and the same where they move alike. To A comes how edges that are too long resist being
 // turned, (|e| - L) / |e| of the identity across e: without it a step turns them wildly, and about twice as many iterations
 // are needed. Cost: one pass over all terms.
 #pragma once
@@ -21,34 +24,28 @@
 
 #include "knit/model/settings.h"
 #include "knit/settle/blocks.h"
+#include "knit/settle/cover.h"
 #include "knit/settle/graph.h"
 
 namespace knit {
-
-// A stitch that stands out, as at the end of a limb, by its share from 0 to 1; it is held back from sliding in.
-struct Tip {
-  std::uint32_t stitch = 0;
-  double share = 0.0;
-  glm::dvec3 out{0.0};  // which way, of length 1
-  double was = 0.0;     // how far along it
-  [[nodiscard]] auto fields() const { return std::tie(stitch, share, out, was); }
-  friend bool operator==(const Tip&, const Tip&) = default;
-};
 
 // The terms, with what does not change while stitches move.
 struct SettleTerms {
   SettleGraph graph;
   std::vector<std::vector<glm::dvec3>> rim_polygons;  // as the stitches of graph.rims lay at first
-  std::vector<Tip> tips;
+  std::vector<CoverPlace> places;
   double facing = 1.0;               // -1: faces run clockwise seen from the mesh's outside
   double width = 1.0, height = 1.0;  // of a stitch
-  [[nodiscard]] auto fields() const { return std::tie(graph, rim_polygons, tips, facing, width, height); }
+  [[nodiscard]] auto fields() const { return std::tie(graph, rim_polygons, places, facing, width, height); }
   friend bool operator==(const SettleTerms&, const SettleTerms&) = default;
 };
 
 // By number along the knitting path.
 struct Placed {
   std::span<const glm::dvec3> positions, normals;
+  // Per place to be covered the triangle that it was found nearest to last, or empty. It saves searches; nothing that comes
+  // out depends on it.
+  std::span<std::uint32_t> near = {};
 };
 
 // Two directions of length 1 that span the plane across a normal.
@@ -59,9 +56,6 @@ Frame frame_across(const glm::dvec3& normal);
 
 // Which way faces run: by most corners.
 double facing_of(const SettleGraph& graph, Placed placed);
-
-// Stitches that lie farther out than those up to two faces away, by a share of the stitch's width.
-std::vector<Tip> tips_of(const SettleGraph& graph, Placed placed, double width);
 
 double sum_of_terms(const SettleTerms& terms, const SettleSettings& settings, Placed placed);
 

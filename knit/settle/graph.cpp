@@ -55,6 +55,8 @@ class Gathering {
       if (i == 0 || count == 4) graph_.corners.push_back({c[i], c[next], c[last]});
       for (std::size_t j = i + 1; j < count; ++j) graph_.beside.push_back(rising(c[i], c[j]));
     }
+    graph_.triangles.push_back({c[0], c[1], c[2]});
+    if (count == 4) graph_.triangles.push_back({c[0], c[2], c[3]});
     if (count == 4 && of_strip) graph_.quads.push_back(c);
   }
 

@@ -17,11 +17,13 @@ struct SettleGraph {
   std::vector<std::array<std::uint32_t, 4>> quads;  // of strips, a ring's too; not of a deal without a bridge
   // The stitch, the next in its face and the one before: all of quads, one of triangles.
   std::vector<std::array<std::uint32_t, 3>> corners;
+  std::vector<std::array<std::uint32_t, 3>>
+      triangles;  // faces; quads are cut between their first and third corner
   // Pairs of stitches of one face, low number first, rising: what a move of one may mean to another.
   std::vector<std::array<std::uint32_t, 2>> beside;
   std::vector<std::vector<std::uint32_t>> rims;  // of the openings, one after the other round them
   [[nodiscard]] auto fields() const {
-    return std::tie(stitches, wales, courses, quads, corners, beside, rims);
+    return std::tie(stitches, wales, courses, quads, corners, triangles, beside, rims);
   }
   friend bool operator==(const SettleGraph&, const SettleGraph&) = default;
 };

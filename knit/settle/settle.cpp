@@ -50,6 +50,7 @@ struct SettleMemory {
   std::vector<glm::dvec3> normals, to_normals;
   std::vector<glm::dvec2> moves;
   Settled to;
+  std::vector<std::uint32_t> near;        // per place to be covered: the face found nearest last
   std::vector<double> grown;              // per stitch: by how much the terms that hang on it
   std::vector<double> share, share_then;  // per stitch: of its move
 };
@@ -64,12 +65,17 @@ class Iteration {
       : settings_(settings), plan_(*work.plan), from_(*work.at), sum_(work.sum), heard_(heard), m_(memory) {
     m_.walk.refer_to(input, plan_.normals);
     if (m_.solver.pattern() != &plan_.pattern) m_.solver.refer_to(plan_.pattern, part_of(heard_, 0.0, 0.1));
+    if (m_.near.size() != plan_.terms.places.size()) {
+      m_.near.clear();
+      for (const CoverPlace& place : plan_.terms.places) m_.near.push_back(place.near);
+    }
     hear(heard_, 0.0);
     find_normals(input, plan_, from_, m_.normals);
     m_.frames.clear();
     for (const glm::dvec3& normal : m_.normals) m_.frames.push_back(frame_across(normal));
     hear(heard_, 0.0);
-    linearise(plan_.terms, settings_, {from_.positions, m_.normals}, m_.frames, plan_.pattern, m_.system);
+    linearise(plan_.terms, settings_, {from_.positions, m_.normals, m_.near}, m_.frames, plan_.pattern,
+              m_.system);
   }
 
   // Whether the shift leads anywhere; where to is then to be seen. Of what is heard, each try is most of what is left.
@@ -129,7 +135,7 @@ class Iteration {
       if (m_.share[i] != m_.share_then[i]) walk(i);
     }
     m_.share_then = m_.share;
-    return sum_of_terms(plan_.terms, settings_, {m_.to.positions, m_.to_normals});
+    return sum_of_terms(plan_.terms, settings_, {m_.to.positions, m_.to_normals, m_.near});
   }
   void walk(std::size_t i) {
     glm::dvec3 move = m_.moves[i].x * m_.frames[i].u + m_.moves[i].y * m_.frames[i].v;
@@ -145,8 +151,8 @@ class Iteration {
 
   void hold_back() {
     m_.grown.assign(m_.moves.size(), 0.0);
-    add_terms(plan_.terms, settings_, {m_.to.positions, m_.to_normals}, 1.0, m_.grown);
-    add_terms(plan_.terms, settings_, {from_.positions, m_.normals}, -1.0, m_.grown);
+    add_terms(plan_.terms, settings_, {m_.to.positions, m_.to_normals, m_.near}, 1.0, m_.grown);
+    add_terms(plan_.terms, settings_, {from_.positions, m_.normals, m_.near}, -1.0, m_.grown);
     const double most = *std::max_element(m_.grown.begin(), m_.grown.end());
     for (std::size_t i = 0; i < m_.grown.size(); ++i) {
       if (m_.grown[i] > held_from * most) m_.share[i] *= held_to;
@@ -184,13 +190,14 @@ void begin_settling(const Input& input, const Fabric& fabric, const StitchSize& 
     std::vector<glm::dvec3>& polygon = plan.terms.rim_polygons.emplace_back();
     for (const std::uint32_t stitch_of_rim : rim) polygon.push_back(plan.start.positions[stitch_of_rim]);
   }
-  plan.pattern = make_block_pattern(plan.terms.graph.beside, plan.start.positions, part_of(heard, 0.5, 0.9));
-  hear(heard, 0.9);
+  plan.pattern = make_block_pattern(plan.terms.graph.beside, plan.start.positions, part_of(heard, 0.5, 0.8));
   std::vector<glm::dvec3> normals;
   find_normals(input, plan, plan.start, normals);
   const Placed placed{plan.start.positions, normals};
   plan.terms.facing = facing_of(plan.terms.graph, placed);
-  plan.terms.tips = tips_of(plan.terms.graph, placed, stitch.width);
+  plan.terms.places = places_to_cover(
+      input, {plan.terms.graph, placed.positions, placed.normals, stitch.width, stitch.height},
+      part_of(heard, 0.8, 1.0));
   work = SettleWork{};
   work.memory = KeptMemory<SettleMemory>::made();
   work.sum = sum_of_terms(plan.terms, settings, placed);
