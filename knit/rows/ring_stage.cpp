@@ -15,6 +15,9 @@ double time_of_level(const Timing& timing, std::int32_t level) {
   return timing.levels.times[static_cast<std::size_t>(level)];
 }
 
+// All rings are of one tube.
+LiveStitches below(const RingRow& at) { return at.fabric.live(0); }
+
 CycleGathered gather(const Timing& timing, RowWork& work) {
   const auto level = timing.levels.level(work.level);
   work.phase = RowPhase::order;
@@ -65,10 +68,11 @@ Advanced<RingEvent> close(const Input& input, const RowsSettings& rows, const St
   if (stop_on_stall && stalled(work.walk)) return stall(at.timing, work);
   ClosedRow closed = close_row(work.walk, *work.ring, input, rows, stitch);
   const auto picked = static_cast<std::int32_t>(closed.stitches.size());
-  const auto needed = needed_count(picked, at.on.size(), work.ring->length, stitch.width);
+  const std::int32_t on = below(at).size();
+  const auto needed = needed_count(picked, on, work.ring->length, stitch.width);
   const bool changes_too_much = needed && needed->reason != ResampleReason::too_few;
   if (changes_too_much && rows.resample == Resample::off) {
-    return Stopped{StopReason::changes_too_much,        {}, work.level, picked, at.on.size(), no_vertex, 0.0,
+    return Stopped{StopReason::changes_too_much,        {}, work.level, picked, on, no_vertex, 0.0,
                    time_of_level(at.timing, work.level)};
   }
   const bool gap_fits = verdict_on(closed.gap, band_of(rows, stitch)) == Verdict::accepted;
@@ -102,8 +106,8 @@ Advanced<RingEvent> share(const RowsSettings& rows, const StitchSize& stitch, co
                        work.closed.gap,
                        shared.gap};
   const std::int32_t level = work.level;
-  row =
-      Row{0, at.number, at.on, level, time_of_level(at.timing, level), work.ring, std::move(shared.stitches)};
+  row = Row{
+      0, at.number, below(at), level, time_of_level(at.timing, level), work.ring, std::move(shared.stitches)};
   work = row_work_at(level + 1);
   return {step, level < at.last_level ? Ended::row : Ended::stage};
 }
@@ -122,7 +126,7 @@ Advanced<RingEvent> advance_rings(const Input& input, const RowsSettings& rows, 
       return take_nearest(work.walk, *work.ring, input, rows, stitch);
     }
     case RowPhase::resample:
-      return resample(stitch, at.on.size(), work);
+      return resample(stitch, below(at).size(), work);
     case RowPhase::share:
       return share(rows, stitch, at, work, row);
     case RowPhase::measure:

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "knit/fabric/fabric.h"
 #include "knit/fabric/row.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
@@ -41,7 +42,7 @@ struct RingRow {
   const Timing& timing;
   std::int32_t last_level;  // that makes a row
   RowId number;             // the row's
-  const LiveStitches& on;   // what it is worked on
+  const Fabric& fabric;     // whose live stitches it is worked on, at its end
 };
 // `row`: the product, once the row has ended; then `work` is that of the next row.
 Advanced<RingEvent> advance_rings(const Input& input, const RowsSettings& rows, const StitchSize& stitch,

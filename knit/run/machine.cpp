@@ -13,6 +13,36 @@ namespace knit {
 
 namespace {
 
+// --- What was left to itself, group by group: a step copies only what its stage reads
+
+TimingSettings timing_as_chosen(const Parameters& parameters, const State& state) {
+  TimingSettings timing = parameters.timing;
+  if (timing.kind != TimingKind::by_itself) return timing;
+  const auto* work = std::get_if<TimingWork>(&state.work);
+  if (parameters.rows.source == RowSource::rings) {
+    timing.kind = TimingKind::linear;  // no other time has rings
+  } else if (state.timing) {
+    timing.kind = state.timing->kind;
+  } else if (work != nullptr && work->ends) {
+    timing.kind = work->kind;
+  }
+  return timing;
+}
+
+StitchSettings stitches_as_chosen(StitchSettings stitches, const State& state) {
+  if (stitches.placement != PlacementPolicy::by_itself) return stitches;
+  if (state.rows_from == RowSource::rings) stitches.placement = PlacementPolicy::thesis;
+  if (state.rows_from == RowSource::contours) stitches.placement = PlacementPolicy::nearest;
+  return stitches;
+}
+
+Settling settling_as_chosen(Settling settling, const State& state) {
+  if (settling != Settling::by_itself || state.rows_from == RowSource::by_itself) return settling;
+  return state.rows_from == RowSource::contours ? Settling::on : Settling::off;
+}
+
+// --- One step
+
 // What a step did, and what ended with it.
 struct Taken {
   Event what;
@@ -65,8 +95,7 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   if (auto* contours = std::get_if<ContourWork>(&state.work)) {
     return take_contours(input, parameters, state, *contours);
   }
-  const LiveStitches on = state.fabric.live(0);
-  const RingRow at{*state.timing, state.last_level, state.next.row, on};
+  const RingRow at{*state.timing, state.last_level, state.next.row, state.fabric};
   std::optional<Row> row;
   Taken taken =
       advance_rings(input, parameters.rows, parameters.stitch, at, std::get<RowWork>(state.work), row);
@@ -74,21 +103,24 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
-// The join into row state.next.row; where no row is worked on another, there is none to make.
+// The join into row state.next.row; where no row is worked on another, there is none to make. What lies below is read
+// until the join is planned; the steps that place label after label go by the plan.
 Taken take_join(const Parameters& parameters, State& state) {
   const Fabric& fabric = state.fabric;
   const RowId id = state.next.row;
+  auto& work = std::get<IndexWork>(state.work);
   const Row* row = fabric.find_row(id);
   if (row != nullptr && row->on.empty()) row = nullptr;
-  const LiveStitches from = row != nullptr ? row->on : all_of(fabric.row(1));
+  const bool planned = work.phase == IndexPhase::place;
+  const LiveStitches from = planned ? LiveStitches{} : row != nullptr ? row->on : all_of(fabric.row(1));
   const std::vector<Stitch> below = fabric.stitches_of(from);
   const BelowJoins joins = joins_below(fabric, from);
   const bool follows = state.tubes && parameters.rows.round_start == RoundStart::follow;
   const JoinAt at{
       id, from, below, joins.mains, joins.shaped, joins.cast_on, row, follows, fabric.next_worked(id) == 0};
   Shared<Join> join;
-  Taken taken = advance_index(as_chosen(parameters, state).stitches, parameters.stitch, at,
-                              std::get<IndexWork>(state.work), join);
+  Taken taken =
+      advance_index(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at, work, join);
   keep(state.fabric, std::move(join));
   return taken;
 }
@@ -141,7 +173,7 @@ Taken take(const Input& input, const Parameters& parameters, State& state, const
   switch (state.next.stage) {
     case Stage::timing:
       if (state.timing) return take_choice(input, state);
-      return advance_timing(input, as_chosen(parameters, state).timing, std::get<TimingWork>(state.work),
+      return advance_timing(input, timing_as_chosen(parameters, state), std::get<TimingWork>(state.work),
                             state.timing, heard);
     case Stage::tubes:
       return take_tubes(input, parameters, state, heard);
@@ -199,7 +231,7 @@ void begin_next_stage(const Parameters& parameters, State& state) {
       if (state.fabric.joins().empty()) return begin(state, Stage::pattern, 1, PatternWork{});
       return begin(state, Stage::faces, first_worked(state), FacesWork{});
     case Stage::faces:
-      if (as_chosen(parameters, state).settle.settling == Settling::on)
+      if (settling_as_chosen(parameters.settle.settling, state) == Settling::on)
         return begin(state, Stage::settle, 0, SettleWork{});
       return begin(state, Stage::pattern, 1, PatternWork{});
     case Stage::settle:
@@ -281,23 +313,10 @@ bool change_takes_a_moment(const Input& input, const Parameters& before, const P
 }
 
 Parameters as_chosen(Parameters parameters, const State& state) {
-  const auto* timing = std::get_if<TimingWork>(&state.work);
-  if (parameters.timing.kind == TimingKind::by_itself) {
-    if (parameters.rows.source == RowSource::rings) {
-      parameters.timing.kind = TimingKind::linear;  // no other time has rings
-    } else if (state.timing) {
-      parameters.timing.kind = state.timing->kind;
-    } else if (timing != nullptr && timing->ends) {
-      parameters.timing.kind = timing->kind;
-    }
-  }
+  parameters.timing = timing_as_chosen(parameters, state);
   if (parameters.rows.source == RowSource::by_itself) parameters.rows.source = state.rows_from;
-  if (parameters.settle.settling == Settling::by_itself && state.rows_from != RowSource::by_itself)
-    parameters.settle.settling = state.rows_from == RowSource::contours ? Settling::on : Settling::off;
-  if (parameters.stitches.placement == PlacementPolicy::by_itself) {
-    if (state.rows_from == RowSource::rings) parameters.stitches.placement = PlacementPolicy::thesis;
-    if (state.rows_from == RowSource::contours) parameters.stitches.placement = PlacementPolicy::nearest;
-  }
+  parameters.settle.settling = settling_as_chosen(parameters.settle.settling, state);
+  parameters.stitches = stitches_as_chosen(parameters.stitches, state);
   return parameters;
 }
 
