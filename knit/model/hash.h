@@ -88,10 +88,23 @@ inline void hash_into(Hasher& hasher, std::string_view text) {
   for (const char c : text) hasher.add(static_cast<unsigned char>(c));
 }
 
+// In four lanes, which a processor goes through side by side: a lane waits for its own last word at each.
 template <class T>
 void hash_into(Hasher& hasher, const std::vector<T>& values) {
+  constexpr std::size_t lanes = 4, few = 4 * lanes;
   hasher.add(values.size());
-  for (const auto& value : values) hash_into(hasher, value);
+  std::size_t i = 0;
+  if (values.size() >= few) {
+    std::array<Hasher, lanes> lane;
+    for (; i + lanes <= values.size(); i += lanes) {
+      hash_into(lane[0], values[i]);
+      hash_into(lane[1], values[i + 1]);
+      hash_into(lane[2], values[i + 2]);
+      hash_into(lane[3], values[i + 3]);
+    }
+    for (const Hasher& each : lane) hasher.add(each.value());
+  }
+  for (; i < values.size(); ++i) hash_into(hasher, values[i]);
 }
 
 template <class T, std::size_t N>
