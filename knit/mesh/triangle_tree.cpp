@@ -55,7 +55,8 @@ double distance_to_triangle(const glm::dvec3& point, const Corners& triangle) {
   return std::sqrt(to_triangle(point, triangle));
 }
 
-TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles) {
+TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                           const std::function<void(double)>& heard) {
   if (triangles.empty()) return;
   std::vector<Centre> centres;
   centres.reserve(triangles.size());
@@ -66,12 +67,16 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
   triangles_.reserve(triangles.size());
   numbers_.reserve(triangles.size());
   nodes_.reserve(triangles.size());
-  build(centres, positions, triangles);
+  build(centres, positions, triangles, heard);
 }
 
 // Halves at the median of the longest side; ties go by number, so the tree is the same on every machine.
 TriangleTree::Box TriangleTree::build(std::span<Centre> centres, std::span<const glm::dvec3> positions,
-                                      std::span<const Triangle> triangles) {
+                                      std::span<const Triangle> triangles,
+                                      const std::function<void(double)>& heard) {
+  constexpr std::size_t some = 8192;
+  if (heard && centres.size() >= some)
+    heard(static_cast<double>(triangles_.size()) / static_cast<double>(triangles.size()));
   const std::size_t node = nodes_.size();
   nodes_.emplace_back();
   if (centres.size() <= leaf_size) {
@@ -100,9 +105,9 @@ TriangleTree::Box TriangleTree::build(std::span<Centre> centres, std::span<const
   put_least_first(centres, half, [axis](const Centre& a, const Centre& b) {
     return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
   });
-  const Box left = build(centres.first(half), positions, triangles);
+  const Box left = build(centres.first(half), positions, triangles, heard);
   const auto second = static_cast<std::uint32_t>(nodes_.size());
-  const Box right = build(centres.subspan(half), positions, triangles);
+  const Box right = build(centres.subspan(half), positions, triangles, heard);
   const Box box{glm::min(left.low, right.low), glm::max(left.high, right.high)};
   nodes_[node] = {box, second, 0};
   return box;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -27,8 +28,10 @@ double distance_to_triangle(const glm::dvec3& point, const Corners& triangle);
 
 class TriangleTree {
  public:
-  // Requires indices in range and finite positions.
-  TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
+  // Requires indices in range and finite positions. `heard`: called now and then with the share that is done; what it throws
+  // breaks the work off.
+  TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+               const std::function<void(double)>& heard = {});
 
   [[nodiscard]] double distance(const glm::dvec3& point) const;  // infinite if there are no triangles
   // To those alone that face as `facing` (unit length) does, by counter-clockwise corners: less than 84 degrees off, so
@@ -51,7 +54,7 @@ class TriangleTree {
     std::uint32_t triangle;
   };
   Box build(std::span<Centre> centres, std::span<const glm::dvec3> positions,
-            std::span<const Triangle> triangles);
+            std::span<const Triangle> triangles, const std::function<void(double)>& heard);
   template <class See>
   [[nodiscard]] double search(std::size_t node, const glm::dvec3& point, double best, See&& see) const;
 

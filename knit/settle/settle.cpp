@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "knit/mesh/box_tree.h"
 #include "knit/mesh/triangle_tree.h"
 
 namespace knit {
@@ -18,7 +20,9 @@ constexpr double little_gain = 2e-4;   // of the sum
 constexpr std::int32_t most_idle = 3;  // iterations in a row
 // Held back are those around whom terms have grown by more than this share of the most, each time to this share of the way.
 constexpr double held_from = 0.1, held_to = 0.5;
-constexpr std::int32_t most_held = 8;  // times
+constexpr std::int32_t most_held = 8;     // times
+constexpr std::size_t few_stitches = 64;  // triangles for each
+constexpr std::size_t most_tried = 4;     // times each triangle
 
 void find_normals(const Input& input, const SettlePlan& plan, const Settled& at,
                   std::vector<glm::dvec3>& normals) {
@@ -27,13 +31,21 @@ void find_normals(const Input& input, const SettlePlan& plan, const Settled& at,
     normals.push_back(normal_at(input, plan.normals, at.triangles[i], at.positions[i], {0.0, 1.0, 0.0}));
 }
 
+// A tree of all triangles pays where stitches are many; for a few the mesh's own boxes do, unless its triangles come in no
+// order: then no more is tried than the tree costs.
 Settled onto_surface(const Input& input, const std::vector<glm::dvec3>& path, const Heard& heard) {
-  const TriangleTree tree(input.mesh.positions, input.mesh.triangles);
+  const std::size_t triangles = input.mesh.triangles.size();
+  std::optional<BoxTree> boxes;
+  if (path.size() * few_stitches < triangles) boxes.emplace(input);
+  std::optional<TriangleTree> tree;
   Settled start;
-  for (const glm::dvec3& position : path) {
-    if (start.positions.size() % 1024 == 0)
-      hear(heard, static_cast<double>(start.positions.size()) / static_cast<double>(path.size()));
-    const SurfacePlace place = tree.nearest(position);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(path.size());
+    if (i % 256 == 0) hear(heard, share);
+    if (boxes && boxes->tried() > most_tried * triangles) boxes.reset();
+    if (!boxes && !tree)
+      tree.emplace(input.mesh.positions, input.mesh.triangles, part_of(heard, share, share));
+    const SurfacePlace place = boxes ? boxes->nearest(path[i]) : tree->nearest(path[i]);
     start.positions.push_back(place.point);
     start.triangles.push_back(place.triangle);
   }
@@ -131,7 +143,7 @@ class Iteration {
   // Those whose share has changed. The sum then.
   double walk_all() {
     for (std::size_t i = 0; i < m_.moves.size(); ++i) {
-      if (i % 4096 == 0) hear(heard_, until_);
+      if (i % 256 == 0) hear(heard_, until_);
       if (m_.share[i] != m_.share_then[i]) walk(i);
     }
     m_.share_then = m_.share;
@@ -184,8 +196,8 @@ void begin_settling(const Input& input, const Fabric& fabric, const StitchSize& 
   plan.terms.width = stitch.width;
   plan.terms.height = stitch.height;
   hear(heard, 0.1);
-  plan.normals = vertex_normals(input);
-  plan.start = onto_surface(input, knitting_path(fabric), part_of(heard, 0.1, 0.5));
+  plan.normals = vertex_normals(input, part_of(heard, 0.1, 0.2));
+  plan.start = onto_surface(input, knitting_path(fabric), part_of(heard, 0.2, 0.5));
   for (const auto& rim : plan.terms.graph.rims) {
     std::vector<glm::dvec3>& polygon = plan.terms.rim_polygons.emplace_back();
     for (const std::uint32_t stitch_of_rim : rim) polygon.push_back(plan.start.positions[stitch_of_rim]);

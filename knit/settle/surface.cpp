@@ -66,14 +66,16 @@ bool out_of_reach(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3
 
 }  // namespace
 
-VertexNormals vertex_normals(const Input& input) {
+VertexNormals vertex_normals(const Input& input, const Heard& heard) {
   VertexNormals made;
   made.normals.assign(input.mesh.positions.size(), glm::dvec3(0.0));
   for (std::uint32_t t = 0; t < input.mesh.triangles.size(); ++t) {
+    hear_at(heard, t, input.mesh.triangles.size());
     const glm::dvec3 outside = across(corners_of(input, t));
     for (const VertexId v : input.mesh.triangles[t]) made.normals[input.twin[v]] += outside;
   }
   for (std::size_t v = 0; v < made.normals.size(); ++v) {
+    if (v % 8192 == 0) hear(heard, 1.0);
     if (input.twin[v] != v) {
       made.normals[v] = made.normals[input.twin[v]];  // lower, so it is done
       continue;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 
 namespace knit {
 
@@ -21,7 +22,7 @@ struct VertexNormals {
   [[nodiscard]] auto fields() const { return std::tie(normals); }
   friend bool operator==(const VertexNormals&, const VertexNormals&) = default;
 };
-VertexNormals vertex_normals(const Input& input);
+VertexNormals vertex_normals(const Input& input, const Heard& heard = {});
 
 // Where a stitch is.
 struct OnSurface {
