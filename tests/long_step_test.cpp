@@ -1,10 +1,12 @@
 // Steps that take long: where they are, that they can be taken elsewhere, and that they are taken once.
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <vector>
 
 #include "knit/insight/narrate.h"
 #include "knit/mesh/branching_shapes.h"
+#include "knit/model/heard_sort.h"
 #include "knit/model/stitch_size.h"
 #include "tests/support/beside.h"
 
@@ -113,13 +115,57 @@ TEST_CASE("what is solved for on a large mesh is heard, and broken off without a
     const bool is_solve =
         step != nullptr && step->which != FieldStep::net && step->which != FieldStep::slopes;
     const std::size_t times = times_heard(job, whole);
-    CHECK((times >= 8) == is_solve);
+    CAPTURE(kind_name(whole.step));
+    CHECK(times >= (is_solve ? 8 : step != nullptr ? 2 : 0));
     solved += is_solve ? 1U : 0U;
     timeline.accept(job, whole);
     if (timeline.furthest().stage() != Stage::timing) break;
     timeline.extend_briefly(20000);
   }
   CHECK(solved == (timing == TimingKind::geodesic ? 2 : 1));
+}
+
+TEST_CASE("every other long step on a large mesh is heard too, and broken off without a trace") {
+  const TimingKind timing = GENERATE(TimingKind::linear, TimingKind::arc_length);
+  const Smoothing smoothing = timing == TimingKind::linear ? Smoothing::on : Smoothing::off;
+  Parameters parameters = large_parameters(timing);
+  parameters.tubes.smoothing = smoothing;
+  Timeline timeline(make_input(*test_support::large_ball()), parameters);
+  std::set<std::string> heard;
+  while (timeline.furthest().stage() <= Stage::tubes) {
+    timeline.extend_briefly(20000);
+    if (!timeline.next_is_long()) continue;
+    const Timeline::Job job = timeline.next_job();
+    const Timeline::Outcome whole = Timeline::work(job);
+    CAPTURE(kind_name(whole.step));
+    CHECK(times_heard(job, whole) >= (get_if<LevelsGrouped>(whole.step) != nullptr ? 2 : 4));
+    heard.insert(std::string(kind_name(whole.step)));
+    timeline.accept(job, whole);
+  }
+  const auto name = [](const Event& what) { return std::string(kind_name({{}, what})); };
+  const bool smoothed = smoothing == Smoothing::on;
+  CHECK(heard.count(name(CriticalsFound{})) == 1);
+  CHECK(heard.count(name(LevelsGrouped{})) == 1);
+  CHECK(heard.count(name(GraphFound{})) == 1);
+  CHECK(heard.count(name(FieldSmoothed{})) == (smoothed ? 1 : 0));
+  CHECK(heard.count(name(HeightsMeasured{})) == (smoothed ? 0 : 1));
+}
+
+TEST_CASE("many values are sorted in the order that std::sort finds, heard on the way") {
+  std::vector<std::uint32_t> values(150000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint32_t>(i * 2654435761U);
+  std::vector<std::uint32_t> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> shares;
+  const Heard heard = [&](double share) { shares.push_back(share); };
+  sort_heard(values, std::less<>(), heard);
+  CHECK(values == sorted);
+  CHECK(shares.size() >= 8);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  shares.clear();
+  sort_heard(values, std::less<>(), heard);  // in order already
+  CHECK(shares.empty());
+  CHECK(values == sorted);
 }
 
 TEST_CASE("what takes long on a large mesh is not taken by the way") {

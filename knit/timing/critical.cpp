@@ -28,10 +28,11 @@ struct Middles {
   std::int64_t triangles = 0;       // that have three corners at all
 };
 
-Middles count_middles(const Input& input, const std::vector<double>& times) {
+Middles count_middles(const Input& input, const std::vector<double>& times, const Heard& heard) {
   Middles middles{std::vector<std::int32_t>(times.size(), 0), 0};
-  for (const Triangle& t : input.mesh.triangles) {
-    const Triangle p = twins_of(t, input.twin);
+  for (std::size_t i = 0; i < input.mesh.triangles.size(); ++i) {
+    hear_at(heard, i, input.mesh.triangles.size());
+    const Triangle p = twins_of(input.mesh.triangles[i], input.twin);
     if (collapsed(p)) continue;
     ++middles.triangles;
     const Corner a{p[0], times[p[0]]}, b{p[1], times[p[1]]}, c{p[2], times[p[2]]};
@@ -56,6 +57,7 @@ Flat flat_at(const Input& input, const std::vector<double>& times, VertexId v, s
   for (const VertexId n : input.neighbours_of(v)) {
     part.any_below = part.any_below || clearly_less(times[n], times[v], 1.0);
     part.any_above = part.any_above || clearly_less(times[v], times[n], 1.0);
+    if (part.any_below && part.any_above) break;
   }
   return part;
 }
@@ -68,9 +70,10 @@ std::int32_t euler_of(const Input& input, std::int64_t triangles) {
                                    triangles);
 }
 
-UnionFind join_flat_parts(const Input& input, const std::vector<double>& times) {
+UnionFind join_flat_parts(const Input& input, const std::vector<double>& times, const Heard& heard) {
   UnionFind parts(times.size());
   for (VertexId v = 0; v < times.size(); ++v) {
+    hear_at(heard, v, times.size());
     if (!is_place(input, v)) continue;
     for (const VertexId n : input.neighbours_of(v)) {
       if (n > v && std::abs(times[n] - times[v]) <= tie) parts.join(v, n);
@@ -99,11 +102,13 @@ struct Crossing {
 
 }  // namespace
 
-Criticals find_criticals(const Input& input, const std::vector<double>& times) {
-  const Middles middles = count_middles(input, times);
-  UnionFind parts = join_flat_parts(input, times);
+Criticals find_criticals(const Input& input, const std::vector<double>& times, const Heard& heard) {
+  const Middles middles = count_middles(input, times, part_of(heard, 0.0, 0.4));
+  UnionFind parts = join_flat_parts(input, times, part_of(heard, 0.4, 0.6));
+  const Heard rest = part_of(heard, 0.6, 0.9);
   std::vector<Flat> flats(times.size());
   for (VertexId v = 0; v < times.size(); ++v) {
+    hear_at(rest, v, times.size());
     if (!is_place(input, v)) continue;
     const Flat here = flat_at(input, times, v, middles.count[v]);
     Flat& whole = flats[parts.find(v)];
@@ -111,6 +116,7 @@ Criticals find_criticals(const Input& input, const std::vector<double>& times) {
     whole.any_below = whole.any_below || here.any_below;
     whole.any_above = whole.any_above || here.any_above;
   }
+  hear(heard, 0.9);
   Criticals criticals;
   for (VertexId v = 0; v < times.size(); ++v) {
     if (!is_place(input, v) || parts.find(v) != v) continue;
@@ -208,7 +214,7 @@ Split explain_split(const Input& input, const std::vector<double>& times, const 
 }
 
 std::optional<Split> find_split(const Input& input, const std::vector<double>& times,
-                                const Criticals& criticals, const Levels& levels) {
+                                const Criticals& criticals, const Levels& levels, const Heard& heard) {
   if (criticals.points.size() <= 2) return std::nullopt;  // one minimum, one maximum: a single tube
   std::int32_t looked_at = -1;
   for (const CriticalPoint& point : criticals.points) {
@@ -216,6 +222,7 @@ std::optional<Split> find_split(const Input& input, const std::vector<double>& t
     const auto level = static_cast<std::int32_t>(above - levels.times.begin()) - 1;
     if (above == levels.times.end() || level == looked_at) continue;
     looked_at = level;
+    hear(heard, 0.0);
     const std::int32_t loops = count_loops(input, times, *above);
     if (loops <= 1) continue;
     Split split = explain_split(input, times, criticals, *above);

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 
 namespace knit {
 
-Criticals find_criticals(const Input& input, const std::vector<double>& times);
+Criticals find_criticals(const Input& input, const std::vector<double>& times, const Heard& heard = {});
 
 // How many closed loops the level set at `time` has; vertices at `time` count as above it.
 std::int32_t count_loops(const Input& input, const std::vector<double>& times, double time);
@@ -26,6 +27,6 @@ Split explain_split(const Input& input, const std::vector<double>& times, const 
 
 // The first of the levels at or just after which the level sets are more than one loop.
 std::optional<Split> find_split(const Input& input, const std::vector<double>& times,
-                                const Criticals& criticals, const Levels& levels);
+                                const Criticals& criticals, const Levels& levels, const Heard& heard = {});
 
 }  // namespace knit

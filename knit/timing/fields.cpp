@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -28,8 +29,8 @@ constexpr double least_weight = 1e-12;
 // the masses must not drown in the Laplacian's rounding.
 constexpr double most_smoothing = 100.0;
 
-// Of what is heard: until the order is there, until the matrix is.
-constexpr double share_of_order = 0.3, share_of_matrix = 0.35;
+// Of what is heard: until the edges of each vertex are, until the order is there, until the matrix is.
+constexpr double share_of_spokes = 0.02, share_of_order = 0.3, share_of_matrix = 0.35;
 
 // The places that the net uses, numbered in the order of elimination; -1 for all other vertices.
 struct Unknowns {
@@ -40,7 +41,7 @@ struct Unknowns {
 Unknowns number_unknowns(const Input& input, const Spokes& spokes, const Heard& heard) {
   Unknowns unknowns{std::vector<int>(input.twin.size(), -1), 0};
   for (const VertexId v :
-       order_by_dissection(spokes, input.mesh.positions, part_of(heard, 0.0, share_of_order)))
+       order_by_dissection(spokes, input.mesh.positions, part_of(heard, share_of_spokes, share_of_order)))
     unknowns.of_vertex[v] = unknowns.count++;
   return unknowns;
 }
@@ -60,23 +61,88 @@ std::vector<double> to_vertices(const Input& input, const std::vector<int>& of_v
   return result;
 }
 
-// The Laplacian as (L u)_i = sum of w_ij (u_i - u_j): its lower half. Every w_ij is positive.
-Matrix make_laplacian(const IntrinsicMesh& intrinsic, const Unknowns& unknowns) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * intrinsic.triangles.size() + static_cast<std::size_t>(unknowns.count));
-  for (int i = 0; i < unknowns.count; ++i) entries.emplace_back(i, i, 0.0);
-  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+struct LaplacianEntry {
+  int row;
+  double value;
+};
+
+// All entries of the lower half, column after column, in each as they come: a zero on the diagonal, then a triangle's three
+// sides after another's. first[j] .. first[j + 1) are those of column j.
+struct LaplacianEntries {
+  std::vector<std::size_t> first;
+  std::vector<LaplacianEntry> entries;
+};
+
+LaplacianEntries laplacian_entries(const IntrinsicMesh& intrinsic, const Unknowns& unknowns,
+                                   const Heard& heard) {
+  const auto column_of = [&](std::size_t t, std::size_t k) {
+    return static_cast<std::size_t>(std::min(unknowns.of_vertex[intrinsic.triangles[t][k]],
+                                             unknowns.of_vertex[intrinsic.triangles[t][(k + 1) % 3]]));
+  };
+  const auto columns = static_cast<std::size_t>(unknowns.count);
+  const std::size_t triangles = intrinsic.triangles.size();
+  LaplacianEntries made{std::vector<std::size_t>(columns + 1, 1),
+                        std::vector<LaplacianEntry>(columns + 3 * triangles)};
+  made.first[0] = 0;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) ++made.first[column_of(t, k) + 1];
+  }
+  hear(heard, 0.0);
+  std::partial_sum(made.first.begin(), made.first.end(), made.first.begin());
+  std::vector<std::size_t> next(made.first.begin(), made.first.end() - 1);
+  for (int j = 0; j < unknowns.count; ++j) made.entries[next[static_cast<std::size_t>(j)]++] = {j, 0.0};
+  for (std::size_t t = 0; t < triangles; ++t) {
+    hear_at(heard, t, triangles);
     const std::array<double, 3> cotangents = cotangents_of(intrinsic.lengths[t]);
     for (std::size_t k = 0; k < 3; ++k) {
       const int i = unknowns.of_vertex[intrinsic.triangles[t][k]];
       const int j = unknowns.of_vertex[intrinsic.triangles[t][(k + 1) % 3]];
-      entries.emplace_back(std::max(i, j), std::min(i, j), -0.5 * cotangents[(k + 2) % 3]);
+      made.entries[next[column_of(t, k)]++] = {std::max(i, j), -0.5 * cotangents[(k + 2) % 3]};
     }
   }
-  Matrix laplacian(unknowns.count, unknowns.count);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
+// By row, equal ones as they come. Columns are short but at a pole.
+void sort_column(std::span<LaplacianEntry> column) {
+  constexpr std::size_t few = 32;
+  const auto less = [](const LaplacianEntry& a, const LaplacianEntry& b) { return a.row < b.row; };
+  if (column.size() > few) return std::stable_sort(column.begin(), column.end(), less);
+  for (std::size_t i = 1; i < column.size(); ++i)
+    for (std::size_t at = i; at > 0 && less(column[at], column[at - 1]); --at)
+      std::swap(column[at], column[at - 1]);
+}
+
+// Entries at one place are summed as they come.
+Matrix summed(LaplacianEntries all, const Heard& heard) {
+  const std::size_t columns = all.first.size() - 1;
+  Matrix matrix(static_cast<int>(columns), static_cast<int>(columns));
+  matrix.reserve(static_cast<Eigen::Index>((all.entries.size() + columns) / 2 + 1));
+  for (std::size_t j = 0; j < columns; ++j) {
+    hear_at(heard, j, columns);
+    const auto begin = all.entries.begin() + static_cast<std::ptrdiff_t>(all.first[j]);
+    const auto end = all.entries.begin() + static_cast<std::ptrdiff_t>(all.first[j + 1]);
+    sort_column({begin, end});
+    matrix.startVec(static_cast<Eigen::Index>(j));
+    for (auto at = begin; at != end;) {
+      const int row = at->row;
+      double sum = (at++)->value;
+      while (at != end && at->row == row) sum += (at++)->value;
+      matrix.insertBack(row, static_cast<Eigen::Index>(j)) = sum;
+    }
+  }
+  matrix.finalize();
+  return matrix;
+}
+
+// The Laplacian as (L u)_i = sum of w_ij (u_i - u_j): its lower half. Every w_ij is positive.
+Matrix make_laplacian(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, const Heard& heard) {
+  Matrix laplacian =
+      summed(laplacian_entries(intrinsic, unknowns, part_of(heard, 0.0, 0.4)), part_of(heard, 0.4, 0.8));
+  const Heard weights = part_of(heard, 0.8, 1.0);
   Vector sums = Vector::Zero(unknowns.count);
   for (int j = 0; j < unknowns.count; ++j) {
+    hear_at(weights, static_cast<std::size_t>(j), static_cast<std::size_t>(unknowns.count));
     for (Matrix::InnerIterator it(laplacian, j); it; ++it) {
       if (it.row() == j) continue;
       it.valueRef() = std::min(it.value(), -least_weight);
@@ -119,7 +185,7 @@ Vector solve(const Matrix& lower_half, Vector right, const Heard& heard) {
 // Solves L u = right with some values given. Their columns move to the right side.
 Vector solve_pinned(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, Vector right,
                     std::span<const Pin> pins, const Heard& heard) {
-  Matrix matrix = make_laplacian(intrinsic, unknowns);
+  Matrix matrix = make_laplacian(intrinsic, unknowns, part_of(heard, share_of_order, share_of_matrix));
   std::vector<const Pin*> pin_at(static_cast<std::size_t>(matrix.cols()), nullptr);
   for (const Pin& pin : pins) pin_at[static_cast<std::size_t>(pin.unknown)] = &pin;
   for (int j = 0; j < matrix.outerSize(); ++j) {
@@ -159,12 +225,13 @@ std::array<double, 3> unit_slopes_in(const SideLengths& lengths, const std::arra
 
 std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                 const Heard& heard) {
-  const Spokes spokes = spokes_of(intrinsic, input.twin.size());
+  const Spokes spokes = spokes_of(intrinsic, input.twin.size(), part_of(heard, 0.0, share_of_spokes));
   const Unknowns unknowns = number_unknowns(input, spokes, heard);
   const int source = unknown_at(input, unknowns, start);
-  const double reach = reach_along_edges(spokes, input.twin[start]);
+  const double reach =
+      reach_along_edges(spokes, input.twin[start], part_of(heard, share_of_order, share_of_order));
   const double spread = std::max(intrinsic.mean_edge, reach / farthest_reach);
-  Matrix matrix = make_laplacian(intrinsic, unknowns);
+  Matrix matrix = make_laplacian(intrinsic, unknowns, part_of(heard, share_of_order, share_of_matrix));
   // M + t L over t: without a unit of length.
   matrix.diagonal() += lumped_masses(intrinsic, unknowns) / (spread * spread);
   Vector unit = Vector::Zero(unknowns.count);
@@ -173,10 +240,11 @@ std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrins
   return to_vertices(input, unknowns.of_vertex, heat / heat[source]);
 }
 
-EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat) {
+EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat, const Heard& heard) {
   EdgeSlopes slopes;
   slopes.reserve(intrinsic.triangles.size());
   for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    hear_at(heard, t, intrinsic.triangles.size());
     const auto& [a, b, c] = intrinsic.triangles[t];
     slopes.push_back(unit_slopes_in(intrinsic.lengths[t], {heat[a], heat[b], heat[c]}));
   }
@@ -185,10 +253,13 @@ EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>
 
 std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intrinsic,
                                   const EdgeSlopes& slopes, VertexId start, const Heard& heard) {
-  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
+  const Unknowns unknowns = number_unknowns(
+      input, spokes_of(intrinsic, input.twin.size(), part_of(heard, 0.0, share_of_spokes)), heard);
   const Pin pin{unknown_at(input, unknowns, start), 0.0};
   Vector rise = Vector::Zero(unknowns.count);  // minus the slopes' divergence
+  const Heard flows = part_of(heard, share_of_order, share_of_order);
   for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    hear_at(flows, t, intrinsic.triangles.size());
     const std::array<double, 3> cotangents = cotangents_of(intrinsic.lengths[t]);
     for (std::size_t k = 0; k < 3; ++k) {
       const double flow = 0.5 * cotangents[(k + 2) % 3] * slopes[t][k];
@@ -202,7 +273,8 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
 
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                    VertexId end, const Heard& heard) {
-  const Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
+  const Unknowns unknowns = number_unknowns(
+      input, spokes_of(intrinsic, input.twin.size(), part_of(heard, 0.0, share_of_spokes)), heard);
   const std::array<Pin, 2> pins{Pin{unknown_at(input, unknowns, start), 0.0},
                                 Pin{unknown_at(input, unknowns, end), 1.0}};
   if (pins[0].unknown == pins[1].unknown) throw Bug("a harmonic field begins and ends at one place");
@@ -218,9 +290,9 @@ struct FieldSmoother::Kept {
 };
 
 FieldSmoother::FieldSmoother(const Input& input, const IntrinsicMesh& intrinsic, const Heard& heard) {
-  Unknowns unknowns = number_unknowns(input, spokes_of(intrinsic, input.twin.size()), heard);
-  hear(heard, share_of_order);
-  const Matrix laplacian = make_laplacian(intrinsic, unknowns);
+  Unknowns unknowns = number_unknowns(
+      input, spokes_of(intrinsic, input.twin.size(), part_of(heard, 0.0, share_of_spokes)), heard);
+  const Matrix laplacian = make_laplacian(intrinsic, unknowns, part_of(heard, share_of_order, 1.0));
   Vector masses = lumped_masses(intrinsic, unknowns);
   kept_ = std::make_shared<const Kept>(Kept{std::move(unknowns.of_vertex), laplacian, std::move(masses)});
 }

@@ -30,7 +30,8 @@ std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrins
 // How steep the heat falls along each edge of each triangle once every slope is made 1: the unit field
 // -grad u / |grad u|, as its dot product with edge k -> k + 1 of triangle t. 0 where the heat is level.
 using EdgeSlopes = std::vector<std::array<double, 3>>;
-EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat);
+EdgeSlopes unit_slopes(const IntrinsicMesh& intrinsic, const std::vector<double>& heat,
+                       const Heard& heard = {});
 
 // The function whose slopes come nearest to these, 0 at `start` and nowhere negative: the distance from
 // `start` along the surface.

@@ -77,10 +77,12 @@ struct Bands {
 
 // Levels count to the triangles below them, so that one which runs along edges is measured once; the lowest
 // is measured from above.
-Bands measure_bands(const Input& input, const std::vector<double>& field, const std::vector<double>& values) {
+Bands measure_bands(const Input& input, const std::vector<double>& field, const std::vector<double>& values,
+                    const Heard& heard) {
   Bands result{std::vector<double>(values.size() - 1, 0.0), std::vector<double>(values.size(), 0.0)};
-  for (const Triangle& t : input.mesh.triangles) {
-    const Slope slope = slope_of(input, field, t);
+  for (std::size_t i = 0; i < input.mesh.triangles.size(); ++i) {
+    hear_at(heard, i, input.mesh.triangles.size());
+    const Slope slope = slope_of(input, field, input.mesh.triangles[i]);
     if (slope.value[2] <= slope.value[0]) continue;
     if (slope.value[1] <= values.front()) result.length.front() += slope.widest;
     const auto after = std::upper_bound(values.begin(), values.end(), slope.value[0]);
@@ -99,8 +101,9 @@ Bands measure_bands(const Input& input, const std::vector<double>& field, const 
   return result;
 }
 
-HeightScale scale_over(const Input& input, const std::vector<double>& field, std::vector<double> values) {
-  const Bands measured = measure_bands(input, field, values);
+HeightScale scale_over(const Input& input, const std::vector<double>& field, std::vector<double> values,
+                       const Heard& heard) {
+  const Bands measured = measure_bands(input, field, values, heard);
   HeightScale scale{std::move(values), {0.0}};
   for (std::size_t i = 0; i < measured.area.size(); ++i) {
     const double around = measured.length[i] + measured.length[i + 1];
@@ -128,10 +131,12 @@ double widest_band(const HeightScale& scale) {
 
 }  // namespace
 
-HeightScale measure_heights(const Input& input, const std::vector<double>& field) {
+HeightScale measure_heights(const Input& input, const std::vector<double>& field, const Heard& heard) {
   std::vector<double> even(bands + 1);
   for (std::size_t i = 0; i <= bands; ++i) even[i] = static_cast<double>(i) / bands;
-  HeightScale scale = scale_over(input, field, even);
+  // Of what is heard each pass is a third of what is left, as nobody knows how many there will be.
+  double heard_until = 1.0 / 3.0;
+  HeightScale scale = scale_over(input, field, even, part_of(heard, 0.0, heard_until));
   // A level set that grows like a pole's is steep in one variable and flat in the other: again, with bands of
   // equal height, until they are about that.
   for (int pass = 0; pass < most_passes && (pass < 2 || widest_band(scale) > 2.0 * scale.total() / bands);
@@ -142,7 +147,8 @@ HeightScale measure_heights(const Input& input, const std::vector<double>& field
       if (value > values.back() && value < 1.0) values.push_back(value);
     }
     values.push_back(1.0);
-    scale = scale_over(input, field, std::move(values));
+    const double from = std::exchange(heard_until, heard_until + (1.0 - heard_until) / 3.0);
+    scale = scale_over(input, field, std::move(values), part_of(heard, from, heard_until));
   }
   return scale;
 }

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 
 namespace knit {
 
 // `field`: per vertex, within [0, 1] where referenced. The bands are made about equally high.
-HeightScale measure_heights(const Input& input, const std::vector<double>& field);
+HeightScale measure_heights(const Input& input, const std::vector<double>& field, const Heard& heard = {});
 
 double height_at(const HeightScale& scale, double value);
 double value_at(const HeightScale& scale, double height);  // the inverse

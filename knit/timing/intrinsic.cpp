@@ -101,13 +101,17 @@ double mean_length(const std::vector<SideLengths>& lengths) {
   return lengths.empty() ? 0.0 : sum / (3.0 * static_cast<double>(lengths.size()));
 }
 
-Net make_net(const Input& input) {
+Net make_net(const Input& input, const Heard& heard) {
   Net net;
   net.triangles = merged_triangles(input);
+  hear(heard, 0.1);
   const EdgeTable table = orient(net.triangles, input.twin);
   net.lengths.resize(net.triangles.size());
   net.across.resize(3 * net.triangles.size());
+  std::size_t edge = 0;
+  const Heard lengths = part_of(heard, 0.5, 1.0);
   for_each_edge(table, [&](HalfEdge a, HalfEdge b) {
+    hear_at(lengths, edge++, net.across.size() / 2);
     net.across[a] = b;
     net.across[b] = a;
     const double length =
@@ -175,13 +179,16 @@ std::array<HalfEdge, 4> apply_flip(Net& net, HalfEdge h, const Flip& flip) {
 }
 
 // Whatever a flip could have spoiled is looked at again, so all edges are Delaunay in the end.
-void flip_to_delaunay(Net& net) {
+void flip_to_delaunay(Net& net, const Heard& heard) {
   std::size_t flips_left = most_flips_per_edge * net.across.size() / 2;
   std::vector<HalfEdge> doubtful;
+  std::size_t looked_at = 0;
   for (HalfEdge first = 0; first < net.across.size(); ++first) {
     if (first > net.across[first]) continue;
     doubtful.push_back(first);
     while (!doubtful.empty()) {
+      if (++looked_at % 8192 == 0)
+        hear(heard, static_cast<double>(first) / static_cast<double>(net.across.size()));
       const HalfEdge h = doubtful.back();
       doubtful.pop_back();
       const std::optional<Flip> flip = plan_flip(net, h);
@@ -215,14 +222,14 @@ Apex lay_out(const SideLengths& lengths, std::size_t base) {
   return {cosine_product(lengths[(base + 1) % 3], to_apex, along) / along, 2.0 * area_of(lengths) / along};
 }
 
-IntrinsicMesh make_intrinsic(const Input& input) {
-  Net net = make_net(input);
-  flip_to_delaunay(net);
+IntrinsicMesh make_intrinsic(const Input& input, const Heard& heard) {
+  Net net = make_net(input, part_of(heard, 0.0, 0.4));
+  flip_to_delaunay(net, part_of(heard, 0.4, 1.0));
   const double mean_edge = mean_length(net.lengths);
   return {std::move(net.triangles), std::move(net.lengths), mean_edge};
 }
 
-Spokes spokes_of(const IntrinsicMesh& intrinsic, std::size_t vertex_count) {
+Spokes spokes_of(const IntrinsicMesh& intrinsic, std::size_t vertex_count, const Heard& heard) {
   Spokes all{std::vector<std::uint32_t>(vertex_count + 1, 0),
              std::vector<Spoke>(3 * intrinsic.triangles.size())};
   for (const Triangle& triangle : intrinsic.triangles)
@@ -230,21 +237,25 @@ Spokes spokes_of(const IntrinsicMesh& intrinsic, std::size_t vertex_count) {
   for (std::size_t v = 0; v < vertex_count; ++v) all.first[v + 1] += all.first[v];
   std::vector<std::uint32_t> next(all.first.begin(), all.first.end() - 1);
   // Two triangles pass an edge in opposite directions, so each of its ends gets it once.
-  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t)
+  for (std::size_t t = 0; t < intrinsic.triangles.size(); ++t) {
+    hear_at(heard, t, intrinsic.triangles.size());
     for (std::size_t k = 0; k < 3; ++k)
       all.spokes[next[intrinsic.triangles[t][k]]++] = {intrinsic.triangles[t][(k + 1) % 3],
                                                        intrinsic.lengths[t][k]};
+  }
   return all;
 }
 
-double reach_along_edges(const Spokes& spokes, VertexId start) {
+double reach_along_edges(const Spokes& spokes, VertexId start, const Heard& heard) {
   std::vector<double> distance(spokes.first.size() - 1, std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, VertexId>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   distance[start] = 0.0;
   queue.emplace(0.0, start);
   double reach = 0.0;
+  std::size_t taken = 0;
   while (!queue.empty()) {
+    if (++taken % 8192 == 0) hear(heard, 0.0);
     const auto [so_far, v] = queue.top();
     queue.pop();
     if (so_far > distance[v]) continue;

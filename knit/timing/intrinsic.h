@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 
 namespace knit {
 
@@ -32,7 +33,7 @@ struct IntrinsicMesh {
 // Flips edges until every one is Delaunay, but for rounding. Requires a mesh without errors (check.h); faces
 // that point the other way are turned. Collapsed triangles are left out; those without area count as a hair
 // high (see area_of), and flips join them to their neighbours. About a second for a million triangles.
-IntrinsicMesh make_intrinsic(const Input& input);
+IntrinsicMesh make_intrinsic(const Input& input, const Heard& heard = {});
 
 // Never 0, however thin: 1e-14 of the longest side's square at least, so that cotangents stay finite.
 double area_of(const SideLengths& lengths);
@@ -61,9 +62,9 @@ struct Spokes {
     return std::span(spokes).subspan(first[v], first[v + 1] - first[v]);
   }
 };
-Spokes spokes_of(const IntrinsicMesh& intrinsic, std::size_t vertex_count);
+Spokes spokes_of(const IntrinsicMesh& intrinsic, std::size_t vertex_count, const Heard& heard = {});
 
 // The way along edges to the vertex farthest from `start`: no less than the way straight over the surface.
-double reach_along_edges(const Spokes& spokes, VertexId start);
+double reach_along_edges(const Spokes& spokes, VertexId start, const Heard& heard = {});
 
 }  // namespace knit

@@ -1,20 +1,23 @@
 #include "knit/timing/levels.h"
 
 #include <algorithm>
+#include <functional>
 
+#include "knit/model/heard_sort.h"
 #include "knit/timing/critical.h"
 
 namespace knit {
 
 Levels group_levels(const Input& input, const std::vector<double>& times, const Criticals& criticals,
-                    double tolerance) {
+                    double tolerance, const Heard& heard) {
   std::vector<std::pair<double, VertexId>> sorted;
   sorted.reserve(times.size());
   for (VertexId v = 0; v < times.size(); ++v) {
     if (input.referenced[v] != 0) sorted.emplace_back(times[v], v);
   }
   // Many files list their vertices from one end to the other; then there is nothing to sort.
-  if (!std::is_sorted(sorted.begin(), sorted.end())) std::sort(sorted.begin(), sorted.end());
+  sort_heard(sorted, std::less<>(), part_of(heard, 0.0, 0.6));
+  hear(heard, 0.6);
 
   Levels levels;
   levels.vertices.reserve(sorted.size());
@@ -31,7 +34,8 @@ Levels group_levels(const Input& input, const std::vector<double>& times, const 
     const auto last = levels.vertices.begin() + levels.begin[i + 1];
     if (!std::is_sorted(first, last)) std::sort(first, last);
   }
-  levels.split = find_split(input, times, criticals, levels);
+  hear(heard, 0.9);
+  levels.split = find_split(input, times, criticals, levels, part_of(heard, 0.9, 1.0));
   return levels;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 
 namespace knit {
@@ -12,6 +13,6 @@ namespace knit {
 // Sorts the referenced vertices by time; a gap of more than `tolerance` between neighbours begins a new
 // level.
 Levels group_levels(const Input& input, const std::vector<double>& times, const Criticals& criticals,
-                    double tolerance);
+                    double tolerance, const Heard& heard = {});
 
 }  // namespace knit

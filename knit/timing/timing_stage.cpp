@@ -61,7 +61,7 @@ Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& setti
   const VertexId start = work.ends->start;
   const auto vertices = static_cast<std::int64_t>(input.mesh.positions.size());
   if (!work.net) {
-    work.net = Shared(make_intrinsic(input));
+    work.net = Shared(make_intrinsic(input, heard));
     return FieldSolved{FieldStep::net, start, static_cast<std::int64_t>(work.net->triangles.size()), 0.0};
   }
   if (work.kind == TimingKind::harmonic) {
@@ -73,7 +73,7 @@ Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& setti
     return FieldSolved{FieldStep::heat, start, vertices, 0.0};
   }
   if (!work.slopes) {
-    work.slopes = Shared(unit_slopes(*work.net, *work.heat));
+    work.slopes = Shared(unit_slopes(*work.net, *work.heat, heard));
     return FieldSolved{FieldStep::slopes, start, static_cast<std::int64_t>(work.slopes->size()), 1.0};
   }
   return take_distances(input, settings, work, heard);
@@ -84,13 +84,16 @@ double clamped_projection(const Input& input, const Ends& ends, VertexId vertex)
   return std::clamp(pinned(ends, vertex, time_of(ends, input.mesh.positions[vertex])), 0.0, 1.0);
 }
 
-HeightsMeasured measure(const Input& input, TimingWork& work) {
-  if (!work.field) {
-    std::vector<double> field(input.mesh.positions.size());
-    for (VertexId v = 0; v < field.size(); ++v) field[v] = clamped_projection(input, *work.ends, v);
-    work.field = Shared(std::move(field));
+HeightsMeasured measure(const Input& input, TimingWork& work, const Heard& heard) {
+  Shared<std::vector<double>> field = work.field;
+  if (!field) {
+    std::vector<double> projections(input.mesh.positions.size());
+    for (VertexId v = 0; v < projections.size(); ++v)
+      projections[v] = clamped_projection(input, *work.ends, v);
+    field = Shared(std::move(projections));
   }
-  work.scale = Shared(measure_heights(input, *work.field));
+  work.scale = Shared(measure_heights(input, *field, heard));
+  work.field = std::move(field);
   return HeightsMeasured{static_cast<std::int32_t>(work.scale->values.size()) - 1, work.scale->total()};
 }
 
@@ -108,14 +111,14 @@ VertexTimed time_next_vertex(const Input& input, TimingWork& work) {
   return VertexTimed{vertex, outside, time};
 }
 
-CriticalsFound find_critical_points(const Input& input, TimingWork& work) {
-  work.criticals = Shared(find_criticals(input, work.times.to_vector()));
+CriticalsFound find_critical_points(const Input& input, TimingWork& work, const Heard& heard) {
+  work.criticals = Shared(find_criticals(input, work.times.to_vector(), heard));
   const Criticals& found = *work.criticals;
   return CriticalsFound{found.minima, found.saddles, found.maxima, found.euler};
 }
 
 Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, const TimingWork& work,
-                            Shared<Timing>& made) {
+                            Shared<Timing>& made, const Heard& heard) {
   Timing timing;
   timing.ends = *work.ends;
   timing.kind = work.kind;
@@ -125,7 +128,7 @@ Advanced<TimingEvent> group(const Input& input, const TimingSettings& settings, 
   timing.retimed = is_retimed(work.kind);
   if (timing.retimed) timing.field = *work.field;
   if (work.scale) timing.scale = *work.scale;  // else only contours ask for one, of the times: plan_cuts
-  timing.levels = group_levels(input, timing.times, timing.criticals, settings.level_tolerance);
+  timing.levels = group_levels(input, timing.times, timing.criticals, settings.level_tolerance, heard);
   const auto& split = timing.levels.split;
   const LevelsGrouped grouped{timing.levels.count(), timing.outside, split ? split->level : -1,
                               split ? split->loops : 1, settings.level_tolerance};
@@ -141,10 +144,10 @@ Advanced<TimingEvent> advance_timing(const Input& input, const TimingSettings& s
   if (work.kind == TimingKind::by_itself) return choose_kind(input, work);
   const bool solved_for = work.kind == TimingKind::geodesic || work.kind == TimingKind::harmonic;
   if (solved_for && !work.field) return solve_next(input, settings, work, heard);
-  if (is_retimed(work.kind) && !work.scale) return measure(input, work);
+  if (is_retimed(work.kind) && !work.scale) return measure(input, work, heard);
   if (work.times.size() < input.mesh.positions.size()) return time_next_vertex(input, work);
-  if (!work.criticals) return find_critical_points(input, work);
-  return group(input, settings, work, timing);
+  if (!work.criticals) return find_critical_points(input, work, heard);
+  return group(input, settings, work, timing, heard);
 }
 
 bool next_is_a_solve(const Input& input, const TimingSettings& settings, const TimingWork& work) {

@@ -49,18 +49,30 @@ std::vector<HalfEdge> opposite_sides(const MorseSurface& surface) {
 
 class TubeCutter {
  public:
-  explicit TubeCutter(const MorseSurface& surface) : surface_(surface), across_(opposite_sides(surface)) {
+  TubeCutter(const MorseSurface& surface, const Heard& heard)
+      : surface_(surface),
+        heard_(heard),
+        worked_out_(surface.across.empty() ? opposite_sides(surface) : std::vector<HalfEdge>{}),
+        across_(surface.across.empty() ? worked_out_ : surface.across) {
+    hear(heard_, 0.1);
+    corners_.reserve(surface.triangles.size());
     for (const Triangle& t : surface.triangles) corners_.push_back(corner_ranks(surface, t));
+    hear(heard_, 0.2);
     find_nodes();
+    hear(heard_, 0.25);
     cut_along_curves();
   }
+  TubeCutter(const TubeCutter&) = delete;
+  TubeCutter& operator=(const TubeCutter&) = delete;
 
   // Of the surface: its parts and the nodes between them.
   void write_to(TubeGraph& graph) {
     UnionFind parts(first_part_.back());
-    glue(parts);
+    glue(parts, part_of(heard_, 0.3, 0.5));
     graph.nodes = nodes_;
+    hear(heard_, 0.5);
     const std::vector<std::uint32_t> tube_of_part = find_ends(parts, graph);
+    hear(heard_, 0.75);
     write_pieces(tube_of_part, graph);
   }
 
@@ -131,12 +143,14 @@ class TubeCutter {
     std::vector<std::uint32_t> next(first_cut_.begin(), first_cut_.end() - 1);
     cuts_.resize(all.size());
     for (const AtNode& cut : all) cuts_[next[cut.triangle]++] = cut.rank;
+    first_part_.reserve(corners_.size() + 1);
     for (std::uint32_t t = 0; t <= corners_.size(); ++t) first_part_.push_back(first_cut_[t] + t);
   }
 
   // Across each edge, part by part: what crosses the edge cuts the triangles on both sides.
-  void glue(UnionFind& parts) const {
+  void glue(UnionFind& parts, const Heard& heard) const {
     for (HalfEdge h = 0; h < across_.size(); ++h) {
+      hear_at(heard, h, across_.size());
       if (across_[h] < h) continue;
       const std::uint32_t here = h / 3;
       const std::uint32_t there = across_[h] / 3;
@@ -183,6 +197,7 @@ class TubeCutter {
       meet(tube.bottom, node_at_[ranks.first]);
       meet(tube.top, node_at_[ranks.second]);
     });
+    hear(heard_, 0.6);
     for_each_part([&](std::uint32_t t, std::uint32_t part, const auto& ranks) {
       Found& tube = found[parts.find(part)];
       tube.part = parts.find(part);
@@ -208,32 +223,33 @@ class TubeCutter {
     return tube_of_part;
   }
 
+  // Dealt out by `low`, then by tube: each time those that come first stay first, so within a tube pieces rise by `low`, and
+  // of one rank by triangle. O(parts + ranks).
   void write_pieces(const std::vector<std::uint32_t>& tube_of_part, TubeGraph& graph) const {
     struct Part {
       TubePiece piece;
       std::uint32_t tube;
     };
-    std::vector<Part> rising;
-    rising.reserve(tube_of_part.size());
+    std::vector<std::uint32_t> next(surface_.rank.size() + 1, 0);
+    for_each_part([&](std::uint32_t, std::uint32_t, const auto& ranks) { ++next[ranks.first + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Part> rising(tube_of_part.size());
     for_each_part([&](std::uint32_t t, std::uint32_t part, const auto& ranks) {
-      rising.push_back({{t, ranks.first, ranks.second}, tube_of_part[part]});
+      rising[next[ranks.first]++] = {{t, ranks.first, ranks.second}, tube_of_part[part]};
     });
+    hear(heard_, 0.9);
     graph.first_piece.assign(graph.tubes.size() + 1, 0);
     for (const Part& part : rising) ++graph.first_piece[part.tube + 1];
     std::partial_sum(graph.first_piece.begin(), graph.first_piece.end(), graph.first_piece.begin());
-    std::vector<std::uint32_t> next(graph.first_piece.begin(), graph.first_piece.end() - 1);
+    next.assign(graph.first_piece.begin(), graph.first_piece.end() - 1);
     graph.pieces.resize(rising.size());
     for (const Part& part : rising) graph.pieces[next[part.tube]++] = part.piece;
-    for (std::size_t tube = 0; tube < graph.tubes.size(); ++tube)
-      std::sort(graph.pieces.begin() + graph.first_piece[tube],
-                graph.pieces.begin() + graph.first_piece[tube + 1],
-                [](const TubePiece& a, const TubePiece& b) {
-                  return std::tie(a.low, a.triangle) < std::tie(b.low, b.triangle);
-                });
   }
 
   const MorseSurface& surface_;
-  std::vector<HalfEdge> across_;
+  const Heard& heard_;
+  const std::vector<HalfEdge> worked_out_;
+  const std::vector<HalfEdge>& across_;
   std::vector<CornerRanks> corners_;   // of each triangle
   std::vector<std::int32_t> node_at_;  // of each rank
   std::vector<GraphNode> nodes_;       // without tubes
@@ -262,10 +278,11 @@ void check_graph(const TubeGraph& graph) {
 
 }  // namespace
 
-TubeGraph find_tubes(MorseSurface surface) {
+TubeGraph find_tubes(MorseSurface surface, const Heard& heard) {
   TubeGraph graph;
   graph.surface = std::move(surface);
-  TubeCutter(graph.surface).write_to(graph);
+  TubeCutter(graph.surface, heard).write_to(graph);
+  graph.surface.across = {};
   check_graph(graph);
   return graph;
 }

@@ -62,7 +62,7 @@ struct TubeGraph {
 };
 
 // Of one connected closed surface.
-TubeGraph find_tubes(MorseSurface surface);
+TubeGraph find_tubes(MorseSurface surface, const Heard& heard = {});
 
 // How high a tube is and how long its curves are: at rising values (about 150: quantiles of its vertices' values, equal
 // steps, both ends), the height from its bottom, a running sum of area / mean length with exact areas, and between each two
@@ -76,7 +76,7 @@ struct TubeProfile {
   [[nodiscard]] auto fields() const { return std::tie(values, heights, lengths); }
   friend bool operator==(const TubeProfile&, const TubeProfile&) = default;
 };
-TubeProfile profile_of(const TubeGraph& graph, std::int32_t tube);
+TubeProfile profile_of(const TubeGraph& graph, std::int32_t tube, const Heard& heard = {});
 
 // The tube's level curve at a value within it, as points in working order: the higher side is on the right, seen from
 // outside. At least three points on a sound surface.

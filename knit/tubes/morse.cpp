@@ -10,6 +10,7 @@
 #include "knit/mesh/edge_table.h"
 #include "knit/mesh/flat_flips.h"
 #include "knit/model/bug.h"
+#include "knit/model/heard_sort.h"
 
 namespace knit {
 
@@ -19,41 +20,54 @@ constexpr std::uint32_t no_list = UINT32_MAX;
 
 // --- from the mesh
 
-bool all_the_same_way(const Input& input) {
+bool all_the_same_way(const Input& input, const Heard& heard) {
   const auto origin = [&](HalfEdge h) { return input.twin[input.mesh.triangles[h / 3][h % 3]]; };
-  for (HalfEdge h = 0; h < input.across.size(); ++h)
+  for (HalfEdge h = 0; h < input.across.size(); ++h) {
+    hear_at(heard, h, input.across.size());
     if (input.across[h] != no_half_edge && origin(h) == origin(input.across[h])) return false;
+  }
   return true;
 }
 
-// By lowest-index twins.
-std::vector<Triangle> agreeing_triangles(const Input& input) {
-  std::vector<Triangle> triangles;
+// The triangles by lowest-index twins, and what lies across, which the mesh knows where all of them are taken as they are.
+void take_triangles(const Input& input, MorseSurface& surface, const Heard& heard) {
+  std::vector<Triangle>& triangles = surface.triangles;
   triangles.reserve(input.mesh.triangles.size());
   for (const Triangle& triangle : input.mesh.triangles) {
     const Triangle corners = twins_of(triangle, input.twin);
     if (!collapsed(corners)) triangles.push_back(corners);
   }
-  if (all_the_same_way(input)) return triangles;
-  for (const std::size_t t : study_topology(triangles, input.twin).minority)
-    std::swap(triangles[t][1], triangles[t][2]);
-  return triangles;
+  if (!all_the_same_way(input, heard)) {
+    for (const std::size_t t : study_topology(triangles, input.twin).minority)
+      std::swap(triangles[t][1], triangles[t][2]);
+    return;
+  }
+  const bool all = triangles.size() == input.mesh.triangles.size();
+  const bool closed = std::find(input.across.begin(), input.across.end(), no_half_edge) == input.across.end();
+  if (all && closed) surface.across = input.across;
 }
+
+// The sides of a triangle that is turned, in their new order: 2, 1, 0.
+HalfEdge turned_side(HalfEdge h) { return h - h % 3 + (2 - h % 3); }
 
 void turn_outwards(MorseSurface& surface, const Bounds& bounds) {
   Mesh mesh;
   mesh.positions.swap(surface.positions);
   mesh.triangles.swap(surface.triangles);
-  if (signed_volume(mesh, bounds) < 0.0)
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  const bool inwards = signed_volume(mesh, bounds) < 0.0;
   mesh.positions.swap(surface.positions);
   mesh.triangles.swap(surface.triangles);
+  if (!inwards) return;
+  for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
+  std::vector<HalfEdge> across(surface.across.size());
+  for (HalfEdge h = 0; h < across.size(); ++h) across[turned_side(h)] = turned_side(surface.across[h]);
+  surface.across = std::move(across);
 }
 
 // --- the order
 
 // The vertices by (value, index).
-std::vector<std::uint32_t> by_value(const std::vector<double>& values) {
+std::vector<std::uint32_t> by_value(const std::vector<double>& values, const Heard& heard) {
   struct Ranked {
     double value;
     std::uint32_t vertex;
@@ -64,9 +78,10 @@ std::vector<std::uint32_t> by_value(const std::vector<double>& values) {
     if (!std::isfinite(values[v])) throw Bug("a field has a value that is no number");
     ranked.push_back({values[v], v});
   }
-  std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+  const auto below = [](const Ranked& a, const Ranked& b) {
     return a.value != b.value ? a.value < b.value : a.vertex < b.vertex;
-  });
+  };
+  sort_heard(ranked, below, heard);
   std::vector<std::uint32_t> order;
   order.reserve(values.size());
   for (const Ranked& each : ranked) order.push_back(each.vertex);
@@ -91,6 +106,7 @@ class MultiSaddles {
  public:
   // Those of a surface whose ranks are there.
   explicit MultiSaddles(MorseSurface& surface) : surface_(surface) {
+    keys_.reserve(surface.rank.size());
     for (const std::uint32_t rank : surface.rank) keys_.push_back(std::uint64_t{rank} << 32U);
     find();
   }
@@ -101,6 +117,7 @@ class MultiSaddles {
       while (split_off(vertex, around_[i])) vertex = static_cast<VertexId>(surface_.positions.size() - 1);
     }
     if (surface_.unfolded == 0) return;
+    surface_.across.clear();
     surface_.by_rank.resize(keys_.size());
     std::iota(surface_.by_rank.begin(), surface_.by_rank.end(), 0U);
     std::sort(surface_.by_rank.begin(), surface_.by_rank.end(),
@@ -217,15 +234,20 @@ class MultiSaddles {
 
 }  // namespace
 
-MorseSurface make_morse(const Input& input, std::span<const double> field) {
+MorseSurface make_morse(const Input& input, std::span<const double> field, const Heard& heard) {
   if (field.size() != input.twin.size()) throw Bug("a field has not one value a vertex");
   MorseSurface surface;
-  surface.triangles = agreeing_triangles(input);
-  flip_flat_edges(surface.triangles, input.mesh.positions);
+  take_triangles(input, surface, part_of(heard, 0.0, 0.2));
+  hear(heard, 0.2);
+  if (flip_flat_edges(surface.triangles, input.mesh.positions) > 0) surface.across.clear();
   std::vector<std::uint8_t> used(input.twin.size(), 0);
   for (const Triangle& t : surface.triangles)
     for (const VertexId v : t) used[v] = 1;
   std::vector<VertexId> number(input.twin.size(), no_vertex);
+  const auto places = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  surface.positions.reserve(places);
+  surface.values.reserve(places);
+  surface.origin.reserve(places);
   for (VertexId v = 0; v < used.size(); ++v) {
     if (used[v] == 0) continue;
     number[v] = static_cast<VertexId>(surface.origin.size());
@@ -233,18 +255,22 @@ MorseSurface make_morse(const Input& input, std::span<const double> field) {
     surface.values.push_back(field[v]);
     surface.origin.push_back(v);
   }
+  hear(heard, 0.3);
   for (Triangle& t : surface.triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
+  hear(heard, 0.35);
   turn_outwards(surface, input.bounds);
-  return order_and_unfold(std::move(surface));
+  return order_and_unfold(std::move(surface), part_of(heard, 0.4, 1.0));
 }
 
-MorseSurface order_and_unfold(MorseSurface surface) {
+MorseSurface order_and_unfold(MorseSurface surface, const Heard& heard) {
   if (surface.origin.size() != surface.positions.size()) {
     surface.origin.resize(surface.positions.size());
     std::iota(surface.origin.begin(), surface.origin.end(), VertexId{0});
   }
   surface.unfolded = 0;
-  surface.by_rank = by_value(surface.values);
+  hear(heard, 0.0);
+  surface.by_rank = by_value(surface.values, part_of(heard, 0.0, 0.7));
+  hear(heard, 0.7);
   number_ranks(surface);
   MultiSaddles(surface).unfold();
   return surface;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "knit/mesh/mesh.h"
+#include "knit/model/heard.h"
 
 namespace knit {
 
@@ -27,6 +28,8 @@ struct MorseSurface {
   std::vector<std::uint32_t> rank;     // of each vertex, from 0 without a gap
   std::vector<std::uint32_t> by_rank;  // and back
   std::int32_t unfolded = 0;           // vertices added
+  std::vector<HalfEdge>
+      across;  // each half-edge's other side, until tubes are found; empty: to be worked out
   [[nodiscard]] auto fields() const {
     return std::tie(positions, values, origin, triangles, rank, by_rank, unfolded);
   }
@@ -35,9 +38,9 @@ struct MorseSurface {
 
 // Requires a mesh without errors (check.h) and a value for each vertex of it. Faces that point the other way are turned;
 // collapsed ones and vertices of no face are left out.
-MorseSurface make_morse(const Input& input, std::span<const double> field);
+MorseSurface make_morse(const Input& input, std::span<const double> field, const Heard& heard = {});
 
 // Of a surface made by hand: `positions`, `values` and `triangles` are there, the rest is worked out.
-MorseSurface order_and_unfold(MorseSurface surface);
+MorseSurface order_and_unfold(MorseSurface surface, const Heard& heard = {});
 
 }  // namespace knit

@@ -55,7 +55,7 @@ CutTriangle cut_triangle(const MorseSurface& surface, const Triangle& triangle, 
 }
 
 // Whether the outward normals along the rows' curves face the curves' middles rather than away from them.
-bool is_inner(const TubeGraph& graph, const Tube& tube) {
+bool is_inner(const TubeGraph& graph, const Tube& tube, const Heard& heard) {
   std::vector<glm::dvec3> centres;
   double scale = 0.0;
   for (const Shared<Ring>& curve : tube.curves) {
@@ -66,6 +66,7 @@ bool is_inner(const TubeGraph& graph, const Tube& tube) {
   for (const std::int32_t part : tube.parts) {
     const auto id = static_cast<std::size_t>(part);
     for (std::uint32_t i = graph.first_piece[id]; i < graph.first_piece[id + 1]; ++i) {
+      hear_at(heard, i, graph.pieces.size());
       const TubePiece& piece = graph.pieces[i];
       const Triangle& triangle = graph.surface.triangles[piece.triangle];
       const auto& values = graph.surface.values;
@@ -85,10 +86,15 @@ bool is_inner(const TubeGraph& graph, const Tube& tube) {
 
 class TubePlanner {
  public:
-  TubePlanner(const TubeGraph& graph, const TubeSettingsNow& settings) : graph_(graph), settings_(settings) {
+  TubePlanner(const TubeGraph& graph, const TubeSettingsNow& settings, const Heard& heard)
+      : graph_(graph), settings_(settings), heard_(heard) {
     std::vector<TubeSize> sizes;
     for (std::size_t i = 0; i < graph.tubes.size(); ++i) {
-      profiles_.push_back(profile_of(graph, static_cast<std::int32_t>(i)));
+      const auto share = [&](std::size_t tube) {
+        return 0.7 * static_cast<double>(graph.first_piece[tube]) / static_cast<double>(graph.pieces.size());
+      };
+      profiles_.push_back(
+          profile_of(graph, static_cast<std::int32_t>(i), part_of(heard, share(i), share(i + 1))));
       sizes.push_back({profiles_.back().height(), profiles_.back().longest()});
     }
     simple_ = simplify_tubes(graph.nodes, graph.tubes, sizes, settings);
@@ -148,7 +154,7 @@ class TubePlanner {
     tube.forced = chain.forced;
     cut_rows(chain, tube);
     tube.lowest = tube.curves.empty() ? middle_curve(chain) : tube.curves.front();
-    tube.inner = is_inner(graph_, tube);
+    tube.inner = is_inner(graph_, tube, part_of(heard_, 0.7, 0.7));
     return tube;
   }
 
@@ -208,6 +214,7 @@ class TubePlanner {
 
   const TubeGraph& graph_;
   const TubeSettingsNow settings_;
+  const Heard& heard_;
   std::vector<TubeProfile> profiles_;
   SimpleGraph simple_;
   std::vector<std::vector<TubeId>> twins_;
@@ -299,8 +306,8 @@ TubePlan replan_rows(const TubeGraph& graph, const TubePlan& plan, const TubeSet
   return planned;
 }
 
-TubePlan plan_tubes(const TubeGraph& graph, const TubeSettingsNow& settings) {
-  return TubePlanner(graph, settings).run();
+TubePlan plan_tubes(const TubeGraph& graph, const TubeSettingsNow& settings, const Heard& heard) {
+  return TubePlanner(graph, settings, heard).run();
 }
 
 }  // namespace knit

@@ -100,7 +100,7 @@ struct TubeSettingsNow {
   double width = 0.1, height = 0.072;  // of a stitch
   std::int32_t smallest_limb = 1;      // rows
 };
-TubePlan plan_tubes(const TubeGraph& graph, const TubeSettingsNow& settings);
+TubePlan plan_tubes(const TubeGraph& graph, const TubeSettingsNow& settings, const Heard& heard = {});
 // What a stitch that was changed on the way makes of the rows to come: tubes, events and their order stay. Of each tube the
 // first `made` rows stay too; what is left of its height above them is shared out anew.
 TubePlan replan_rows(const TubeGraph& graph, const TubePlan& plan, const TubeSettingsNow& settings,

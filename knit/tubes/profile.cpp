@@ -70,24 +70,41 @@ std::vector<std::array<VertexId, 3>> rising_triangles(const TubeGraph& graph, st
   const MorseSurface& surface = graph.surface;
   const auto number = static_cast<std::size_t>(tube);
   std::vector<std::array<VertexId, 3>> triangles;
+  triangles.reserve(graph.first_piece[number + 1] - graph.first_piece[number]);
   for (std::uint32_t i = graph.first_piece[number]; i < graph.first_piece[number + 1]; ++i) {
     Triangle t = surface.triangles[graph.pieces[i].triangle];
-    std::sort(t.begin(), t.end(), [&](VertexId a, VertexId b) { return surface.rank[a] < surface.rank[b]; });
+    for (const std::size_t k : {0U, 1U, 0U})
+      if (surface.rank[t[k + 1]] < surface.rank[t[k]]) std::swap(t[k], t[k + 1]);
     triangles.push_back(t);
   }
   return triangles;
+}
+
+// Ranks within the tube, each once and rising: by ticking them off where they lie close, as those of a large tube do.
+void put_in_order(std::vector<std::uint32_t>& ranks, const ProfileSpan& span) {
+  constexpr std::size_t close = 16;
+  if ((span.top_rank - span.bottom_rank) / close > ranks.size()) {
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    return;
+  }
+  std::vector<std::uint8_t> met(span.top_rank - span.bottom_rank, 0);
+  for (const std::uint32_t rank : ranks) met[rank - span.bottom_rank] = 1;
+  ranks.clear();
+  for (std::uint32_t i = 0; i < met.size(); ++i)
+    if (met[i] != 0) ranks.push_back(span.bottom_rank + i);
 }
 
 // Of the vertices within the tube, rising. Each is the middle of two triangles, as none of them is critical.
 std::vector<double> values_within(const MorseSurface& surface, const ProfileSpan& span,
                                   const std::vector<std::array<VertexId, 3>>& triangles) {
   std::vector<std::uint32_t> ranks;
+  ranks.reserve(triangles.size());
   for (const auto& t : triangles) {
     const std::uint32_t rank = surface.rank[t[1]];
     if (rank > span.bottom_rank && rank < span.top_rank) ranks.push_back(rank);
   }
-  std::sort(ranks.begin(), ranks.end());
-  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  put_in_order(ranks, span);
   std::vector<double> values;
   // Equal ones count once: how many vertices of a flat part are within hangs on rounding.
   const double least = least_step_of_profile * (span.high - span.low);
@@ -165,15 +182,20 @@ void add_to_profile(const RisingTriangle& triangle, TubeProfile& profile, std::v
 
 double TubeProfile::longest() const { return *std::max_element(lengths.begin(), lengths.end()); }
 
-TubeProfile profile_of(const TubeGraph& graph, std::int32_t tube) {
+TubeProfile profile_of(const TubeGraph& graph, std::int32_t tube, const Heard& heard) {
   const ProfileSpan span = profile_span(graph, tube);
   if (!(span.low < span.high)) return {{span.low, span.high}, {0.0, 0.0}, {0.0}};
   const std::vector<std::array<VertexId, 3>> triangles = rising_triangles(graph, tube);
   TubeProfile profile;
+  hear(heard, 0.2);
   profile.values = profile_values(span, values_within(graph.surface, span, triangles));
   profile.lengths.assign(profile.values.size() - 1, 0.0);
   std::vector<ProfileBand> bands(profile.lengths.size());
-  for (const auto& rising : triangles) add_to_profile(RisingTriangle(graph.surface, rising), profile, bands);
+  const Heard rest = part_of(heard, 0.4, 1.0);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    hear_at(rest, i, triangles.size());
+    add_to_profile(RisingTriangle(graph.surface, triangles[i]), profile, bands);
+  }
   profile.heights.push_back(0.0);
   for (const ProfileBand& band : bands) profile.heights.push_back(profile.heights.back() + band.height());
   return profile;

@@ -56,17 +56,22 @@ bool branches(const TubeGraph& graph) {
   });
 }
 
+Shared<TubeGraph> graph_of(const Input& input, const std::vector<double>& field, const Heard& heard) {
+  return Shared(find_tubes(make_morse(input, field, part_of(heard, 0.0, 0.4)), part_of(heard, 0.4, 1.0)));
+}
+
 // The times' own graph; where it is one tube there is nothing to smooth.
 Advanced<TubesEvent> find_graph(const Input& input, const Timing& timing, const TubeSettings& settings,
                                 TubesWork& work, const Heard& heard) {
-  Shared<TubeGraph> graph(find_tubes(make_morse(input, timing.cut_field())));
+  Shared<TubeGraph> graph = graph_of(input, timing.cut_field(), part_of(heard, 0.0, 0.3));
   const bool smooth =
       settings.smoothing == Smoothing::on || (settings.smoothing == Smoothing::by_itself && branches(*graph));
   if (!smooth && graph->tubes.size() > most_raw_tubes) {
     const auto tubes = static_cast<std::int32_t>(graph->tubes.size());
     return stop_for(StopReason::too_many_tubes, tubes, static_cast<std::int32_t>(most_raw_tubes), 0.0);
   }
-  if (smooth) work.smoother.emplace(input, make_intrinsic(input), heard);
+  if (smooth)
+    work.smoother.emplace(input, make_intrinsic(input, part_of(heard, 0.3, 0.4)), part_of(heard, 0.4, 1.0));
   work.graph = std::move(graph);
   work.phase = smooth ? TubesPhase::smooth : TubesPhase::nodes;
   return found(*work.graph);
@@ -76,9 +81,10 @@ FieldSmoothed smooth(const Input& input, const Timing& timing, const TubeSetting
                      const StitchSize& stitch, TubesWork& work, const Heard& heard) {
   const FieldSmoothed step{static_cast<std::int32_t>(work.graph->tubes.size()),
                            settings.smoothing_length * stitch.height};
-  const std::vector<double> field = work.smoother->smooth(input, timing.cut_field(), step.length, heard);
+  const std::vector<double> field =
+      work.smoother->smooth(input, timing.cut_field(), step.length, part_of(heard, 0.0, 0.8));
+  work.graph = graph_of(input, field, part_of(heard, 0.8, 1.0));
   work.smoother.reset();
-  work.graph = Shared(find_tubes(make_morse(input, field)));
   work.phase = TubesPhase::found;
   return step;
 }
@@ -137,10 +143,11 @@ std::optional<Stopped> too_fine_for(const TubeGraph& graph, const StitchSize& st
 }
 
 Advanced<TubesEvent> plan(const TubeSettings& settings, const StitchSize& stitch, TubesWork& work,
-                          TubesMade made, const ReorderTubes& reorder) {
+                          TubesMade made, const ReorderTubes& reorder, const Heard& heard) {
   if (!work.plan) {
     if (const auto stop = too_fine_for(*work.graph, stitch)) return *stop;
-    TubePlan planned = plan_tubes(*work.graph, {stitch.width, stitch.height, settings.smallest_limb});
+    hear(heard, 0.0);
+    TubePlan planned = plan_tubes(*work.graph, {stitch.width, stitch.height, settings.smallest_limb}, heard);
     if (planned.tubes.size() == 1 && planned.tubes.front().rows() <= 1)
       return stop_for(StopReason::no_row_levels, planned.tubes.front().rows(), 0, stitch.width);
     work.plan = Shared(reorder ? reorder(*work.graph, planned) : std::move(planned));
@@ -182,7 +189,7 @@ Advanced<TubesEvent> advance_tubes(const Input& input, const Timing& timing, con
     case TubesPhase::plan:
       break;
   }
-  return plan(settings, stitch, work, made, reorder);
+  return plan(settings, stitch, work, made, reorder, heard);
 }
 
 bool next_sweeps_surface(const TubesWork& work) {
