@@ -71,8 +71,10 @@ VertexNormals vertex_normals(const Input& input, const Heard& heard) {
   made.normals.assign(input.mesh.positions.size(), glm::dvec3(0.0));
   for (std::uint32_t t = 0; t < input.mesh.triangles.size(); ++t) {
     hear_at(heard, t, input.mesh.triangles.size());
-    const glm::dvec3 outside = across(corners_of(input, t));
-    for (const VertexId v : input.mesh.triangles[t]) made.normals[input.twin[v]] += outside;
+    const auto& [a, b, c] = input.mesh.triangles[t];
+    const glm::dvec3& corner = input.mesh.positions[a];
+    const glm::dvec3 outside = glm::cross(input.mesh.positions[b] - corner, input.mesh.positions[c] - corner);
+    for (const VertexId v : {a, b, c}) made.normals[input.twin[v]] += outside;
   }
   for (std::size_t v = 0; v < made.normals.size(); ++v) {
     if (v % 8192 == 0) hear(heard, 1.0);
@@ -120,7 +122,9 @@ OnSurface SurfaceWalk::nearest(const OnSurface& from, const glm::dvec3& to) {
   double least = ball;
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     const std::uint32_t triangle = queue_[next];
-    const std::array<glm::dvec3, 3> corners = corners_of(*input_, triangle);
+    const auto& [a, b, c] = input_->mesh.triangles[triangle];
+    const auto& positions = input_->mesh.positions;
+    const std::array<glm::dvec3, 3> corners{positions[a], positions[b], positions[c]};
     const glm::dvec3 place = nearest_on(corners, to);
     const double square = squared_length(place - to);
     if (next > 0 && (square > ball || opposed(corners, from.normal))) continue;

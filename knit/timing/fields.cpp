@@ -200,6 +200,7 @@ Vector solve_pinned(const IntrinsicMesh& intrinsic, const Unknowns& unknowns, Ve
   }
   for (const Pin& pin : pins) right[pin.unknown] = matrix.coeff(pin.unknown, pin.unknown) * pin.value;
   Vector values = solve(matrix, right, heard);
+  hear(heard, 1.0);
   for (const Pin& pin : pins) values[pin.unknown] = pin.value;
   return values;
 }
@@ -237,6 +238,7 @@ std::vector<double> spread_heat(const Input& input, const IntrinsicMesh& intrins
   Vector unit = Vector::Zero(unknowns.count);
   unit[source] = 1.0;
   const Vector heat = solve(matrix, unit, heard);
+  hear(heard, 1.0);
   return to_vertices(input, unknowns.of_vertex, heat / heat[source]);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "knit/model/ties.h"
 #include "knit/tubes/simplify.h"
@@ -63,6 +64,7 @@ bool is_inner(const TubeGraph& graph, const Tube& tube, const Heard& heard) {
     scale += curve->length * curve->length;
   }
   double sum = 0.0;
+  auto first = tube.values.begin();  // not below the piece; pieces rise, so it is found from the last one on
   for (const std::int32_t part : tube.parts) {
     const auto id = static_cast<std::size_t>(part);
     for (std::uint32_t i = graph.first_piece[id]; i < graph.first_piece[id + 1]; ++i) {
@@ -72,9 +74,9 @@ bool is_inner(const TubeGraph& graph, const Tube& tube, const Heard& heard) {
       const auto& values = graph.surface.values;
       const double from = values[graph.surface.by_rank[piece.low]];
       const double to = values[graph.surface.by_rank[piece.high]];
-      const auto first = std::lower_bound(tube.values.begin(), tube.values.end(), from);
-      const auto last = std::lower_bound(first, tube.values.end(), std::max(from, to));
-      for (auto value = first; value != last; ++value) {
+      while (first != tube.values.begin() && *std::prev(first) >= from) --first;
+      while (first != tube.values.end() && *first < from) ++first;
+      for (auto value = first; value != tube.values.end() && *value < std::max(from, to); ++value) {
         const CutTriangle cut = cut_triangle(graph.surface, triangle, *value);
         const glm::dvec3& centre = centres[static_cast<std::size_t>(value - tube.values.begin())];
         sum += glm::distance(cut.from, cut.to) * glm::dot(cut.outward, 0.5 * (cut.from + cut.to) - centre);

@@ -157,15 +157,25 @@ struct ProfileBand {
   }
 };
 
-// Adds a triangle's part of each band, and the lengths of its level lines midway.
-void add_to_profile(const RisingTriangle& triangle, TubeProfile& profile, std::vector<ProfileBand>& bands) {
+// The band that a value lies in, found from where the one before lay: triangles come rising, so that is mostly the same.
+std::size_t band_of_value(const std::vector<double>& values, double value, std::size_t before) {
+  if (values[before] > value)
+    return static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), value) - values.begin()) -
+           1;
+  while (before + 1 < values.size() && values[before + 1] <= value) ++before;
+  return before;
+}
+
+// Adds a triangle's part of each band, and the lengths of its level lines midway. `band`: where the triangle before began.
+void add_to_profile(const RisingTriangle& triangle, TubeProfile& profile, std::vector<ProfileBand>& bands,
+                    std::size_t& band) {
   const std::vector<double>& values = profile.values;
   const double low = std::max(triangle.low(), values.front());
   const double high = std::min(triangle.high(), values.back());
   if (!(low < high)) return;
-  const auto after = std::upper_bound(values.begin(), values.end(), low);
+  band = band_of_value(values, low, band);
   double below = triangle.area_below(low);
-  for (auto i = static_cast<std::size_t>(after - values.begin()) - 1; values[i] < high; ++i) {
+  for (std::size_t i = band; values[i] < high; ++i) {
     const double below_next = triangle.area_below(std::min(values[i + 1], high));
     bands[i].area += below_next - below;
     below = below_next;
@@ -192,9 +202,10 @@ TubeProfile profile_of(const TubeGraph& graph, std::int32_t tube, const Heard& h
   profile.lengths.assign(profile.values.size() - 1, 0.0);
   std::vector<ProfileBand> bands(profile.lengths.size());
   const Heard rest = part_of(heard, 0.4, 1.0);
+  std::size_t began = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     hear_at(rest, i, triangles.size());
-    add_to_profile(RisingTriangle(graph.surface, triangles[i]), profile, bands);
+    add_to_profile(RisingTriangle(graph.surface, triangles[i]), profile, bands, began);
   }
   profile.heights.push_back(0.0);
   for (const ProfileBand& band : bands) profile.heights.push_back(profile.heights.back() + band.height());
