@@ -251,6 +251,15 @@ TEST_CASE("limbs reader: what is wrong is said with its line") {
   CHECK(mistake_in(with("pick up 2 sts", "pick up 3 sts")) ==
         "line 9: gap 1 has 2 sts to pick up, the line says 3.");
   CHECK(mistake_in(with("(5 to 4)", "(5 to 3)")) == "line 9: 5 to 3 of 8 sts are not 8 sts.");
+  CHECK(
+      mistake_in(with("8 sts of Leg A (5 to 4), pick up 2 sts along gap 1",
+                      "6 sts of Leg A (5 to 2), pick up 2 sts along gap 1, 2 sts of Leg A (3 to 4)")) ==
+      "line 9: 6 of the 8 sts of Leg A stand between the cast on and the pick up of gap 1: all or none can.");
+  CHECK(mistake_in(with("CO 2 sts over gap 1, 8 sts of Leg A (5 to 4)",
+                        "8 sts of Leg A (5 to 4), CO 2 sts over gap 1")) ==
+        "line 9: nothing stands between the cast on and the pick up of gap 1.");
+  CHECK(mistake_in(with("8 sts of Leg A (5 to 4), pick up", "8 sts of Leg A (5 to 4), keep 1 st, pick up")) ==
+        "line 9: sts are kept between the cast on and the pick up of gap 1.");
   CHECK(mistake_in(with("keep 3 sts", "keep 2 sts")) == "line 9: 7 of 8 sts on the needle are used.");
   CHECK(mistake_in(with("Leg A: Break yarn. Place 8 sts on a holder.\n", "")) ==
         "line 5: Leg A has no end: its sts are neither held, bound off, grafted nor worked on.");

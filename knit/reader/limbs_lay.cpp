@@ -239,6 +239,25 @@ bool LimbWorker::lay_across(std::int32_t count, std::int32_t gap, Laying& laying
   if (!stitches) return false;
   laying.loop.insert(laying.loop.end(), stitches->begin(), stitches->end());
   laying.open.emplace_back(gap, std::move(*stitches));
+  laying.before.push_back({laying.kept, laying.loop.size(), laying.taking});
+  return true;
+}
+
+// A bridge is knit on the way to other loops and on the way back: between, each of these is worked all round, and nothing of
+// the loop that it leads from.
+bool LimbWorker::parts_no_loop(const Laying& laying, std::int32_t gap) {
+  const Laying::Before& before = laying.before.back();
+  if (laying.kept != before.kept)
+    return fail("sts are kept between the cast on and the pick up of " + gap_text(gap) + ".");
+  for (const auto& [piece, taking] : laying.taking) {
+    const auto then = before.taking.find(piece);
+    const std::size_t all = holders_.at(piece).size(),
+                      between = taking.taken - (then == before.taking.end() ? 0 : then->second.taken);
+    if (between != 0 && between != all)
+      return fail(std::to_string(between) + " of the " + count_text(static_cast<std::int64_t>(all)) + " of " +
+                  name_of(piece) + " stand between the cast on and the pick up of " + gap_text(gap) +
+                  ": all or none can.");
+  }
   return true;
 }
 
@@ -272,6 +291,8 @@ bool LimbWorker::lay_gap(std::int32_t count, std::int32_t gap, Laying& laying) {
   if (open != laying.open.end()) {
     if (open + 1 != laying.open.end())
       return fail(gap_text(gap) + " is picked up before " + gap_text(laying.open.back().first) + ".");
+    if (laying.loop.size() == laying.before.back().laid)
+      return fail("nothing stands between the cast on and the pick up of " + gap_text(gap) + ".");
     Loop& left = open->second;
     if (count > static_cast<std::int32_t>(left.size()))
       return fail(gap_text(gap) + " has " + count_text(static_cast<std::int64_t>(left.size())) +
@@ -279,7 +300,10 @@ bool LimbWorker::lay_gap(std::int32_t count, std::int32_t gap, Laying& laying) {
     laying.loop.insert(laying.loop.end(), left.rbegin(), left.rbegin() + count);
     left.resize(left.size() - static_cast<std::size_t>(count));
     gaps_.at(gap).left -= count;
-    if (left.empty()) laying.open.pop_back();
+    if (!left.empty()) return true;
+    if (!parts_no_loop(laying, gap)) return false;
+    laying.open.pop_back();
+    laying.before.pop_back();
     return true;
   }
   if (gaps_.count(gap) == 0) return fail(gap_text(gap) + " was not cast on.");

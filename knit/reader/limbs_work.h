@@ -53,6 +53,11 @@ class LimbWorker {
     std::optional<std::size_t> now;                   // the holder taken from last
     std::vector<std::string_view> ahead;              // items that follow
     std::vector<std::pair<std::int32_t, Loop>> open;  // gaps cast on in this line, not yet picked up
+    struct Before {
+      std::size_t kept = 0, laid = 0;  // laid: the gap's own stitches too
+      std::map<std::size_t, Taking> taking;
+    };
+    std::vector<Before> before;  // of each open gap: what was laid before it
   };
 
   bool fail(const std::string& sentence);
@@ -107,6 +112,7 @@ class LimbWorker {
   bool lay_held(std::int32_t count, const LimbName& name, LimbScan at, Laying& laying);
   bool take_held(std::int32_t count, std::size_t piece, std::int32_t first, Laying& laying);
   std::optional<Loop> cast_on_gap(std::int32_t count, std::int32_t gap);
+  bool parts_no_loop(const Laying& laying, std::int32_t gap);
   bool empty_holders(const Laying& laying);
 
   std::vector<LimbSection> sections_;
