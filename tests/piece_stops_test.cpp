@@ -3,8 +3,14 @@
 
 #include <set>
 
+#include "app/panels/pattern/chart_cache.h"
+#include "knit/mesh/shapes.h"
+#include "knit/model/stitch_size.h"
 #include "knit/pattern/written_pattern.h"
 #include "tests/support/catch.h"
+#include "tests/support/desk.h"
+#include "tests/support/random_fabric.h"
+#include "tests/support/ringed_fabric.h"
 #include "tests/support/session.h"
 
 using namespace app;
@@ -100,4 +106,72 @@ TEST_CASE("from piece to piece goes to their beginnings") {
   CHECK(place_words(pieces, stops[second]) == "Limb B, round 1 of 15");
   CHECK(stop_a_piece_on(stops, third, -1) == second);
   CHECK(stop_a_piece_on(stops, third, 1) == stops.size() - 1);
+}
+
+TEST_CASE(
+    "at a three-needle bind off the last round says what to bind off, with whom and how, and a holder is "
+    "emptied") {
+  int seams = 0;
+  for (unsigned seed = 0; seed < 60 && seams < 4; ++seed) {
+    CAPTURE(seed);
+    knit::State state = test_support::RingedFabric(seed).of(test_support::RandomFabric(seed).run(2));
+    if (!knit::has_limbs(state)) continue;
+    state.work = knit::Finished{};
+    const PlannedPieces pieces = planned_pieces(state, {}, {}, knit::GraftBy::three_needle);
+    for (const PieceStop& stop : stops_of(pieces.plan)) {
+      const knit::LimbPiece& piece = pieces.plan.piece(stop.piece);
+      const bool last = stop.deal == 0 && stop.number == piece.round_count();
+      if (!last || !piece.end.three_needle) {
+        CHECK(seam_words(pieces, stop).find("third needle") == std::string::npos);
+        continue;
+      }
+      ++seams;
+      const Holding holding = holding_after(pieces, stop);
+      const std::string other = pieces.name_of(piece.end.piece), pairs = std::to_string(holding.needle);
+      const std::string words = end_words(pieces, stop);
+      INFO(words);
+      CHECK(words.find("Three-needle bind off with " + other + " (" + pairs + " st") == 0);
+      CHECK(words.find(": bind off " + pairs + " pair") + words.find("slip last") != std::string::npos);
+      CHECK(seam_words(pieces, stop).find("With a third needle knit the first st of the front one") !=
+            std::string::npos);
+      const auto held = std::find_if(holding.holders.begin(), holding.holders.end(),
+                                     [&](const HeldPiece& h) { return h.name == other; });
+      REQUIRE(held != holding.holders.end());  // the other's stitches wait until then
+      CHECK(held->stitches == holding.needle);
+      if (stop.piece + 1 == pieces.plan.count()) continue;
+      const PieceStop next = stops_of(pieces.plan)[stop_a_piece_on(
+          stops_of(pieces.plan), stop_at(stops_of(pieces.plan), stop.row, 0), 1)];
+      for (const HeldPiece& h : holding_after(pieces, next).holders) CHECK(h.name != other);
+    }
+  }
+  CHECK(seams >= 4);
+}
+
+// Of a mesh the rims of a seam differ by what the ridge is round: their stitches do not pair, and that is said.
+TEST_CASE("in the window the seam's step says what to do and how") {
+  desk::Desk desk;
+  const auto input = knit::make_input(knit::torus(48, 24, 1.0, 0.4));
+  knit::Parameters parameters = knit::default_parameters(input->bounds);
+  knit::give_width(parameters, 0.08 * input->bounds.diagonal());
+  parameters = knit::resolved(parameters, *input);
+  parameters.timing.axis.kind = knit::AxisKind::y;
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
+  parameters.pattern.graft = knit::GraftBy::three_needle;
+  Document document{knit::Timeline(input, parameters)};
+  document.original = std::make_shared<const knit::Mesh>(input->mesh);
+  document.defaults = parameters;
+  document.timeline.extend_to_end();
+  desk.session.document = std::move(document);
+  desk.act({ToLast{}, KnitAlong{3}});
+  desk.settle();
+  CHECK(desk.ui.controls.count("knit-along/seam") == 0);
+  desk.act({KnitAlong{100000}});
+  desk.settle();
+  CHECK(desk.ui.controls.count("knit-along/end") == 1);
+  CHECK(desk.ui.controls.count("knit-along/seam") == 1);
+  const PlannedPieces& pieces = desk.ui.own<ChartCache>().pieces();
+  const std::string how = seam_words(pieces, stops_of(pieces.plan).back());
+  CHECK(how.find("to the inside, wrong sides together") != std::string::npos);
+  CHECK(how.find("so they are grafted: a three-needle bind off would pucker.") != std::string::npos);
 }

@@ -326,4 +326,41 @@ std::vector<std::string> finishing_of_limbs(const LimbPlan& plan, const LimbName
   return lines;
 }
 
+bool is_put_inside(const LimbPlan& plan, std::int32_t piece) {
+  const auto meets = [&](const LimbPiece& other) {
+    return other.end.kind == LimbEndKind::grafted &&
+           (&other == &plan.piece(piece) || other.end.piece == piece);
+  };
+  return begins_alone(plan.piece(piece)) && std::any_of(plan.pieces.begin(), plan.pieces.end(), meets);
+}
+
+std::vector<std::string> seam_remarks(const LimbPlan& plan, const LimbNames& names, std::int32_t piece) {
+  const LimbEnd& end = plan.piece(piece).end;
+  if (end.kind != LimbEndKind::grafted) return {};
+  std::vector<std::string> remarks;
+  const std::int32_t inner = plan.piece(piece).inner ? piece : plan.piece(end.piece).inner ? end.piece : -1;
+  if (inner >= 0)
+    remarks.push_back(
+        (is_put_inside(plan, inner) ? "Turn " + names(inner) + " inside out and put it inside"
+                                    : "Push " + names(inner) + " to the inside") +
+        ", wrong sides together; stuff the space between, if you like, before the last sts are " +
+        (end.three_needle ? "bound off." : "grafted."));
+  const bool one_by_one = std::all_of(end.grafts.begin(), end.grafts.end(),
+                                      [](const LimbGraft& graft) { return graft == LimbGraft{}; });
+  if (end.three_needle)
+    remarks.emplace_back(
+        "Hold both needles side by side. With a third needle knit the first st of the front one together "
+        "with "
+        "the first of the back one, then the next two, and pass the first new st over the second; so on to "
+        "the end. The ridge stays outside.");
+  else if (plan.three_needle)
+    remarks.emplace_back(
+        "Here the sts do not pair one by one, so they are grafted: a three-needle bind off would pucker.");
+  else if (one_by_one)
+    remarks.emplace_back(
+        "The sts pair one by one: a three-needle bind off joins them too, in place of the graft; it leaves a "
+        "ridge.");
+  return remarks;
+}
+
 }  // namespace knit

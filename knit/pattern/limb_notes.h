@@ -22,4 +22,9 @@ std::vector<std::string> finishing_of_limbs(const LimbPlan& plan, const LimbName
 // "9 pieces, one after the other, from A to I"
 std::string worked_in(const LimbPlan& plan);
 
+// Whether a lining hangs together with no other piece before it is grafted: it is turned inside out, else pushed through.
+bool is_put_inside(const LimbPlan& plan, std::int32_t piece);
+// Before a piece is grafted or bound off together with another: what else there is to do, and how; empty where it ends otherwise.
+std::vector<std::string> seam_remarks(const LimbPlan& plan, const LimbNames& names, std::int32_t piece);
+
 }  // namespace knit

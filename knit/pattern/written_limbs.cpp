@@ -111,8 +111,8 @@ class Writer {
     heading(first, end);
     if (piece.inner)
       remark("This tube is the inside of the work: knit it right side out like the others. " +
-             std::string(is_apart(first) ? "It is turned inside out and put inside at the end."
-                                         : "It is pushed through at the end."));
+             std::string(is_put_inside(plan_, first) ? "It is turned inside out and put inside at the end."
+                                                     : "It is pushed through at the end."));
     for (const LimbDeal& deal : piece.deals) begin_with(deal);
     rounds(first, end);
     ends(first, end);
@@ -214,15 +214,6 @@ class Writer {
     return last;
   }
 
-  // Hung together with no other piece before it is grafted.
-  [[nodiscard]] bool is_apart(std::int32_t number) const {
-    const auto meets = [&](const LimbPiece& piece) {
-      return piece.end.kind == LimbEndKind::grafted &&
-             (&piece == &plan_.piece(number) || piece.end.piece == number);
-    };
-    return begins_alone(plan_.piece(number)) && std::any_of(plan_.pieces.begin(), plan_.pieces.end(), meets);
-  }
-
   [[nodiscard]] bool is_divided_next(std::int32_t piece) const {
     if (plan_.piece(piece).end.kind != LimbEndKind::goes_on) return false;
     const LimbDealKind next = plan_.piece(plan_.piece(piece).end.piece).deals.front().kind;
@@ -249,38 +240,10 @@ class Writer {
     remark(words);
   }
 
-  void graft_remarks(std::int32_t first) {
-    const LimbPiece& piece = plan_.piece(first);
-    const std::int32_t inner = piece.inner                          ? first
-                               : plan_.piece(piece.end.piece).inner ? piece.end.piece
-                                                                    : -1;
-    if (inner >= 0)
-      remark((is_apart(inner) ? "Turn " + names_(inner) + " inside out and put it inside"
-                              : "Push " + names_(inner) + " to the inside") +
-             ", wrong sides together; stuff the space between, if you like, before the last sts are " +
-             (piece.end.three_needle ? "bound off." : "grafted."));
-    const bool one_by_one = std::all_of(piece.end.grafts.begin(), piece.end.grafts.end(),
-                                        [](const LimbGraft& graft) { return graft == LimbGraft{}; });
-    if (piece.end.three_needle)
-      remark(
-          "Hold both needles side by side. With a third needle knit the first st of the front one together "
-          "with the "
-          "first of the back one, then the next two, and pass the first new st over the second; so on to the "
-          "end. "
-          "The ridge stays outside.");
-    else if (plan_.three_needle)
-      remark(
-          "Here the sts do not pair one by one, so they are grafted: a three-needle bind off would pucker.");
-    else if (one_by_one)
-      remark(
-          "The sts pair one by one: a three-needle bind off joins them too, in place of the graft; it leaves "
-          "a ridge.");
-  }
-
   void ends(std::int32_t first, std::int32_t end) {
     const LimbPiece& piece = plan_.piece(first);
     stuff_before_end(first, end);
-    if (piece.end.kind == LimbEndKind::grafted) graft_remarks(first);
+    for (const std::string& words : seam_remarks(plan_, names_, first)) remark(words);
     for (std::int32_t i = first; i < end;) {
       const std::string words = end_sentence(plan_, names_, plan_.piece(i));
       std::vector<std::int32_t> same;

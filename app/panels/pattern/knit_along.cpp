@@ -142,6 +142,8 @@ void draw_pieces_along(PanelFrame& frame, const ChartCache& cache, std::int32_t 
   if (const knit::ChartRow* squares = chart_row_of(cache, stop)) draw_strip(frame, *squares);
   const std::string end = end_words(pieces, stop);
   if (!end.empty()) draw_labelled(frame, "Then", end, "knit-along/end");
+  const std::string seam = seam_words(pieces, stop);
+  if (!seam.empty()) draw_labelled(frame, "How", seam, "knit-along/seam");
   const Holding holding = holding_after(pieces, stop);
   draw_labelled(frame, "Needle",
                 knit::stitches_text(holding.needle) + " of " + pieces.name_of(stop.piece) +

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "knit/pattern/limb_notes.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
 
@@ -144,6 +145,15 @@ std::string end_words(const PlannedPieces& pieces, const PieceStop& stop) {
   const LimbPiece& piece = pieces.plan.piece(stop.piece);
   if (stop.deal != 0 || stop.number != piece.round_count()) return "";
   return knit::end_sentence(pieces.plan, knit::LimbNames(pieces.plan, pieces.options), piece);
+}
+
+std::string seam_words(const PlannedPieces& pieces, const PieceStop& stop) {
+  if (stop.deal != 0 || stop.number != pieces.plan.piece(stop.piece).round_count()) return "";
+  std::string words;
+  for (const std::string& remark :
+       knit::seam_remarks(pieces.plan, knit::LimbNames(pieces.plan, pieces.options), stop.piece))
+    words += (words.empty() ? "" : " ") + remark;
+  return words;
 }
 
 std::string place_words(const PlannedPieces& pieces, const PieceStop& stop) {

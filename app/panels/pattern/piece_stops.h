@@ -33,6 +33,8 @@ std::size_t stop_a_piece_on(const std::vector<PieceStop>& stops, std::size_t fro
 std::string words_of(const PlannedPieces& pieces, const PieceStop& stop);
 // After a piece's last round: "Break yarn. Place 26 sts on a holder."; else empty.
 std::string end_words(const PlannedPieces& pieces, const PieceStop& stop);
+// How it is joined to another there; empty where it is not.
+std::string seam_words(const PlannedPieces& pieces, const PieceStop& stop);
 // "Body D, round 3 of 30"; "Body D, before round 1"
 std::string place_words(const PlannedPieces& pieces, const PieceStop& stop);
 
