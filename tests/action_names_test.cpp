@@ -96,6 +96,7 @@ Controls all_controls() {
   apply(desk.session, EditFromHere{changed});
   apply(desk.session, Select{knit::VertexElement{3}});
   desk.session.outbox->notices.push_back({});
+  desk.session.document->place_note = "Row 3 has 8 stitches.";
   desk.session.program->rescued = Rescued{"/nowhere/session.json", "thesis-sphere, row 14"};
   desk.session.jobs->run.long_step.emplace();
   desk.session.jobs->run.long_step->seconds = 1.0;

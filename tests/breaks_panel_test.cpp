@@ -99,19 +99,32 @@ TEST_CASE("loop and slow motion are buttons of the timeline", "[breaks]") {
   CHECK_FALSE(only<SetLoop>(desk.click("loop")).stretch);
 }
 
-TEST_CASE("the place note stands in the timeline, beside the position or in its place", "[breaks]") {
+TEST_CASE("the place note stands whole over the view, with a cross of its own", "[breaks]") {
   for (const float width : {1280.0f, 1920.0f}) {
     Desk desk(width, 800);
     desk.open();
     CHECK(desk.ui.controls.count("place-note") == 0);
-    desk.session.document->place_note = "Row 14, item 3, is not in this run; showing row 13, its last step.";
+    const Box position = desk.ui.controls.at("position");
+    desk.session.document->place_note =
+        "The 3rd of 28 k2tog after row 29: k2tog 3 of 4 in row 54, made by step 17343. Row 54, cell 15: "
+        "k2tog "
+        "on stitches 33 and 34 of row 53, so that the next stitch is worked above the one that lies nearest.";
     desk.settle();
     REQUIRE(desk.ui.controls.count("place-note") == 1);
     const Box note = desk.ui.controls.at("place-note");
-    CHECK(note.right() <= desk.layout.timeline.right());
-    CHECK(note.x >= desk.ui.controls.at("loop").right());
+    const Box cross = desk.ui.controls.at("note/away");
+    const float lines = note.height / ImGui::GetTextLineHeight();
+    CHECK(note.x >= desk.layout.view.x);
+    CHECK(note.right() <= cross.x);
+    CHECK(lines > (width < 1900.0f ? 1.5f : 0.9f));
+    CHECK(desk.ui.controls.at("position") == position);
     CHECK(desk.frame().empty());
-    if (width > 1900.0f) CHECK(note.right() < desk.ui.controls.at("position").x);
+    desk.act({only<PutNoteAway>(desk.click("note/away"))});
+    CHECK(desk.session.document->place_note.empty());
+    desk.session.document->place_note = "Row 3 has 8 stitches.";
+    desk.settle();
+    desk.act({only<PutNoteAway>(desk.press({Key::Escape, {}, 0}))});
+    CHECK(desk.session.document->place_note.empty());
   }
 }
 

@@ -3,7 +3,9 @@
 #include "tests/support/desk.h"
 
 #include "app/panels/compare/sweep_plot.h"
+#include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
+#include "app/session/outbox.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
@@ -135,4 +137,78 @@ TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the for
   desk.settle();
   CHECK(desk.ui.own<SweepForm>().axis.key == "stitch-width");
   CHECK_FALSE(fault_of(SweepPlan{desk.ui.own<SweepForm>().axis, std::nullopt}));
+}
+
+TEST_CASE("P lets a pinned run go and says so; one of another mesh gives way to the run that is shown",
+          "[panels]") {
+  Desk desk;
+  desk.open();
+  const Chord pin{Key::P, {}, 0};
+  desk.act({only<PinRun>(desk.press(pin))});
+  CHECK(desk.session.outbox->notices.empty());
+  desk.act({only<Unpin>(desk.press(pin))});
+  CHECK_FALSE(desk.session.document->pinned);
+  REQUIRE(desk.session.outbox->notices.size() == 1);
+  CHECK(desk.session.outbox->notices[0].text.starts_with("The pinned run is let go."));
+  desk.act({PinRun{}});
+  knit::Timeline other(knit::make_input(knit::sphere(12, 7, false)), wide_band());
+  other.extend_to_end();
+  desk.session.document->timeline = other;
+  desk.settle();
+  desk.act({only<PinRun>(desk.press(pin))});
+  REQUIRE(desk.session.document->pinned);
+  CHECK(desk.session.document->pinned->input == other.input_pointer());
+  CHECK(
+      desk.session.outbox->notices.back().text.starts_with("This run is pinned now, instead of the one of "));
+}
+
+TEST_CASE("a list that hangs open is closed by Esc alone, and by Ctrl+Z, which is heard", "[panels]") {
+  Desk desk(1280, 720);
+  desk.session.view->side = SidePanel::sweep;
+  desk.open();
+  const auto hangs = [&] {
+    desk.settle();
+    return desk.ui.own<HangingList>().open;
+  };
+  desk.session.outbox->notices = {{Notice::Kind::info, "Saved."}};
+  for (const Chord& key : {Chord{Key::Escape, {}, 0}, Chord{Key::Z, {.ctrl = true}, 0}}) {
+    CHECK_FALSE(hangs());
+    desk.click("sweep/parameter");
+    REQUIRE(hangs());
+    CHECK(count_of<Undo>(desk.press(key)) == (key.key == Key::Z ? 1 : 0));
+    CHECK_FALSE(hangs());
+    desk.press({Key::LeftCtrl, {}, 0});
+  }
+  CHECK(desk.session.outbox->notices.size() == 1);
+}
+
+TEST_CASE("sweep side: the first plot counts all problems or one kind, and says where there is none",
+          "[panels]") {
+  Desk desk(1280, 960);
+  desk.session.view->side = SidePanel::sweep;
+  desk.settle();
+  desk.open();
+  desk.act({StartSweep{{{"epsilon", 0.01, 0.25, 25}, std::nullopt}}});
+  desk.settle();
+  CHECK(shows(desk, "sweep/problems"));
+  desk.click("sweep/problem-figure");
+  desk.settle();
+  CHECK_FALSE(shows(desk, "sweep/problem-figure/Rows"));
+  desk.click("sweep/problem-figure/Stalls");
+  desk.settle();
+  CHECK(shows(desk, "sweep/stalls"));
+  CHECK_FALSE(shows(desk, "sweep/problems"));
+  const SweepWork& work = *desk.session.document->sweep->work;
+  const auto stalls = [&](std::size_t i) {
+    return work.run(i)->figures.problems.of(knit::ProblemKind::band_missed);
+  };
+  std::size_t first = work.total();
+  while (first > 0 && stalls(first - 1) == 0) --first;
+  REQUIRE(first > 0);
+  REQUIRE(first < work.total());
+  const auto quiet = quiet_stretch(work, desk.ui.own<SweepCache>(), SweepFigure::stalls);
+  REQUIRE(quiet);
+  CHECK(quiet->from == work.first_values()[first]);
+  CHECK(quiet->to_last);
+  CHECK(words_of(*quiet, SweepFigure::stalls).starts_with("No stall from "));
 }

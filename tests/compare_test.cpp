@@ -255,3 +255,23 @@ TEST_CASE("set_knobs: exactly these parameters and edits, as a run of its own", 
   timeline.extend_to_end();
   CHECK(knit::hash_of(timeline.furthest()) == knit::hash_of(whole_run(timeline.input(), {base, {}}).state));
 }
+
+TEST_CASE("compare: what one of two runs lacks has a dash as its difference", "[compare]") {
+  Session session = small_session();
+  apply(session, PinRun{});
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.rows.on_stall = knit::OnStall::stop;
+  knit::give_epsilon(parameters, 0.001);
+  apply(session, Tune{parameters});
+  const RunDifference difference = difference_now(session);
+  REQUIRE_FALSE(difference.stop_b.empty());
+  const std::string dash = "\xE2\x80\x93";
+  CHECK(figure(difference, "wale-cv").b == dash);
+  CHECK(figure(difference, "wale-cv").difference == dash);
+  CHECK(figure(difference, "wale-cv").differs());
+  CHECK(figure(difference, "stalls").difference == "+1");
+  apply(session, PinRun{});
+  const RunDifference none = difference_now(session);
+  CHECK(figure(none, "wale-cv").difference == dash);
+  CHECK_FALSE(none.any());
+}

@@ -164,7 +164,8 @@ TEST_CASE("sweep: tubes, yarns, what is left out and uncovered stand in the tabl
   Session session = on_two_legs(0.12);
   const auto lines = lines_of(sweep_answer(session, {"stitch-width=0.12:0.16:2"}).out);
   REQUIRE(lines.size() == 3);
-  CHECK(lines[0].ends_with(",why,tubes,splits,joins,genus,yarns,holders,left_out,uncovered"));
+  CHECK(lines[0].ends_with(
+      ",why,tubes,splits,joins,genus,yarns,holders,left_out,uncovered,stalls,resampled,gaps_open,clamped"));
   const SweepWork& work = *session.document->sweep->work;
   const SweepRun& run = *work.run(0);
   CHECK(run.tubes.tubes == 3);
@@ -179,7 +180,7 @@ TEST_CASE("sweep: tubes, yarns, what is left out and uncovered stand in the tabl
   CHECK(contains(lines[1], ",3,0,1,0,2,1,0,"));
   // Rows of rings: one tube, and nothing measured that would hold up a sweep.
   Session rings = test_support::finished_small_session();
-  CHECK(lines_of(sweep_answer(rings, {"epsilon=0.1:0.2:2"}).out)[1].ends_with(",,1,0,0,0,1,0,0,"));
+  CHECK(lines_of(sweep_answer(rings, {"epsilon=0.1:0.2:2"}).out)[1].ends_with(",,1,0,0,0,1,0,0,,0,0,0,0"));
 }
 
 TEST_CASE("compare and sweep sides: tubes that differ, and a figure of them to choose", "[panels]") {

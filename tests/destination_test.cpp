@@ -8,6 +8,7 @@
 #include "app/script/queries.h"
 #include "app/session/outbox.h"
 #include "knit/insight/causes.h"
+#include "knit/insight/narrate.h"
 #include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -204,7 +205,8 @@ TEST_CASE("why is asked of what is shown or selected, and the answer stays") {
   CHECK(nowhere_at(session, "why not vertex").why.rfind("Click a vertex", 0) == 0);
   apply(session, Select{knit::VertexElement{100}});
   CHECK(there(session, "why not vertex").thing == knit::Element(knit::VertexElement{100}));
-  CHECK(there(session, "why stopped").words == "The run did not stop: it is finished.");
+  CHECK(there(session, "why stopped").words ==
+        "The run did not stop: it is finished. Knitted along y from rings.");
   for (const WhyQuestion& question : why_questions()) {
     INFO(question.words);
     CHECK(read_place_wish(std::string(question.where))->why);
@@ -285,4 +287,20 @@ TEST_CASE("a script goes to a place by its name and is told what is there") {
   CHECK(go_to_answer(session, "row 999").exit_code == exit_usage);
   CHECK_FALSE(fault_of_go_to("row 999"));
   CHECK(test_support::is_one_sentence(fault_of_go_to("banana").value_or("")));
+}
+
+TEST_CASE("why a run from contours did not stop says how it is knitted, and why rings would have stopped") {
+  Session session = test_support::example_session("torus");
+  session.document->timeline.extend_to_end();
+  REQUIRE(session.document->timeline.stop() == nullptr);
+  const std::string words = there(session, "why stopped").words;
+  INFO(words);
+  CHECK(says(words, "The run did not stop: it is finished. Knitted along "));
+  CHECK(words.find(" from contours, as 4 tubes. 28 rounds, 2 yarns, 1 split, 1 join.") != std::string::npos);
+  Session rings = test_support::torus_from_rings();
+  rings.document->timeline.extend_to_end();
+  const knit::Timeline& stopped = rings.document->timeline;
+  REQUIRE(stopped.stop() != nullptr);
+  CHECK(words.ends_with(" With rows from rings it would have stopped: " +
+                        knit::narrate(*stopped.stop(), stopped.parameters_of_stop())));
 }

@@ -3,6 +3,7 @@
 
 #include "app/compare/sweep_work.h"
 #include "tests/support/desk.h"
+#include "tests/support/session.h"
 
 using namespace desk;
 
@@ -20,18 +21,19 @@ TEST_CASE("the button of a knob sweeps it, and a click on the mark takes the fir
 
   SweepCache cache;
   cache.refresh(desk.session.document->sweep->work);
-  const auto quiet = quiet_stretch(work, cache);
+  const auto quiet = quiet_stretch(work, cache, SweepFigure::problems);
   REQUIRE(quiet);
   const auto& values = work.first_values();
   const auto problems_at = [&](double value) {
     const auto i = static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
-    return work.run(i)->figures.problems;
+    return work.run(i)->figures.problems.total();
   };
   std::size_t longest = 0;
   std::size_t length = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepRun& run = *work.run(i);
-    length = run.refused.empty() && run.figures.finished && run.figures.problems == 0 ? length + 1 : 0;
+    length =
+        run.refused.empty() && run.figures.finished && run.figures.problems.total() == 0 ? length + 1 : 0;
     longest = std::max(longest, length);
   }
   const auto first = std::find(values.begin(), values.end(), quiet->from);
@@ -51,7 +53,26 @@ TEST_CASE("the button of a knob sweeps it, and a click on the mark takes the fir
 }
 
 TEST_CASE("what is said of the values without a problem") {
-  CHECK(words_of(QuietStretch{0.01940001, 0.09, false, true}) == "No problem from 0.0194 on.");
-  CHECK(words_of(QuietStretch{0.01, 0.05, true, false}) == "No problem up to 0.05.");
-  CHECK(words_of(QuietStretch{0.02, 0.05, false, false}) == "No problem from 0.02 to 0.05.");
+  CHECK(words_of(QuietStretch{0.01940001, 0.09, false, true}, SweepFigure::problems) ==
+        "No problem from 0.0194 on.");
+  CHECK(words_of(QuietStretch{0.01, 0.05, true, false}, SweepFigure::problems) == "No problem up to 0.05.");
+  CHECK(words_of(QuietStretch{0.02, 0.05, false, false}, SweepFigure::problems) ==
+        "No problem from 0.02 to 0.05.");
+}
+
+TEST_CASE("where stalls end has a mark and a sentence of its own, if that is elsewhere") {
+  Desk desk(1280, 1400);
+  desk.session.document = test_support::example_session("thesis-sphere").document;
+  apply(desk.session, StartSweep{{{"epsilon", 0.015, 0.05, 8}, std::nullopt}});
+  desk.settle();
+  SweepCache cache;
+  cache.refresh(desk.session.document->sweep->work);
+  const SweepWork& work = *desk.session.document->sweep->work;
+  const auto stalls = quiet_stretch(work, cache, SweepFigure::stalls);
+  const auto problems = quiet_stretch(work, cache, SweepFigure::problems);
+  REQUIRE((stalls && problems));
+  CHECK(words_of(*stalls, SweepFigure::stalls) == "No stall from 0.02 on.");
+  CHECK(words_of(*problems, SweepFigure::problems) == "No problem from 0.035 on.");
+  CHECK(only<Tune>(desk.click("curve-mark/epsilon")).parameters.epsilon() == problems->from);
+  CHECK(only<Tune>(desk.click("curve-mark/epsilon/stalls")).parameters.epsilon() == stalls->from);
 }

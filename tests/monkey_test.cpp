@@ -212,6 +212,8 @@ class Monkey {
         return CopyLink{};
       case 5:
         return TakeRescued{};
+      case 6:
+        return PutNoteAway{};
       default:
         return DismissNotice{session.outbox->notices.empty() ? 0 : below(session.outbox->notices.size())};
     }

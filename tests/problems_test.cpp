@@ -2,6 +2,7 @@
 #include "knit/insight/problems.h"
 
 #include <algorithm>
+#include <array>
 
 #include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
@@ -45,6 +46,36 @@ TEST_CASE("problems are exactly the unusual steps", "[problems]") {
     }
     CHECK(wrong == 0);
   }
+}
+
+TEST_CASE("problems are counted by kinds, as the list ranks them, and said with their number", "[problems]") {
+  Parameters parameters = test_support::small_parameters();
+  give_epsilon(parameters, 0.001);
+  Timeline timeline(test_support::small_sphere(), parameters);
+  timeline.extend_to_end();
+  ProblemCounts counts;
+  std::array<std::size_t, problem_kinds> ranked{};
+  for (std::size_t i = 0; i < timeline.known(); ++i) {
+    counts.take(timeline.step(i), timeline.parameters_of_step(i));
+    const auto problem = problem_of(timeline.step(i), i, timeline.parameters_of_step(i));
+    if (problem) ++ranked.at(static_cast<std::size_t>(problem->kind));
+  }
+  REQUIRE(counts.of(ProblemKind::band_missed) > 1);
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < problem_kinds; ++i) {
+    CHECK(counts.of(static_cast<ProblemKind>(i)) == ranked.at(i));
+    total += ranked.at(i);
+  }
+  CHECK(counts.total() == total);
+  const Place place{Stage::rows, 5, 7};
+  ProblemCounts few;
+  CHECK(words_of(few).empty());
+  few.take({place, RowResampled{24, 12, 6, ResampleReason::more_than_double, 1.0}}, parameters);
+  few.take({place, BandMissed{1, 2, 3, 4, 0.9, -1.0}}, parameters);
+  few.take({place, Stopped{StopReason::stall, {}, 1, 2, 0, 3, 0.5, 0.5}}, parameters);
+  CHECK(words_of(few) == "1 row resampled, 2 stalls");
+  few.take({place, Stopped{StopReason::splits, {}, 1, 2, 0, 3, 0.5, 0.5}}, parameters);
+  CHECK(words_of(few) == "1 stop, 1 row resampled, 2 stalls");
 }
 
 TEST_CASE("each kind of problem is told and measured", "[problems]") {

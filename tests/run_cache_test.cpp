@@ -81,3 +81,19 @@ TEST_CASE("every step has numbers in words") {
   const auto grouped = numbers_of({{}, knit::LevelsGrouped{64, 0, -1, 0, 1e-5}});
   CHECK(std::any_of(grouped.begin(), grouped.end(), [](const auto& line) { return line.second == "none"; }));
 }
+
+TEST_CASE("the panels count problems as comparing and sweeps do", "[run-cache]") {
+  knit::Parameters narrow = wide_band();
+  knit::give_epsilon(narrow, 0.001);
+  for (const knit::OnStall on_stall : {knit::OnStall::continue_, knit::OnStall::stop}) {
+    narrow.rows.on_stall = on_stall;
+    knit::Timeline timeline = small_run(narrow);
+    timeline.extend_to_end();
+    RunCache cache;
+    cache.refresh(timeline);
+    const knit::ProblemCounts counts = cache.problem_counts(timeline);
+    CHECK(counts == tally_of(timeline).problems);
+    CHECK(counts == whole_run(timeline.input(), knobs_of(timeline)).problems);
+    CHECK(counts.of(knit::ProblemKind::band_missed) > 0);
+  }
+}

@@ -29,7 +29,8 @@ knit::ProblemRanking problems_of(const knit::Timeline& timeline) {
 // The first value from which on no run has a problem.
 std::size_t first_sound_run(const SweepWork& work) {
   std::size_t first = work.total();
-  while (first > 0 && work.run(first - 1)->figures.problems == 0 && work.run(first - 1)->figures.finished)
+  while (first > 0 && work.run(first - 1)->figures.problems.total() == 0 &&
+         work.run(first - 1)->figures.finished)
     --first;
   return first;
 }
@@ -95,7 +96,7 @@ TEST_CASE("the story: from a stall to an epsilon without one, at the same place"
   REQUIRE(sound < session.document->sweep->work->total());
   const double epsilon = session.document->sweep->work->run(sound)->values.front();
   CHECK(epsilon > 0.012);
-  CHECK(session.document->sweep->work->run(sound - 1)->figures.problems > 0);
+  CHECK(session.document->sweep->work->run(sound - 1)->figures.problems.total() > 0);
 
   // Take it: the same place is shown, and no problem is left.
   act(TakeSweepValue{sound});

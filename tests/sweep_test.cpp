@@ -96,7 +96,10 @@ TEST_CASE("sweep: a value that is refused is a result, and one that stops tells 
   REQUIRE(work.done() == 9);
   CHECK_FALSE(work.run(0)->figures.finished);
   CHECK(is_one_sentence(work.run(0)->figures.stop));
-  CHECK(work.run(0)->figures.problems > 0);
+  CHECK(work.run(0)->figures.problems.total() > 0);
+  // A stop at a stall is one.
+  CHECK(work.run(0)->figures.problems.of(knit::ProblemKind::band_missed) == 1);
+  CHECK(work.run(0)->figures.problems.of(knit::ProblemKind::stopped) == 0);
   CHECK(work.run(8)->figures.rows == 0);
   CHECK(is_one_sentence(work.run(8)->refused));
   CHECK(work.run(3)->refused.empty());
@@ -158,10 +161,11 @@ TEST_CASE("sweep: the table has a header and a line a run, whatever is in the ce
   CHECK(
       lines[0] ==
       "epsilon,outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why,"
-      "tubes,splits,joins,genus,yarns,holders,left_out,uncovered");
+      "tubes,splits,joins,genus,yarns,holders,left_out,uncovered,stalls,resampled,gaps_open,clamped");
   CHECK(lines[1].rfind("0.1,finished,", 0) == 0);
+  CHECK(std::count(lines[4].begin(), lines[4].end(), ',') >= 23);  // its sentence may have some
   CHECK(lines[4].rfind("0.4,refused,,,,,,,,,,\"", 0) == 0);
-  CHECK(std::count(lines[1].begin(), lines[1].end(), ',') == 19);
+  CHECK(std::count(lines[1].begin(), lines[1].end(), ',') == 23);
   const auto grid = lines_of(sweep_answer(session, {"epsilon=0.1:0.2:3", "cast-on=4:7:4"}).out);
   REQUIRE(grid.size() == 13);
   CHECK(grid[0].rfind("epsilon,cast-on,outcome,", 0) == 0);

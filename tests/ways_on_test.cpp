@@ -2,10 +2,13 @@
 #include "app/compare/ways_on.h"
 
 #include <algorithm>
+#include <map>
 
+#include "app/panels/kit/stop_ways.h"
 #include "app/script/command_line.h"
 #include "app/script/queries.h"
 #include "app/session/document.h"
+#include "app/session/jobs.h"
 #include "app/session/run_figures.h"
 #include "app/session/view.h"
 #include "knit/mesh/shapes.h"
@@ -118,4 +121,34 @@ TEST_CASE("ways on: a script gets the same, a line each, and a sentence where th
   const auto line = parse_command_line({"--example", "torus", "--ways-on"}, KNIT_ASSETS_DIR);
   REQUIRE(std::holds_alternative<CommandLine>(line));
   CHECK(std::get<CommandLine>(line).ways_on);
+}
+
+TEST_CASE("ways on: what is found moves no button that is there already", "[ways-on]") {
+  Desk desk;
+  desk.open();
+  desk.session.jobs->beside = true;  // as in a window: they come one by one
+  desk.session.document->timeline = stopped_torus();
+  std::map<std::string, Box> seen;
+  const StopWays& ways = desk.ui.own<StopWays>();
+  desk.settle();
+  REQUIRE(ways.work() != nullptr);
+  std::size_t most = 0;
+  for (bool running = true; running;) {
+    running = ways.work()->running();
+    desk.settle();
+    const std::size_t found = ways.work()->found().size();
+    if (found != most && found > 0) desk.settle();
+    most = found;
+    for (const auto& [name, box] : desk.ui.controls) {
+      if (!name.starts_with("stop/") || name == "stop/words") continue;
+      const auto [known, is_new] = seen.emplace(name, box);
+      INFO(name);
+      if (!is_new) CHECK(known->second == box);
+    }
+    CHECK((running || desk.ui.controls.count("problems/contours") == 0));
+  }
+  CHECK(most >= 2);
+  CHECK(seen.count("stop/contours") == 1);
+  CHECK(seen.at("stop/contours").y > seen.at("stop/away").y);
+  CHECK(desk.ui.controls.at("stop/contours").bottom() <= desk.layout.view.bottom());
 }

@@ -329,6 +329,9 @@ struct Apply {
       session.outbox->notices.erase(session.outbox->notices.begin() + static_cast<std::ptrdiff_t>(a.index));
     }
   }
+  void operator()(const PutNoteAway& /*a*/) {
+    if (session.document) session.document->place_note.clear();
+  }
   void operator()(const Quit& /*a*/) { session.outbox->quit = true; }
 
   // The others: apply_parts.h.

@@ -89,6 +89,9 @@ void tell(Session& session, const std::string& words) {
 void take(Session& session, const PinRun& /*action*/) {
   if (!session.document) return;
   if (!session.jobs->beside) session.document->timeline.extend_to_end();
+  if (session.document->pinned && !is_of_this_mesh(session, *session.document->pinned))
+    tell(session,
+         "This run is pinned now, instead of the one of " + session.document->pinned->input->mesh.name + ".");
   session.document->pinned = pin_of(session);
 }
 
@@ -114,7 +117,9 @@ void take(Session& session, const SwapPinned& /*action*/) {
 }
 
 void take(Session& session, const Unpin& /*action*/) {
-  if (session.document) session.document->pinned.reset();
+  if (!session.document || !session.document->pinned) return;
+  session.document->pinned.reset();
+  tell(session, "The pinned run is let go. Pin again (P) to compare with the run that is shown.");
 }
 
 void take(Session& session, const ShowBoth& action) {

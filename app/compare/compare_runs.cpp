@@ -11,6 +11,8 @@ namespace app {
 
 namespace {
 
+constexpr std::string_view no_figure = "\xE2\x80\x93";  // of what is not there
+
 FigureLine count_line(const char* key, const char* name, double a, double b) {
   FigureLine line{key, name, fixed_text(a, 0), fixed_text(b, 0), ""};
   if (a != b) line.difference = (b > a ? "+" : "") + fixed_text(b - a, 0);
@@ -21,11 +23,12 @@ FigureLine count_line(const char* key, const char* name, double a, double b) {
 FigureLine spread_line(const char* key, const char* name, const knit::LengthFigures& a,
                        const knit::LengthFigures& b, double knit::LengthFigures::*field, int decimals,
                        double unit_a = 1.0, double unit_b = 1.0) {
-  const std::string none = "\xE2\x80\x93";
+  const std::string none(no_figure);
   const double value_a = a.*field / unit_a;
   const double value_b = b.*field / unit_b;
   FigureLine line{key, name, a.count > 0 ? fixed_text(value_a, decimals) : none,
                   b.count > 0 ? fixed_text(value_b, decimals) : none, ""};
+  if (a.count == 0 || b.count == 0) line.difference = none;
   if (a.count == 0 || b.count == 0 || value_a == value_b) return line;
   const std::string text = fixed_text(value_b - value_a, decimals);
   // What is smaller than the last digit shown is said to be.
@@ -52,15 +55,32 @@ void add_tube_lines(std::vector<FigureLine>& lines, const RunEnd& a, const RunEn
   if (fa.left_out > 0 || fb.left_out > 0) count("left-out", "Left out", &TubeFigures::left_out);
   if (!a.uncovered && !b.uncovered) return;
   const auto share = [](const RunEnd& run) {
-    return run.uncovered ? knit::percent_text(*run.uncovered) : std::string("\xE2\x80\x93");
+    return run.uncovered ? knit::percent_text(*run.uncovered) : std::string(no_figure);
   };
   FigureLine line{"uncovered", "Uncovered", share(a), share(b), ""};
+  if (!a.uncovered || !b.uncovered) line.difference = no_figure;
   if (a.uncovered && b.uncovered && *a.uncovered != *b.uncovered) {
     const double difference = *b.uncovered - *a.uncovered;
     line.difference =
         line.a == line.b ? "~0" : (difference > 0.0 ? "+" : "") + fixed_text(100.0 * difference, 1);
   }
   lines.push_back(std::move(line));
+}
+
+// Of the kinds that either run has, after all of them: "Stalls".
+void add_kind_lines(std::vector<FigureLine>& lines, const knit::ProblemCounts& a,
+                    const knit::ProblemCounts& b) {
+  auto at = std::find_if(lines.begin(), lines.end(), [](const FigureLine& l) { return l.key == "problems"; });
+  for (std::size_t i = 0; i < knit::problem_kinds; ++i) {
+    const auto kind = static_cast<knit::ProblemKind>(i);
+    // The parts left out have a line among those of tubes, and a stop says more than a number.
+    const bool told = kind == knit::ProblemKind::left_out || kind == knit::ProblemKind::stopped;
+    if (told || (a.of(kind) == 0 && b.of(kind) == 0)) continue;
+    const std::string key(knit::key_of(kind));
+    const std::string name(knit::name_of(kind));
+    at = lines.insert(at + 1, count_line(key.c_str(), name.c_str(), static_cast<double>(a.of(kind)),
+                                         static_cast<double>(b.of(kind))));
+  }
 }
 
 std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
@@ -78,7 +98,8 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
       count("increases", "Increases", &RunFigures::increases),
       count("decreases", "Decreases", &RunFigures::decreases),
       count("most", "Most in a row", &RunFigures::most_in_a_row),
-      count("problems", "Problems", &RunFigures::problems),
+      count_line("problems", "Problems", static_cast<double>(fa.problems.total()),
+                 static_cast<double>(fb.problems.total())),
       spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,
                   pa.stitch.width, pb.stitch.width),
       spread_line("course-cv", "Course CV", fa.course, fb.course, &knit::LengthFigures::cv, 3),
@@ -86,6 +107,7 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
                   pb.stitch.height),
       spread_line("wale-cv", "Wale CV", fa.wale, fb.wale, &knit::LengthFigures::cv, 3),
       count("steps", "Steps", &RunFigures::steps)};
+  add_kind_lines(lines, fa.problems, fb.problems);
   add_tube_lines(lines, a, b);
   return lines;
 }
@@ -136,10 +158,13 @@ std::string padded(std::string text, std::size_t width, bool to_right) {
 
 }  // namespace
 
+bool FigureLine::differs() const {
+  return !difference.empty() && !(difference == no_figure && a == no_figure && b == no_figure);
+}
+
 bool RunDifference::any() const {
   return !same_mesh || !parameters.empty() || edits_differ || first_row || stop_a != stop_b ||
-         std::any_of(figures.begin(), figures.end(),
-                     [](const FigureLine& f) { return !f.difference.empty(); });
+         std::any_of(figures.begin(), figures.end(), [](const FigureLine& f) { return f.differs(); });
 }
 
 RunDifference difference_of(const RunEnd& a, const RunEnd& b) {

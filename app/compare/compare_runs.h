@@ -22,8 +22,10 @@ struct RunEnd {
 };
 
 struct FigureLine {
-  std::string key, name;         // "course-cv", "Course CV"
-  std::string a, b, difference;  // as text; the difference is b's over a's, and empty where they are equal
+  std::string key, name;  // "course-cv", "Course CV"
+  // As text; the difference is b's over a's, empty where they are equal and a dash where one of them is missing.
+  std::string a, b, difference;
+  [[nodiscard]] bool differs() const;
 };
 
 struct ParameterLine {

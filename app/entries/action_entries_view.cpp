@@ -286,6 +286,9 @@ void add_file_entries(EntryList& list, const ActionSources& sources) {
   const std::size_t notices = list.session.outbox->notices.size();
   list.add({"Dismiss the newest notice", group::program, "", DismissNotice{notices > 0 ? notices - 1 : 0},
             notices > 0 ? "" : "There is no notice."});
+  const bool noted = list.session.document && !list.session.document->place_note.empty();
+  list.add({"Put away what is said of the place", group::program, "", PutNoteAway{},
+            noted ? "" : "Nothing is said of the place."});
 }
 
 }  // namespace app

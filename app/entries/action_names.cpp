@@ -198,6 +198,9 @@ constexpr ActionName named(For<ShowGlossary>) { return {"Show the glossary", con
 constexpr ActionName named(For<ShowHelp>) { return {"Show keys and mouse", control, "menu/Keys and mouse"}; }
 constexpr ActionName named(For<ShowOpenDialog>) { return {"Choose a file to open", control, "welcome/open"}; }
 constexpr ActionName named(For<DismissNotice>) { return {"Dismiss a notice", control, "notice/0"}; }
+constexpr ActionName named(For<PutNoteAway>) {
+  return {"Put away what is said of the place", control, "note/away"};
+}
 constexpr ActionName named(For<RepairAndOpen>) {
   return {"Repair the mesh and open it", control, "repair/open"};
 }

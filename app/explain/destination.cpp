@@ -11,6 +11,7 @@
 
 #include "app/base/text.h"
 #include "app/explain/destination_reader.h"
+#include "app/explain/found_words.h"
 #include "app/explain/why_words.h"
 #include "app/session/at.h"
 #include "app/session/document.h"
@@ -455,7 +456,7 @@ class Finder {
   [[nodiscard]] Found find_stop() const {
     if (timeline_.stop() != nullptr) return Destination{stop_words(), {}, timeline_.known(), {}, true};
     if (!timeline_.complete()) return nowhere("The run has not stopped: it is still being worked out.");
-    return Destination{"The run did not stop: it is finished.", {}, {}, {}, true};
+    return Destination{finished_words(session_), {}, {}, {}, true};
   }
 
   // --- operations --------------------------------------------------------------------------------------------

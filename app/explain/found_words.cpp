@@ -1,11 +1,14 @@
 #include "app/explain/found_words.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "knit/import/check_topology.h"
+#include "knit/insight/narrate.h"
 #include "knit/model/words.h"
 #include "knit/rows/first_choice.h"
 #include "knit/run/machine.h"
@@ -68,6 +71,50 @@ std::string knitted_words(const Session& session) {
   if (state.tubes)
     words += ", as " + knit::plural(static_cast<std::int64_t>(state.tubes->order.size()), "tube", "tubes");
   return words + ".";
+}
+
+namespace {
+
+// " 28 rounds, 2 yarns, 1 split, 1 join." Of one tube there is nothing to add.
+std::string plan_words(const knit::State& state) {
+  if (!state.tubes || state.tubes->tubes.size() < 2) return "";
+  const auto count = [&](auto holds) {
+    return static_cast<std::int64_t>(
+        std::count_if(state.tubes->events.begin(), state.tubes->events.end(), holds));
+  };
+  const auto splits = count([](const knit::TubeEvent& event) { return event.above.size() == 2; });
+  const auto joins = count([](const knit::TubeEvent& event) { return event.below.size() == 2; });
+  std::string words = " " + knit::plural(state.fabric.row_count(), "round", "rounds") + ", " +
+                      knit::plural(state.tubes->yarns, "yarn", "yarns");
+  if (splits > 0) words += ", " + knit::plural(splits, "split", "splits");
+  if (joins > 0) words += ", " + knit::plural(joins, "join", "joins");
+  return words + ".";
+}
+
+// The same run with rows from rings, until its rows are there.
+std::string rings_words(const knit::Timeline& timeline) {
+  const knit::Input& input = timeline.input();
+  if (input.mesh.triangles.size() > most_searched_triangles) return "";
+  Knobs knobs = knobs_of(timeline);
+  knobs.base.rows.source = knit::RowSource::rings;
+  for (knit::Edit& edit : knobs.edits) edit.parameters.rows.source = knit::RowSource::rings;
+  RunTally run;
+  while (go_on(run, input, knobs, 100000, knit::Stage::stitches)) {
+  }
+  if (!run.stop) return " With rows from rings it would not have stopped either.";
+  return " With rows from rings it would have stopped: " +
+         knit::narrate(*run.stop, parameters_at(knobs, run.stop->place));
+}
+
+}  // namespace
+
+std::string finished_words(const Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
+  const std::string knitted = knitted_words(session);
+  const bool contours =
+      as_chosen(timeline.parameters_of_stop(), timeline.furthest()).rows.source == knit::RowSource::contours;
+  return "The run did not stop: it is finished." + (knitted.empty() ? "" : " " + knitted) +
+         plan_words(timeline.furthest()) + (contours ? rings_words(timeline) : "");
 }
 
 }  // namespace app

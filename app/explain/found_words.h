@@ -17,4 +17,8 @@ std::string shape_words(const knit::Input& input);
 // "Knitted along y from contours, as 5 tubes."; of the run as far as it has come. Requires something open.
 std::string knitted_words(const Session& session);
 
+// Why a finished run did not stop: how it is knitted, and, where its rows come from contours, why rings would have stopped.
+// The run with rings is worked out for it, of no larger meshes than `most_searched_triangles`: to be kept.
+std::string finished_words(const Session& session);
+
 }  // namespace app

@@ -50,7 +50,7 @@ std::size_t count_problems(const knit::Timeline& timeline, PageProgress& progres
   if (progress.counted_run != run || progress.counted_known != timeline.known()) {
     progress.counted_run = run;
     progress.counted_known = timeline.known();
-    progress.problems = tally_of(timeline).problems;
+    progress.problems = tally_of(timeline).problems.total();
   }
   return progress.problems;
 }

@@ -356,7 +356,7 @@ RunTally run_with(const knit::Timeline& timeline, const Knobs& knobs, Stage befo
 std::size_t measure_of(const RunTally& run, const JudgeCall& call) {
   const knit::Fabric& fabric = run.state.fabric;
   if (call.word == "rows") return fabric.rows().size();
-  if (call.word == "problems") return run.problems;
+  if (call.word == "problems") return run.problems.total();
   if (call.word == "stitches") return fabric.stitch_count();
   const knit::Row* row = fabric.find_row(std::max(1, call.row));
   return row != nullptr ? row->stitches.size() : 0;

@@ -71,7 +71,13 @@ void draw_panels(PanelFrame& frame) {
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
                 const Fonts& fonts) {
   PanelFrame frame{session, memory, scene, layout, fonts, {}};
-  if (!number_field_open(memory)) frame.actions = pressed_commands(session, !over_fields(layout));
+  auto& list = memory.own<HangingList>();
+  if (list.open) {
+    frame.actions = commands_over_list(session);
+    list = {false, !frame.actions.empty()};
+  } else if (!number_field_open(memory)) {
+    frame.actions = pressed_commands(session, !over_fields(layout));
+  }
   memory.controls.clear();
   if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
   if (session.view->presenting) {

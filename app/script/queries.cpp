@@ -1,5 +1,8 @@
 #include "app/script/queries.h"
 
+#include <algorithm>
+#include <array>
+
 #include "app/actions/hosting.h"
 #include "app/compare/compare_runs.h"
 #include "app/compare/sweep_work.h"
@@ -180,21 +183,27 @@ std::string cv_cell(const knit::LengthFigures& figures) {
   return figures.count > 0 ? knit::number_text(figures.cv) : "";
 }
 
+// Counted in columns of their own.
+constexpr std::array swept_kinds{knit::ProblemKind::band_missed, knit::ProblemKind::row_resampled,
+                                 knit::ProblemKind::gap_left_open, knit::ProblemKind::time_clamped};
+
 std::string line_of(const SweepRun& run) {
   std::string line;
   for (const double value : run.values) line += knit::number_text(value) + ",";
-  if (!run.refused.empty()) return line + "refused,,,,,,,,,," + cell(run.refused) + ",,,,,,,,\n";
+  if (!run.refused.empty()) return line + "refused,,,,,,,,,," + cell(run.refused) + ",,,,,,,,,,,,\n";
   const RunFigures& f = run.figures;
   line += f.finished ? "finished" : "stopped";
   for (const std::size_t count : {f.steps, f.rows, f.stitches}) line += "," + std::to_string(count);
   for (const std::int32_t count : {f.increases, f.decreases, f.most_in_a_row})
     line += "," + std::to_string(count);
-  line +=
-      "," + std::to_string(f.problems) + "," + cv_cell(f.course) + "," + cv_cell(f.wale) + "," + cell(f.stop);
+  line += "," + std::to_string(f.problems.total()) + "," + cv_cell(f.course) + "," + cv_cell(f.wale) + "," +
+          cell(f.stop);
   const TubeFigures& t = run.tubes;
   for (const std::int32_t count : {t.tubes, t.splits, t.joins, t.genus, t.yarns, t.holders, t.left_out})
     line += "," + std::to_string(count);
-  return line + "," + (run.uncovered ? knit::number_text(*run.uncovered) : "") + "\n";
+  line += "," + (run.uncovered ? knit::number_text(*run.uncovered) : "");
+  for (const knit::ProblemKind kind : swept_kinds) line += "," + std::to_string(f.problems.of(kind));
+  return line + "\n";
 }
 
 }  // namespace
@@ -215,7 +224,13 @@ Answer sweep_answer(Session& session, const std::vector<std::string>& axes) {
   std::string text = work.plan().axis.key + ",";
   if (work.plan().second) text += work.plan().second->key + ",";
   text += "outcome,steps,rows,stitches,increases,decreases,most_in_a_row,problems,course_cv,wale_cv,why,";
-  text += "tubes,splits,joins,genus,yarns,holders,left_out,uncovered\n";
+  text += "tubes,splits,joins,genus,yarns,holders,left_out,uncovered";
+  for (const knit::ProblemKind kind : swept_kinds) {
+    std::string head(knit::key_of(kind));
+    std::replace(head.begin(), head.end(), '-', '_');
+    text += "," + head;
+  }
+  text += "\n";
   for (std::size_t i = 0; i < work.total(); ++i) text += line_of(*work.run(i));
   return {exit_done, text, ""};
 }

@@ -318,6 +318,7 @@ struct ShowOpenDialog {
 struct DismissNotice {
   std::size_t index = 0;
 };
+struct PutNoteAway {};  // why another place is shown, or what is there
 struct Quit {};
 
 // All of them, in the order of their numbers.
@@ -333,7 +334,7 @@ using ActionKinds =
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
              SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present,
-             SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn>;
+             SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn, PutNoteAway>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

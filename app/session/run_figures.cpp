@@ -21,7 +21,7 @@ bool go_on(RunTally& run, const knit::Input& input, const Knobs& knobs, std::siz
     if (most-- == 0) return true;
     const knit::Parameters& parameters = parameters_at(knobs, run.state.next);
     const knit::Step step = knit::advance(input, parameters, run.state);
-    if (knit::is_unusual(step, parameters)) ++run.problems;
+    run.problems.take(step, parameters);
     if (knit::is_stop(step)) {
       run.stop = step;
     } else {
@@ -41,12 +41,11 @@ RunTally tally_of(const knit::Timeline& timeline) {
   RunTally run;
   run.state = timeline.furthest();
   run.steps = timeline.known();
-  for (std::size_t i = 0; i < timeline.known(); ++i) {
-    if (knit::is_unusual(timeline.step(i), timeline.parameters_of_step(i))) ++run.problems;
-  }
+  for (std::size_t i = 0; i < timeline.known(); ++i)
+    run.problems.take(timeline.step(i), timeline.parameters_of_step(i));
   if (const knit::Step* stop = timeline.stop()) {
     run.stop = *stop;
-    ++run.problems;
+    run.problems.take(*stop, timeline.parameters_of_stop());
   }
   return run;
 }

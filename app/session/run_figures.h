@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/changes.h"
+#include "knit/insight/problem_counts.h"
 #include "knit/quality/measures.h"
 
 namespace app {
@@ -16,8 +17,8 @@ namespace app {
 // How far a run has come and what was met on the way: the same numbers whether its steps are recorded or not.
 struct RunTally {
   knit::State state;
-  std::size_t steps = 0;     // taken; a stop is none
-  std::size_t problems = 0;  // knit::is_unusual; a stop is one
+  std::size_t steps = 0;         // taken; a stop is none
+  knit::ProblemCounts problems;  // a stop is one
   std::optional<knit::Step> stop;
   [[nodiscard]] bool ended() const { return stop.has_value() || state.finished(); }
 };
@@ -34,7 +35,8 @@ RunTally tally_of(const knit::Timeline& timeline);
 
 // Of a run that has finished or stopped.
 struct RunFigures {
-  std::size_t steps = 0, rows = 0, stitches = 0, problems = 0;
+  std::size_t steps = 0, rows = 0, stitches = 0;
+  knit::ProblemCounts problems;
   std::int32_t increases = 0, decreases = 0, most_in_a_row = 0;
   knit::LengthFigures course, wale;  // mesh units; wale has the count 0 while there are no faces
   bool finished = false;

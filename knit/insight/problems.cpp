@@ -15,7 +15,43 @@ double ratio(std::int32_t a, std::int32_t b) {
   return static_cast<double>(high) / low;
 }
 
+struct KindName {
+  std::string_view key, name, one, many;
+};
+constexpr std::array<KindName, problem_kinds> kind_names{
+    KindName{"stops", "Stops", "stop", "stops"},
+    {"left-out", "Left out", "part left out", "parts left out"},
+    {"resampled", "Rows resampled", "row resampled", "rows resampled"},
+    {"gaps-open", "Gaps left open", "gap left open", "gaps left open"},
+    {"stalls", "Stalls", "stall", "stalls"},
+    {"clamped", "Times clamped", "time clamped", "times clamped"}};
+
+const KindName& names_of(ProblemKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
+
 }  // namespace
+
+std::string_view key_of(ProblemKind kind) { return names_of(kind).key; }
+std::string_view name_of(ProblemKind kind) { return names_of(kind).name; }
+
+void ProblemCounts::take(const Step& step, const Parameters& parameters) {
+  const auto problem = problem_of(step, 0, parameters);
+  if (!problem) return;
+  const auto* stop = get_if<Stopped>(step);
+  const bool at_stall = stop != nullptr && stop->reason == StopReason::stall;
+  ++of_.at(static_cast<std::size_t>(at_stall ? ProblemKind::band_missed : problem->kind));
+}
+
+std::string words_of(const ProblemCounts& counts) {
+  std::string words;
+  for (std::size_t i = 0; i < problem_kinds; ++i) {
+    const auto kind = static_cast<ProblemKind>(i);
+    const auto count = static_cast<std::int64_t>(counts.of(kind));
+    if (count == 0) continue;
+    words += (words.empty() ? "" : ", ") +
+             plural(count, std::string(names_of(kind).one), std::string(names_of(kind).many));
+  }
+  return words;
+}
 
 std::optional<Problem> problem_of(const Step& step, std::size_t index, const Parameters& parameters) {
   if (!is_unusual(step, parameters)) return std::nullopt;

@@ -9,22 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "knit/insight/problem_counts.h"
 #include "knit/insight/why.h"
 #include "knit/quality/coverage.h"
 #include "knit/quality/measures.h"
 
 namespace knit {
-
-// Worst first.
-enum class ProblemKind : std::uint8_t {
-  stopped,        // the run ends there
-  left_out,       // a limb or a hole that is smaller than a round
-  row_resampled,  // what was picked could not be knitted, or hardly
-  gap_left_open,  // outside the band
-  band_missed,    // a stitch far from where it should be
-  time_clamped,
-  count_
-};
 
 struct Problem {
   std::size_t step = 0;

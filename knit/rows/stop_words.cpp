@@ -21,9 +21,8 @@ std::string split_text(const std::string& where, const Stopped& s) {
           ? "because the surface parts at " + saddle
           : "because another lowest part of the shape has begun, which joins the first only at " + saddle;
   return head + why + ". One tube cannot follow several: " + contours_words +
-         ", which knit each as a tube of its own, or another axis; a shape with a handle, like a ring, "
-         "branches "
-         "along every one.";
+         ", which knit each as a tube of its own. A shape without a handle may have rings along another "
+         "axis; one with a handle, like a ring, branches along every axis.";
 }
 
 }  // namespace

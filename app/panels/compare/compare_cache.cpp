@@ -4,7 +4,7 @@
 
 namespace app {
 
-void CompareCache::refresh(const Session& session, std::size_t problems) {
+void CompareCache::refresh(const Session& session, const knit::ProblemCounts& problems) {
   if (!session.document || !session.document->pinned || !session.document->pinned->known) {
     difference_.reset();
     return;

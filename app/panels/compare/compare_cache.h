@@ -12,9 +12,9 @@ namespace app {
 
 class CompareCache {
  public:
-  // Once a frame while it is seen; `problems`: of the current whole run, a stop included. While the current run
+  // Once a frame while it is seen; `problems`: of the current whole run. While the current run
   // is being worked out, what was last known stays.
-  void refresh(const Session& session, std::size_t problems);
+  void refresh(const Session& session, const knit::ProblemCounts& problems);
 
   // Null while nothing is pinned or its end is not known yet.
   [[nodiscard]] const RunDifference* difference() const { return difference_ ? &*difference_ : nullptr; }

@@ -104,13 +104,13 @@ void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference
     // Says more of the program than of the piece.
     if (line.key == "steps") continue;
     const float y = ImGui::GetCursorScreenPos().y;
-    const bool same = line.difference.empty();
+    const bool same = !line.differs();
     text_at(ImVec2(table.left(), y), 0.0f, theme().text, line.name);
     push_font(frame.fonts.mono);
     text_at(ImVec2(table.end_of(0), y), 1.0f, same ? theme().faint_text : pinned_colour(), line.a);
     text_at(ImVec2(table.end_of(1), y), 1.0f, same ? theme().faint_text : theme().text, line.b);
     text_at(ImVec2(table.end_of(2), y), 1.0f, same ? theme().faint_text : theme().text,
-            same ? "=" : line.difference);
+            line.difference.empty() ? "=" : line.difference);
     pop_font();
     table.end_line();
     frame.mark("compare/figure/" + line.key);
@@ -218,8 +218,7 @@ template <>
 void draw_side<SidePanel::compare>(PanelFrame& frame) {
   if (frame.timeline() == nullptr) return faint_text("Open a mesh first.");
   if (!frame.session.document->pinned) return draw_nothing_pinned(frame);
-  frame.own<CompareCache>().refresh(frame.session, frame.own<RunCache>().problems().size() +
-                                                       (frame.timeline()->stop() != nullptr ? 1U : 0U));
+  frame.own<CompareCache>().refresh(frame.session, frame.own<RunCache>().problem_counts(*frame.timeline()));
   draw_buttons(frame);
   const RunDifference* difference = frame.own<CompareCache>().difference();
   if (difference == nullptr) return faint_text("The pinned run is being worked out...");

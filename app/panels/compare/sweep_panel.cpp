@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "app/base/text.h"
@@ -65,7 +66,7 @@ const knit::ParameterInfo* draw_choice(PanelFrame& frame, const char* id, const 
                                        std::string_view but, float width) {
   const knit::ParameterInfo* chosen = nullptr;
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(id, shown.c_str());
+  const bool open = begin_list(frame, id, shown);
   if (!open) return nullptr;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     if (!is_offered(info, frame.timeline()->parameters()) || info.key == but) continue;
@@ -204,8 +205,10 @@ std::string run_words(const SweepPlan& plan, const SweepRun& run) {
   if (plan.second) words += ", " + label_of(plan.second->key) + " " + knit::number_text(run.values[1]);
   if (!run.refused.empty()) return words + "\nRefused: " + run.refused;
   const RunFigures& f = run.figures;
-  words += "\n" + with_commas(f.problems, "problem", "problems") + ", " +
-           with_commas(f.stitches, "stitch", "stitches") + " in " + with_commas(f.rows, "row", "rows");
+  const std::string kinds = knit::words_of(f.problems);
+  words += "\n" + with_commas(f.problems.total(), "problem", "problems") +
+           (kinds.empty() ? "" : " (" + kinds + ")") + ", " + with_commas(f.stitches, "stitch", "stitches") +
+           " in " + with_commas(f.rows, "row", "rows");
   words += "\nCourse CV " + fixed_text(f.course.cv, 3);
   if (f.wale.count > 0) words += ", wale CV " + fixed_text(f.wale.cv, 3);
   words += ", at most " + knit::plural(f.most_in_a_row, "shaping", "shapings") + " in a row";
@@ -218,24 +221,44 @@ void tooltip_at_pointer(const PanelFrame& frame, const std::string& words) {
   tooltip_about(frame, around_pointer(frame), words);
 }
 
-void draw_figure_choice(PanelFrame& frame, SweepFigure& chosen) {
+// Of the figures to choose from: all; counts of problems, of every kind or one; the others.
+enum class Offered : std::uint8_t { all, problems, others };
+
+bool is_offered(SweepFigure figure, Offered offered) {
+  return offered == Offered::all || counts_problems(figure) == (offered == Offered::problems);
+}
+
+// `mark`: "sweep/figure".
+void draw_figure_choice(PanelFrame& frame, const std::string& mark, SweepFigure& chosen, Offered offered) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (ImGui::BeginCombo("##figure", std::string(name_of(chosen)).c_str())) {
+  if (begin_list(frame, ("##" + mark).c_str(), std::string(name_of(chosen)))) {
     for (std::size_t f = 0; f < sweep_figures; ++f) {
       const auto figure = static_cast<SweepFigure>(f);
+      if (!is_offered(figure, offered)) continue;
       const std::string name(name_of(figure));
       if (ImGui::Selectable(name.c_str(), figure == chosen)) chosen = figure;
-      frame.mark("sweep/figure/" + name);
+      frame.mark(mark + "/" + name);
     }
     ImGui::EndCombo();
   }
-  frame.mark("sweep/figure");
+  frame.mark(mark);
+}
+
+// All problems or one kind, and where there is none.
+void draw_problem_choice(PanelFrame& frame, const SweepPlot& plot) {
+  SweepFigure& chosen = frame.own<SweepForm>().first;
+  draw_figure_choice(frame, "sweep/problem-figure", chosen, Offered::problems);
+  tooltip(frame, "What the first plot counts: all problems, or one kind of them.");
+  const auto quiet = quiet_stretch(plot.work, plot.cache, chosen);
+  faint_text(quiet ? words_of(*quiet, chosen) : "");
+  frame.mark("sweep/quiet");
 }
 
 SweepPointed draw_lines(PanelFrame& frame, SweepPlot plot) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  const float third = (room.y - 4.0f * gap - ImGui::GetFrameHeight()) / 3.0f;
+  const float lines = 2.0f * ImGui::GetFrameHeight() + ImGui::GetTextLineHeight();
+  const float third = (room.y - 6.0f * gap - lines) / 3.0f;
   const float height = std::floor(std::clamp(third, frame.units(84.0f), frame.units(230.0f)));
   SweepPointed pointed;
   const auto line_of = [&](SweepFigure figure) {
@@ -244,15 +267,16 @@ SweepPointed draw_lines(PanelFrame& frame, SweepPlot plot) {
     const SweepPointed here = draw_sweep_line(frame, plot, ImVec2(room.x, height));
     if (here.run) pointed = here;
   };
-  line_of(SweepFigure::problems);
+  draw_problem_choice(frame, plot);
+  line_of(frame.own<SweepForm>().first);
   line_of(SweepFigure::stitches);
-  draw_figure_choice(frame, frame.own<SweepForm>().third);
+  draw_figure_choice(frame, "sweep/figure", frame.own<SweepForm>().third, Offered::others);
   line_of(frame.own<SweepForm>().third);
   return pointed;
 }
 
 SweepPointed draw_map(PanelFrame& frame, SweepPlot plot) {
-  draw_figure_choice(frame, frame.own<SweepForm>().figure);
+  draw_figure_choice(frame, "sweep/figure", frame.own<SweepForm>().figure, Offered::all);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   plot.name = "sweep/map";
   plot.figure = frame.own<SweepForm>().figure;

@@ -37,16 +37,16 @@ Scale scale_of(const SweepPlot& plot, const Box& ground) {
   double high = plot.cache.highest(plot.figure);
   if (!(low <= high)) low = high = 0.0;
   // Few problems are near none; other figures are seen by how they differ.
-  if (plot.figure == SweepFigure::problems) low = 0.0;
+  if (counts_problems(plot.figure)) low = 0.0;
   double air = 0.08 * (high - low);
   if (!(air > 0.0)) air = decimals_of(plot.figure) > 0 ? 0.01 : 1.0;
-  const double below = plot.figure == SweepFigure::problems ? 0.0 : air;
+  const double below = counts_problems(plot.figure) ? 0.0 : air;
   return {ground, values.front(), values.back(), low - below, high + air};
 }
 
 // Words for the ends of the figure's range.
 std::string low_text(const SweepPlot& plot) {
-  const bool from_zero = plot.figure == SweepFigure::problems;
+  const bool from_zero = counts_problems(plot.figure);
   return fixed_text(from_zero ? 0.0 : plot.cache.lowest(plot.figure), decimals_of(plot.figure));
 }
 std::string high_text(const SweepPlot& plot) {
@@ -73,7 +73,7 @@ void draw_figure_axis(const PanelFrame& frame, const SweepPlot& plot, const Stan
                                stand.ground.bottom() - 0.7f * line);
     text_at(ImVec2(stand.ground.x - frame.units(5.0f), y), 1.0f, theme().faint_text, words);
   };
-  const double low = plot.figure == SweepFigure::problems ? 0.0 : plot.cache.lowest(plot.figure);
+  const double low = counts_problems(plot.figure) ? 0.0 : plot.cache.lowest(plot.figure);
   const double high = plot.cache.highest(plot.figure);
   put(low, low_text(plot));
   // Too near to each other they would lie over each other.

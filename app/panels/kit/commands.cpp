@@ -10,6 +10,7 @@
 #include "app/session/document.h"
 #include "app/session/learning.h"
 #include "app/session/outbox.h"
+#include "app/session/pins.h"
 #include "app/session/preferences.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
@@ -114,6 +115,7 @@ Wish close(const Session& session) {
   if (session.view->gaze.picking != Picking::nothing) return SetPicking{Picking::nothing};
   if (session.view->presenting) return Present{false};
   if (!session.outbox->notices.empty()) return DismissNotice{session.outbox->notices.size() - 1};
+  if (session.document && !session.document->place_note.empty()) return PutNoteAway{};
   return std::nullopt;
 }
 
@@ -192,7 +194,10 @@ const std::array table{
     CommandInfo{Command::paste, changes, "Paste parameters", on(Key::V, ctrl), false, paste},
     CommandInfo{Command::pin, changes, "Pin this run, or let it go", on(Key::P), false,
                 [](const Session& session) -> Wish {
-                  return session.document && session.document->pinned ? Wish(Unpin{}) : Wish(PinRun{});
+                  // One of another mesh gives way to this one.
+                  const bool lets_go = session.document && session.document->pinned &&
+                                       is_of_this_mesh(session, *session.document->pinned);
+                  return lets_go ? Wish(Unpin{}) : Wish(PinRun{});
                 }},
     CommandInfo{Command::swap, changes, "Swap with the pinned run", on(Key::X), false, plain<SwapPinned>},
     CommandInfo{Command::both, changes, "Show the pinned run beside this one", on(Key::B), false,
@@ -387,6 +392,16 @@ bool turns_rounds(const Session& session, Command command) {
 }  // namespace
 
 bool is_pressed(Command command) { return keys_are_heard() && is_pressed(info_of(command), true); }
+
+Actions commands_over_list(const Session& session) {
+  Actions actions;
+  if (ImGui::GetIO().WantTextInput || !key_mods().ctrl) return actions;
+  for (const CommandInfo& info : table) {
+    if (!is_pressed(info, false)) continue;
+    if (auto action = info.make(session)) actions.push_back(std::move(*action));
+  }
+  return actions;
+}
 
 Actions pressed_commands(const Session& session, bool numbers) {
   if (!keys_are_heard()) return {};

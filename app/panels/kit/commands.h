@@ -56,6 +56,8 @@ bool is_of_numbers(const Chord& chord);
 // What the keys of this frame ask for; nothing while a person types or a menu or dialog is open. Without `numbers`
 // those of numbers are not for the view: the pointer is over fields.
 Actions pressed_commands(const Session& session, bool numbers = true);
+// Those with Ctrl, while a list hangs open from a field: it is closed by them.
+Actions commands_over_list(const Session& session);
 // Whether its keys were pressed in this frame, under the same conditions.
 bool is_pressed(Command command);
 

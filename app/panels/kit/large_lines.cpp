@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "app/explain/window_words.h"
+
 namespace app {
 
 namespace {
@@ -55,7 +57,8 @@ std::vector<std::string> even_lines(std::string_view words, std::size_t most_let
   return lines;
 }
 
-LargeWords large_words(ImFont* font, std::string_view words, float wanted, float width, float height) {
+LargeWords large_words(ImFont* font, std::string_view said, float wanted, float width, float height) {
+  const std::string words = in_window_words(said);
   constexpr std::size_t fewer = 5;
   constexpr float smaller = 0.94f;
   constexpr float least_share = 0.2f;  // of what is wanted; there are no sentences as long as that

@@ -66,8 +66,15 @@ void RunCache::find_problems(const knit::Timeline& timeline) {
     if (!problem) continue;
     problems_.push_back(scanned_);
     ranked_.take(*problem);
+    counts_.take(timeline.step(scanned_), timeline.parameters_of_step(scanned_));
   }
   if (timeline.complete()) ranked_.finish();
+}
+
+knit::ProblemCounts RunCache::problem_counts(const knit::Timeline& timeline) const {
+  knit::ProblemCounts counts = counts_;
+  if (const knit::Step* stop = timeline.stop()) counts.take(*stop, timeline.parameters_of_stop());
+  return counts;
 }
 
 LabelTally::Counts LabelTally::count(const knit::State& state) {

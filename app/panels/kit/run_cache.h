@@ -29,6 +29,8 @@ class RunCache {
   [[nodiscard]] const std::vector<std::size_t>& edits() const { return edits_; }        // in the edits' order
   [[nodiscard]] const std::vector<std::size_t>& problems() const { return problems_; }  // steps, rising
   [[nodiscard]] const knit::ProblemRanking& ranked() const { return ranked_; }          // worst first
+  // Of what is worked out, a stop included.
+  [[nodiscard]] knit::ProblemCounts problem_counts(const knit::Timeline& timeline) const;
 
  private:
   struct Key {
@@ -48,6 +50,7 @@ class RunCache {
   std::vector<Stretch> stages_;
   std::vector<std::size_t> row_starts_, edits_, problems_;
   knit::ProblemRanking ranked_;
+  knit::ProblemCounts counts_;
 };
 
 // How often each label has been placed at a state, by Label. Finished joins are counted once.

@@ -1,5 +1,7 @@
 #include "app/panels/kit/stop_ways.h"
 
+#include <vector>
+
 #include "app/panels/kit/widgets.h"
 #include "app/session/jobs.h"
 #include "knit/model/stopped.h"
@@ -35,23 +37,50 @@ void draw_pick_ends(PanelFrame& frame, const std::string& mark) {
 
 }  // namespace
 
-void draw_stop_ways(PanelFrame& frame, const std::string& mark) {
+namespace {
+
+// Null: the run did not stop.
+const WaysOnWork* ways_of(PanelFrame& frame) {
   const knit::Timeline* timeline = frame.timeline();
-  if (timeline == nullptr) return;
+  if (timeline == nullptr) return nullptr;
   auto& ways = frame.own<StopWays>();
   ways.refresh(*timeline);
-  if (ways.work() == nullptr) return;
-  if (!frame.session.jobs->beside) ways.work()->wait();  // a picture without a window shows them all
-  wrapped_text(words_of(*ways.work()), theme().faint_text);
+  if (ways.work() != nullptr && !frame.session.jobs->beside)
+    ways.work()->wait();  // a picture without a window shows them all
+  return ways.work();
+}
+
+void draw_way(PanelFrame& frame, const std::string& mark, const FoundWay& found) {
+  const std::string label = found.way.words + ": " + found.result() + "##" + mark + found.way.key;
+  if (ImGui::Button(label.c_str())) frame.wish(Tune{with_way(found.way, frame.timeline()->parameters())});
+  frame.mark(mark + found.way.key);
+  tooltip(frame, with_commas(found.stitches) + " stitches. Sets " + found.way.options +
+                     " and begins anew. Undo brings this run back.");
+}
+
+}  // namespace
+
+std::size_t draw_stop_ways(PanelFrame& frame, const std::string& mark) {
+  const WaysOnWork* work = ways_of(frame);
+  if (work == nullptr) return 0;
+  draw_pick_ends(frame, mark);
+  wrapped_text(words_of(*work), theme().faint_text);
   frame.mark(mark + "words");
-  for (const FoundWay& found : ways.work()->found()) {
-    const std::string label = found.way.words + ": " + found.result() + "##" + mark + found.way.key;
-    if (ImGui::Button(label.c_str())) frame.wish(Tune{with_way(found.way, timeline->parameters())});
-    frame.mark(mark + found.way.key);
-    tooltip(frame, with_commas(found.stitches) + " stitches. Sets " + found.way.options +
-                       " and begins anew. Undo brings this run back.");
+  const std::vector<FoundWay> found = work->found();
+  for (const FoundWay& way : found) draw_way(frame, mark, way);
+  return found.size();
+}
+
+void draw_tried_ways(PanelFrame& frame, const std::string& mark) {
+  const WaysOnWork* work = ways_of(frame);
+  if (work == nullptr) return;
+  if (!work->running()) {
+    draw_stop_ways(frame, mark);
+    return;
   }
   draw_pick_ends(frame, mark);
+  wrapped_text(words_of(*work), theme().faint_text);
+  frame.mark(mark + "words");
 }
 
 bool StopWays::was_at_it() {

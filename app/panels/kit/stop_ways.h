@@ -24,9 +24,11 @@ class StopWays {
   std::shared_ptr<WaysOnWork> work_;
 };
 
-// Buttons that take one of the ways, and what cannot be tried but by hand; `mark`: before their names. Nothing where the
-// run did not stop.
-void draw_stop_ways(PanelFrame& frame, const std::string& mark);
+// Buttons that take one of the ways, as they are found, and over them what cannot be tried but by hand; `mark`: before their
+// names. How many ways there are; nothing where the run did not stop.
+std::size_t draw_stop_ways(PanelFrame& frame, const std::string& mark);
+// The same at once when all are tried: over what must not move time and again.
+void draw_tried_ways(PanelFrame& frame, const std::string& mark);
 
 // Some are being tried: a frame is due when they are.
 bool ways_are_tried(PanelMemory& memory);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/panels/kit/number_field.h"
+
 namespace app {
 
 namespace {
@@ -16,11 +18,30 @@ double rounded(double value) {
   return std::round(value / unit) * unit;
 }
 
+// Of those that count one kind of problem.
+knit::ProblemKind kind_of(SweepFigure figure) {
+  switch (figure) {
+    case SweepFigure::resampled:
+      return knit::ProblemKind::row_resampled;
+    case SweepFigure::gaps_open:
+      return knit::ProblemKind::gap_left_open;
+    case SweepFigure::clamped:
+      return knit::ProblemKind::time_clamped;
+    default:
+      return knit::ProblemKind::band_missed;
+  }
+}
+
 std::optional<double> figure_of(SweepFigure figure, const SweepRun& swept) {
   const RunFigures& f = swept.figures;
   switch (figure) {
     case SweepFigure::problems:
-      return static_cast<double>(f.problems);
+      return static_cast<double>(f.problems.total());
+    case SweepFigure::stalls:
+    case SweepFigure::resampled:
+    case SweepFigure::gaps_open:
+    case SweepFigure::clamped:
+      return static_cast<double>(f.problems.of(kind_of(figure)));
     case SweepFigure::stitches:
       return static_cast<double>(f.stitches);
     case SweepFigure::course_cv:
@@ -43,6 +64,21 @@ std::optional<double> figure_of(SweepFigure figure, const SweepRun& swept) {
       return swept.uncovered ? std::optional(100.0 * *swept.uncovered) : std::nullopt;
   }
   return std::nullopt;
+}
+
+std::string_view none_of(SweepFigure figure) {
+  switch (figure) {
+    case SweepFigure::stalls:
+      return "No stall";
+    case SweepFigure::resampled:
+      return "No row resampled";
+    case SweepFigure::gaps_open:
+      return "No gap left open";
+    case SweepFigure::clamped:
+      return "No time clamped";
+    default:
+      return "No problem";
+  }
 }
 
 }  // namespace
@@ -77,15 +113,16 @@ SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& pa
 
 std::string_view name_of(SweepFigure figure) {
   constexpr std::array<std::string_view, sweep_figures> names{
-      "Problems", "Stitches", "Course CV",       "Wale CV",  "Rows",        "Most in a row",
-      "Tubes",    "Yarns",    "Holders at once", "Left out", "Uncovered, %"};
+      "Problems", "Stalls",    "Rows resampled",  "Gaps left open", "Times clamped",
+      "Stitches", "Course CV", "Wale CV",         "Rows",           "Most in a row",
+      "Tubes",    "Yarns",     "Holders at once", "Left out",       "Uncovered, %"};
   return names.at(static_cast<std::size_t>(figure));
 }
 
 std::string_view key_of(SweepFigure figure) {
   constexpr std::array<std::string_view, sweep_figures> keys{
-      "problems", "stitches", "course-cv", "wale-cv",  "rows",     "most-in-a-row",
-      "tubes",    "yarns",    "holders",   "left-out", "uncovered"};
+      "problems", "stalls",        "resampled", "gaps-open", "clamped", "stitches", "course-cv", "wale-cv",
+      "rows",     "most-in-a-row", "tubes",     "yarns",     "holders", "left-out", "uncovered"};
   return keys.at(static_cast<std::size_t>(figure));
 }
 
@@ -127,6 +164,38 @@ void SweepCache::read(std::size_t index, const SweepRun& run) {
     low_[f] = std::min(low_[f], *value);
     high_[f] = std::max(high_[f], *value);
   }
+}
+
+std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache,
+                                          SweepFigure figure) {
+  if (work.done() < work.total()) return std::nullopt;
+  const std::vector<double>& values = work.first_values();
+  const auto is_quiet = [&](std::size_t i) {
+    const auto& count = cache.of(figure)[i];
+    return cache.outcomes()[i] == SweepOutcome::finished && count && *count == 0.0;
+  };
+  std::size_t best = 0;
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    length = is_quiet(i) ? length + 1 : 0;
+    // Of equally long ones the last: larger values are the safer ones.
+    if (length < std::max<std::size_t>(1, best)) continue;
+    best = length;
+    begin = i + 1 - length;
+  }
+  if (best == 0) return std::nullopt;
+  const std::size_t end = begin + best - 1;
+  return QuietStretch{values[begin], values[end], begin == 0, end + 1 == values.size()};
+}
+
+std::string words_of(const QuietStretch& quiet, SweepFigure figure) {
+  const std::string none(none_of(figure));
+  if (quiet.from_first && quiet.to_last)
+    return none + " from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
+  if (quiet.to_last) return none + " from " + shown_number(quiet.from) + " on.";
+  if (quiet.from_first) return none + " up to " + shown_number(quiet.to) + ".";
+  return none + " from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
 }
 
 }  // namespace app

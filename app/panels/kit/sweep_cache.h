@@ -4,6 +4,8 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/compare/sweep_work.h"
@@ -12,7 +14,11 @@
 namespace app {
 
 enum class SweepFigure : std::uint8_t {
-  problems,
+  problems,  // all of them; then those of one kind
+  stalls,
+  resampled,
+  gaps_open,
+  clamped,
   stitches,
   course_cv,
   wale_cv,
@@ -24,7 +30,7 @@ enum class SweepFigure : std::uint8_t {
   left_out,
   uncovered  // percent
 };
-inline constexpr std::size_t sweep_figures = 11;
+inline constexpr std::size_t sweep_figures = 15;
 std::string_view name_of(SweepFigure figure);  // "Course CV"
 std::string_view key_of(SweepFigure figure);   // "course-cv"
 
@@ -33,6 +39,7 @@ struct SweepForm {
   SweepAxis axis, second;
   bool grid = false;                           // the second one counts
   SweepFigure figure = SweepFigure::problems;  // of the heat map
+  SweepFigure first = SweepFigure::problems;   // of the first of the three plots: all problems, or one kind
   SweepFigure third = SweepFigure::course_cv;  // of the last of the three plots
   std::optional<std::size_t> hovered;          // the run under the pointer in the last frame
   std::weak_ptr<const SweepWork> shown;  // the sweep whose plan was taken over, started here or by a script
@@ -42,6 +49,9 @@ struct SweepForm {
 SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& parameters, int count);
 // The value of a number or a count, and what stands for "auto"; none where the run itself finds it.
 std::optional<double> present_value(const knit::ParameterInfo& info, const knit::Parameters& parameters);
+
+// A count of problems: none is what one looks for.
+inline bool counts_problems(SweepFigure figure) { return figure <= SweepFigure::clamped; }
 
 int decimals_of(SweepFigure figure);
 
@@ -71,5 +81,16 @@ class SweepCache {
   std::array<double, sweep_figures> low_{}, high_{};
   std::size_t refused_ = 0, stopped_ = 0;
 };
+
+// The longest stretch of values whose runs finish and have none of what the figure counts.
+struct QuietStretch {
+  double from = 0.0, to = 0.0;
+  bool from_first = false, to_last = false;
+  friend bool operator==(const QuietStretch&, const QuietStretch&) = default;
+};
+// Once all are known; requires a figure that counts problems. Of equally long ones the last.
+std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache, SweepFigure figure);
+// "No stall from 0.0194 on."
+std::string words_of(const QuietStretch& quiet, SweepFigure figure);
 
 }  // namespace app

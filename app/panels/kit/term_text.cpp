@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "app/explain/window_words.h"
 #include "app/panels/kit/widgets.h"
 
 namespace app {
@@ -111,7 +112,8 @@ void glossary_wrapped_text(PanelFrame& frame, std::string_view words) {
   glossary_wrapped_text(frame, words, theme().text);
 }
 
-void glossary_wrapped_text(PanelFrame& frame, std::string_view words, Colour colour) {
+void glossary_wrapped_text(PanelFrame& frame, std::string_view said, Colour colour) {
+  const std::string words = in_window_words(said);
   const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), words);
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<Piece> pieces;

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/explain/window_words.h"
 #include "app/scene/contrast.h"
 
 namespace app {
@@ -11,6 +12,18 @@ namespace app {
 void TextBuffer::set(const std::string& text) {
   bytes.fill('\0');
   std::copy_n(text.begin(), std::min(text.size(), bytes.size() - 1), bytes.begin());
+}
+
+bool begin_list(PanelFrame& frame, const char* id, const std::string& shown) {
+  if (!ImGui::BeginCombo(id, shown.c_str())) return false;
+  keep_list(frame);
+  return true;
+}
+
+void keep_list(PanelFrame& frame) {
+  auto& list = frame.own<HangingList>();
+  list.open = true;
+  if (list.to_close || key_pressed(Key::Escape)) ImGui::CloseCurrentPopup();
 }
 
 void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more) {
@@ -167,7 +180,9 @@ void tooltip_about(const PanelFrame& frame, const Box& item, std::string_view wo
   ImGui::EndTooltip();
 }
 
-std::string wrapped_at_blanks(std::string_view words, float width) {
+std::string wrapped_at_blanks(std::string_view said, float width) {
+  const std::string words_here = in_window_words(said);
+  const std::string_view words = words_here;
   const auto wide = [](std::string_view part) {
     return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
   };
@@ -219,7 +234,9 @@ void text_at(ImVec2 at, float align, Colour colour, const std::string& words) {
                                       style::packed(colour), words.c_str());
 }
 
-std::string cut_to_width(std::string_view words, float width) {
+std::string cut_to_width(std::string_view said, float width) {
+  const std::string words_here = in_window_words(said);
+  const std::string_view words = words_here;
   const auto wide = [](std::string_view part) {
     return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
   };

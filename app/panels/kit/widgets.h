@@ -14,6 +14,16 @@
 
 namespace app {
 
+// A list that hangs open from a field, as of the last frame.
+struct HangingList {
+  bool open = false;
+  bool to_close = false;  // a key was meant for something else
+};
+// ImGui::BeginCombo; ImGui::EndCombo is due where it gives true. Esc closes it, and so does a key with Ctrl, which is heard.
+bool begin_list(PanelFrame& frame, const char* id, const std::string& shown);
+// Of a popup that hangs open likewise: once after it began.
+void keep_list(PanelFrame& frame);
+
 // A buffer that a text field writes into.
 struct TextBuffer {
   std::array<char, 4096> bytes{};
@@ -60,7 +70,8 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
 // Buttons side by side of which one is chosen; gives the newly chosen one, or -1. Width 0: as wide as needed.
 int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width);
 
-// With line feeds where lines end, at blanks only: Dear ImGui itself breaks "0.05" after its point.
+// In the words of the window, with line feeds where lines end, at blanks only: Dear ImGui itself breaks "0.05" after its
+// point.
 std::string wrapped_at_blanks(std::string_view words, float width);
 
 // A button of equal height whether it is lit or not.
@@ -92,7 +103,7 @@ void wrapped_text(std::string_view words, Colour colour);
 // One line drawn at a place, without an item; `align` is its part left of it: 0, 0.5 or 1.
 void text_at(ImVec2 at, float align, Colour colour, const std::string& words);
 
-// One line, cut to a width with an ellipsis.
+// One line in the words of the window, cut to a width with an ellipsis.
 std::string cut_to_width(std::string_view words, float width);
 
 std::string with_commas(std::size_t number);

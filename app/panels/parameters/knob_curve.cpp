@@ -31,13 +31,35 @@ float share_of(const SweepWork& work, double value) {
   return to > from ? static_cast<float>(std::clamp((value - from) / (to - from), 0.0, 1.0)) : 0.0f;
 }
 
-// Where the mark stands: the stretch's end that is not an end of the sweep.
-std::optional<double> value_of_mark(PanelFrame& frame, const knit::ParameterInfo& info) {
+struct CurveMark {
+  double value = 0.0;
+  SweepFigure figure = SweepFigure::problems;
+};
+
+// The stretch's end that is not an end of the sweep.
+std::optional<double> end_of(const QuietStretch& quiet) {
+  if (quiet.from_first && quiet.to_last) return std::nullopt;
+  return quiet.from_first ? quiet.to : quiet.from;
+}
+
+// Where all problems end, and stalls alone where that is elsewhere.
+std::vector<CurveMark> marks_of(PanelFrame& frame, const knit::ParameterInfo& info) {
+  std::vector<CurveMark> marks;
   const SweepWork* work = sweep_of(frame, info);
-  if (work == nullptr) return std::nullopt;
-  const auto quiet = quiet_stretch(*work, frame.own<SweepCache>());
-  if (!quiet || (quiet->from_first && quiet->to_last)) return std::nullopt;
-  return quiet->from_first ? quiet->to : quiet->from;
+  if (work == nullptr) return marks;
+  const SweepCache& cache = frame.own<SweepCache>();
+  for (const SweepFigure figure : {SweepFigure::problems, SweepFigure::stalls}) {
+    const auto quiet = quiet_stretch(*work, cache, figure);
+    const auto value = quiet ? end_of(*quiet) : std::nullopt;
+    if (!value || (!marks.empty() && marks.front().value == *value)) continue;
+    marks.push_back({*value, figure});
+  }
+  return marks;
+}
+
+std::string name_of(const CurveMark& mark, const knit::ParameterInfo& info) {
+  const std::string name = "curve-mark/" + std::string(info.key);
+  return mark.figure == SweepFigure::problems ? name : name + "/" + std::string(key_of(mark.figure));
 }
 
 struct CurveBox {
@@ -50,7 +72,7 @@ struct CurveBox {
 void draw_figure_line(PanelFrame& frame, const SweepWork& work, SweepFigure figure, const CurveBox& box,
                       ImU32 colour) {
   const SweepCache& cache = frame.own<SweepCache>();
-  const double low = figure == SweepFigure::problems ? 0.0 : cache.lowest(figure);
+  const double low = counts_problems(figure) ? 0.0 : cache.lowest(figure);
   const double high = cache.highest(figure);
   const double range = high > low ? high - low : 1.0;
   std::vector<ImVec2> line;
@@ -72,40 +94,17 @@ void draw_figure_line(PanelFrame& frame, const SweepWork& work, SweepFigure figu
   end_line();
 }
 
+bool curve_part_is_pointed_at(const PanelFrame& frame, const std::string& control) {
+  const auto found = frame.memory.controls.find(control);
+  if (found == frame.memory.controls.end()) return false;
+  const Box& box = found->second;
+  return ImGui::IsMouseHoveringRect(ImVec2(box.x, box.y), ImVec2(box.right(), box.bottom()));
+}
+
 }  // namespace
 
 bool has_curve(const knit::ParameterInfo& info) {
   return info.key == knit::keys::epsilon || info.tie == knit::Tie::mesh_view;
-}
-
-std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache) {
-  if (work.done() < work.total()) return std::nullopt;
-  const std::vector<double>& values = work.first_values();
-  const auto is_quiet = [&](std::size_t i) {
-    const auto& problems = cache.of(SweepFigure::problems)[i];
-    return cache.outcomes()[i] == SweepOutcome::finished && problems && *problems == 0.0;
-  };
-  std::size_t best = 0;
-  std::size_t begin = 0;
-  std::size_t length = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    length = is_quiet(i) ? length + 1 : 0;
-    // Of equally long ones the last: larger values are the safer ones.
-    if (length < std::max<std::size_t>(1, best)) continue;
-    best = length;
-    begin = i + 1 - length;
-  }
-  if (best == 0) return std::nullopt;
-  const std::size_t end = begin + best - 1;
-  return QuietStretch{values[begin], values[end], begin == 0, end + 1 == values.size()};
-}
-
-std::string words_of(const QuietStretch& quiet) {
-  if (quiet.from_first && quiet.to_last)
-    return "No problem from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
-  if (quiet.to_last) return "No problem from " + shown_number(quiet.from) + " on.";
-  if (quiet.from_first) return "No problem up to " + shown_number(quiet.to) + ".";
-  return "No problem from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
 }
 
 void draw_curve_button(PanelFrame& frame, const knit::ParameterInfo& info) {
@@ -128,21 +127,31 @@ void draw_curve_button(PanelFrame& frame, const knit::ParameterInfo& info) {
   frame.wish(StartSweep{{usual_axis(info, frame.timeline()->parameters(), curve_values), std::nullopt}});
 }
 
-std::optional<double> curve_mark(PanelFrame& frame, const knit::ParameterInfo& info, float width) {
-  const auto value = value_of_mark(frame, info);
-  if (!value) return std::nullopt;
+std::optional<double> curve_marks(PanelFrame& frame, const knit::ParameterInfo& info, float width) {
+  std::optional<double> taken;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float wide = frame.units(mark_width);
-  const float share = share_of(*sweep_of(frame, info), *value);
-  const float left = std::clamp(at.x + share * width - 0.5f * wide, at.x, at.x + width - wide);
-  // First come, first hovered: the field around it leaves it the pointer.
-  ImGui::SetCursorScreenPos(ImVec2(left, at.y));
-  const bool clicked = ImGui::InvisibleButton("##quiet", ImVec2(wide, ImGui::GetFrameHeight()));
-  frame.mark("curve-mark/" + std::string(info.key));
-  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  tooltip(frame, curve_words(frame, info) + " Click: take " + shown_number(*value) + ".");
+  for (const CurveMark& mark : marks_of(frame, info)) {
+    const float share = share_of(*sweep_of(frame, info), mark.value);
+    const float left = std::clamp(at.x + share * width - 0.5f * wide, at.x, at.x + width - wide);
+    const std::string name = name_of(mark, info);
+    // First come, first hovered: the field around it leaves it the pointer.
+    ImGui::SetCursorScreenPos(ImVec2(left, at.y));
+    const bool clicked = ImGui::InvisibleButton(("##" + name).c_str(), ImVec2(wide, ImGui::GetFrameHeight()));
+    frame.mark(name);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(frame, curve_words(frame, info) + " Click: take " + shown_number(mark.value) + ".");
+    if (clicked) taken = mark.value;
+  }
   ImGui::SetCursorScreenPos(at);
-  return clicked ? value : std::nullopt;
+  return taken;
+}
+
+bool curve_is_pointed_at(const PanelFrame& frame, const knit::ParameterInfo& info) {
+  const std::string key(info.key);
+  return curve_part_is_pointed_at(frame, "curve/" + key) ||
+         curve_part_is_pointed_at(frame, "curve-mark/" + key) ||
+         curve_part_is_pointed_at(frame, "curve-mark/" + key + "/stalls");
 }
 
 void draw_curve(PanelFrame& frame, const knit::ParameterInfo& info) {
@@ -152,23 +161,29 @@ void draw_curve(PanelFrame& frame, const knit::ParameterInfo& info) {
   draw_figure_line(frame, *work, SweepFigure::stitches, box, style::packed(theme().faint_text, 70));
   draw_figure_line(frame, *work, SweepFigure::course_cv, box, style::packed(theme().accent, 90));
   draw_figure_line(frame, *work, SweepFigure::problems, box, style::packed(theme().problem, 150));
-  const auto value = value_of_mark(frame, info);
-  if (!value) return;
-  const ImVec2 foot = box.at(share_of(*work, *value), 0.0f);
   const float size = frame.units(4.0f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddLine(ImVec2(foot.x, box.low.y), foot, style::packed(theme().anchor, 160), frame.units(1.0f));
-  list.AddTriangleFilled(ImVec2(foot.x - size, foot.y), ImVec2(foot.x, foot.y - 1.3f * size),
-                         ImVec2(foot.x + size, foot.y), style::packed(theme().anchor));
+  for (const CurveMark& mark : marks_of(frame, info)) {
+    const Colour colour = mark.figure == SweepFigure::problems ? theme().anchor : theme().text;
+    const ImVec2 foot = box.at(share_of(*work, mark.value), 0.0f);
+    list.AddLine(ImVec2(foot.x, box.low.y), foot, style::packed(colour, 160), frame.units(1.0f));
+    list.AddTriangleFilled(ImVec2(foot.x - size, foot.y), ImVec2(foot.x, foot.y - 1.3f * size),
+                           ImVec2(foot.x + size, foot.y), style::packed(colour));
+  }
 }
 
 std::string curve_words(PanelFrame& frame, const knit::ParameterInfo& info) {
   const SweepWork* work = sweep_of(frame, info);
   if (work == nullptr || work->done() < work->total()) return "";
-  const auto quiet = quiet_stretch(*work, frame.own<SweepCache>());
-  if (quiet) return words_of(*quiet);
-  return "Some problem at every value from " + shown_number(work->first_values().front()) + " to " +
-         shown_number(work->first_values().back()) + ".";
+  const SweepCache& cache = frame.own<SweepCache>();
+  const auto quiet = quiet_stretch(*work, cache, SweepFigure::problems);
+  std::string words = quiet
+                          ? words_of(*quiet, SweepFigure::problems)
+                          : "Some problem at every value from " + shown_number(work->first_values().front()) +
+                                " to " + shown_number(work->first_values().back()) + ".";
+  const auto no_stall = quiet_stretch(*work, cache, SweepFigure::stalls);
+  if (no_stall && no_stall != quiet) words += " " + words_of(*no_stall, SweepFigure::stalls);
+  return words;
 }
 
 }  // namespace app

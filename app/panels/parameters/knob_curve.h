@@ -16,21 +16,15 @@ namespace app {
 // The stitch's width and height, and epsilon.
 bool has_curve(const knit::ParameterInfo& info);
 
-// The longest stretch of values without a problem, once all are known.
-struct QuietStretch {
-  double from = 0.0, to = 0.0;
-  bool from_first = false, to_last = false;
-};
-std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache);
-// "No problem from 0.0194 on."
-std::string words_of(const QuietStretch& quiet);
-
 // A square at the cursor: asks for the sweep, or ends it while it runs.
 void draw_curve_button(PanelFrame& frame, const knit::ParameterInfo& info);
-// Before the field, which will stand at the cursor: the mark that is clicked. Its value when it was.
-std::optional<double> curve_mark(PanelFrame& frame, const knit::ParameterInfo& info, float width);
+// Before the field, which will stand at the cursor: the marks where problems end, and stalls alone where that is elsewhere.
+// The value of the one that was clicked.
+std::optional<double> curve_marks(PanelFrame& frame, const knit::ParameterInfo& info, float width);
 // Into the last item, the field.
 void draw_curve(PanelFrame& frame, const knit::ParameterInfo& info);
+// Whether the pointer is on what has a tip of its own: the square or a mark.
+bool curve_is_pointed_at(const PanelFrame& frame, const knit::ParameterInfo& info);
 // For the field's tip; empty while nothing is known.
 std::string curve_words(PanelFrame& frame, const knit::ParameterInfo& info);
 

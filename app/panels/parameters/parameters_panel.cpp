@@ -99,7 +99,7 @@ struct Control {
                             high,
                             is_length ? DragPace::ratio : DragPace::linear,
                             teaches ? [&] { draw_curve(frame, info); } : std::function<void()>()};
-    const auto marked = teaches ? curve_mark(frame, info, room) : std::nullopt;
+    const auto marked = teaches ? curve_marks(frame, info, room) : std::nullopt;
     const NumberChange change = number_field(frame, "##value", shape, room);
     if (marked) take_typed(knit::number_text(*marked));
     if (change.typed) take_typed(*change.typed);
@@ -174,8 +174,7 @@ struct Control {
   [[nodiscard]] int dropdown(std::span<const std::string_view> names, int chosen) const {
     int clicked = -1;
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##choice", std::string(names[static_cast<std::size_t>(chosen)]).c_str()))
-      return clicked;
+    if (!begin_list(frame, "##choice", std::string(names[static_cast<std::size_t>(chosen)]))) return clicked;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const bool now = static_cast<int>(i) == chosen;
       if (ImGui::Selectable(std::string(names[i]).c_str(), now) && !now) clicked = static_cast<int>(i);
@@ -271,13 +270,6 @@ void draw_trouble(PanelFrame& frame, const knit::ParameterInfo& info, const knit
   frame.mark("knob-trouble/" + std::string(info.key));
 }
 
-bool pointed_at(const PanelFrame& frame, const std::string& control) {
-  const auto found = frame.memory.controls.find(control);
-  if (found == frame.memory.controls.end()) return false;
-  const Box& box = found->second;
-  return ImGui::IsMouseHoveringRect(ImVec2(box.x, box.y), ImVec2(box.right(), box.bottom()));
-}
-
 void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters, float x) {
   const std::string initial = knit::value_text(info, frame.session.document->defaults);
   if (initial == knit::value_text(info, parameters)) return;
@@ -311,10 +303,8 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   bring_lit_into_view(frame, "knob/" + std::string(info.key));
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
-    // The button and the mark of the curve have tips of their own.
-    if (!pointed_at(frame, "curve/" + std::string(info.key)) &&
-        !pointed_at(frame, "curve-mark/" + std::string(info.key)))
-      tooltip(frame, help_text(frame, info));
+    // The button and the marks of the curve have tips of their own.
+    if (!curve_is_pointed_at(frame, info)) tooltip(frame, help_text(frame, info));
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
   draw_trouble(frame, info, parameters);

@@ -89,6 +89,14 @@ std::string counted(const char* name, std::size_t count) {
   return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
 }
 
+// "Problems 3", "Problems 0 + 5": what the list tells besides.
+std::string problems_tab(std::size_t problems, std::size_t remarks) {
+  std::string name = "Problems";
+  if (problems > 0 || remarks > 0) name += " " + with_commas(problems);
+  if (remarks > 0) name += " + " + with_commas(remarks);
+  return name + "###Problems";
+}
+
 // Of a line of buttons with these names.
 float width_of_buttons(std::span<const std::string_view> names) {
   float width = 0.0f;
@@ -102,7 +110,7 @@ float width_of_buttons(std::span<const std::string_view> names) {
 void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().fabric.rows().size() : 0;
   const std::string rows_name = counted("Rows", rows);
-  const std::string problems_name = counted("Problems", count_problems(frame));
+  const std::string problems_name = problems_tab(count_problems(frame), count_remarks(frame));
   const std::string breaks_name = counted("Breaks", frame.session.view->breaks.size());
   std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
   // The number of rows gives way where there is too little room: the list ends with it.

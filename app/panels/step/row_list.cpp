@@ -59,6 +59,7 @@ void right_aligned(const std::string& words, Colour colour) {
 
 void draw_column_menu(PanelFrame& frame) {
   if (!ImGui::BeginPopup("row columns")) return;
+  keep_list(frame);
   for (std::size_t i = 0; i < column_heads.size(); ++i) {
     const auto column = static_cast<RowColumn>(i);
     const bool shown = preferences_of(frame).shows(column);

@@ -23,7 +23,8 @@ namespace app {
 
 namespace {
 
-// The list's lines, worst first: why the run stopped, what was repaired, findings about the mesh, unusual steps.
+// The list's lines: why the run stopped, what is not of a step (what was repaired, findings about the mesh, remarks on the
+// finished piece), then unusual steps, worst first. Only stop and steps are problems: knit/insight/problem_counts.h.
 struct Problem {
   std::string words;
   std::optional<std::size_t> position;  // to see it
@@ -52,7 +53,7 @@ const std::vector<knit::Remark>& remarks_in(const PanelFrame& frame) {
 }
 
 Problem problem_of_remark(const knit::Remark& remark) {
-  Problem problem{remark.words, std::nullopt, "", {}};
+  Problem problem{"Piece: " + remark.words, std::nullopt, "", {}};
   if (remark.uncovered()) problem.thing = knit::VertexElement{remark.vertex};
   if (remark.at) problem.thing = knit::StitchElement{remark.at->row, remark.at->stitch};
   return problem;
@@ -150,19 +151,47 @@ void draw_repairs(PanelFrame& frame) {
 
 std::size_t count_problems(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return 0;
-  return frame.session.document->repaired.size() + frame.session.document->findings.size() +
-         remarks_in(frame).size() + frame.own<RunCache>().problems().size() +
-         (frame.timeline()->stop() != nullptr ? 1 : 0);
+  return frame.own<RunCache>().problem_counts(*frame.timeline()).total();
 }
+
+std::size_t count_remarks(const PanelFrame& frame) {
+  if (frame.timeline() == nullptr) return 0;
+  return frame.session.document->repaired.size() + frame.session.document->findings.size() +
+         remarks_in(frame).size();
+}
+
+namespace {
+
+// "3 problems: 2 stalls, 1 row resampled. 2 remarks on the finished piece."
+std::string summary_words(const PanelFrame& frame) {
+  const knit::ProblemCounts counts = frame.own<RunCache>().problem_counts(*frame.timeline());
+  const std::size_t total = counts.total();
+  std::string words = total == 0
+                          ? "No problem" + std::string(frame.timeline()->complete() ? "." : " so far.")
+                          : with_commas(total, "problem", "problems") + ": " + knit::words_of(counts) + ".";
+  const std::size_t remarks = remarks_in(frame).size();
+  const std::size_t of_mesh = count_remarks(frame) - remarks;
+  if (remarks > 0) words += " " + with_commas(remarks, "remark", "remarks") + " on the finished piece.";
+  if (of_mesh > 0) words += " " + with_commas(of_mesh, "remark", "remarks") + " on the mesh.";
+  return words;
+}
+
+}  // namespace
 
 void draw_problems(PanelFrame& frame) {
   ImGui::BeginChild("problem list", list_size(frame), true);
-  const std::size_t count = count_problems(frame);
-  if (count == 0) wrapped_text("Nothing unusual so far.", theme().faint_text);
-  draw_stop_ways(frame, "problems/");
+  if (frame.timeline() == nullptr) {
+    ImGui::EndChild();
+    return;
+  }
+  const std::string summary = summary_words(frame);
+  faint_text(cut_to_width(summary, ImGui::GetContentRegionAvail().x));
+  frame.mark("problems/summary");
+  tooltip(frame, summary);
+  draw_tried_ways(frame, "problems/");
   draw_repairs(frame);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(count));
+  clipper.Begin(static_cast<int>(count_problems(frame) + count_remarks(frame)));
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       draw_problem(frame, static_cast<std::size_t>(i));

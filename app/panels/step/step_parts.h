@@ -22,8 +22,10 @@ bool gives_away_causes(const Session& session);
 // What is left of the panel for a list; where that is little the panel scrolls as a whole.
 ImVec2 list_size(const PanelFrame& frame);
 
-// How many lines the list of problems has.
+// Of the whole run so far, as comparing and sweeps count them.
 std::size_t count_problems(const PanelFrame& frame);
+// What the list of problems tells besides: of the mesh and of the finished piece.
+std::size_t count_remarks(const PanelFrame& frame);
 
 // A break condition that is typed.
 struct BreakField {

@@ -168,8 +168,8 @@ float right_end(const PanelFrame& frame) {
   return frame.layout.timeline.right() - ImGui::GetStyle().WindowPadding.x - room_for_cross(frame);
 }
 
-void right_aligned(const PanelFrame& frame, const std::string& words, float before) {
-  const float right = right_end(frame) - before - ImGui::CalcTextSize(words.c_str()).x;
+void right_aligned(const PanelFrame& frame, const std::string& words) {
+  const float right = right_end(frame) - ImGui::CalcTextSize(words.c_str()).x;
   ImGui::SameLine();
   if (right > ImGui::GetCursorScreenPos().x)
     ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetCursorScreenPos().y));
@@ -177,28 +177,13 @@ void right_aligned(const PanelFrame& frame, const std::string& words, float befo
   text(words);
 }
 
-// The position at the right, and before it why another place is shown than the one asked for; where there is
-// no room for both, that alone.
+// At the right.
 void draw_position(PanelFrame& frame, bool whole) {
-  const std::string& note = frame.session.document->place_note;
   const std::string words = position_text(*frame.timeline(), whole);
-  push_font(frame.fonts.mono);
-  const float width = ImGui::CalcTextSize(words.c_str()).x;
-  pop_font();
-  const float gap = frame.units(18.0f);
   ImGui::SameLine();
   const float room = right_end(frame) - ImGui::GetCursorScreenPos().x;
-  const bool both = ImGui::CalcTextSize(note.c_str()).x + gap + width <= room;
-  if (!note.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().warning));
-    right_aligned(frame, cut_to_width(note, room), both ? width + gap : 0.0f);
-    ImGui::PopStyleColor();
-    frame.mark("place-note");
-    tooltip(frame, note);
-    if (!both) return;
-  }
   push_font(frame.fonts.mono);
-  right_aligned(frame, cut_to_width(words, room), 0.0f);
+  right_aligned(frame, cut_to_width(words, room));
   pop_font();
   frame.mark("position");
 }

@@ -18,7 +18,25 @@ struct StopCardAway {
   std::optional<RunKey> run;
 };
 
+// What stands over the buttons, as high as it was in the last frame.
+struct StopCardHead {
+  float height = 0.0f;
+};
+
 constexpr float stop_card_width = 400.0f;
+
+float height_of_way() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
+
+// Its top stands where all ways that may be found have room below, so that a button which comes moves none of the others.
+void place_stop_card(PanelFrame& frame) {
+  const Box& view = frame.layout.view;
+  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
+  const float width = std::min(frame.units(stop_card_width), view.width - 2.0f * margin);
+  const float most = 0.7f * view.height;
+  const float whole = frame.own<StopCardHead>().height + static_cast<float>(enough_ways) * height_of_way();
+  ImGui::SetNextWindowPos(ImVec2(view.x + margin, view.bottom() - margin - std::min(whole, most)));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, most));
+}
 
 }  // namespace
 
@@ -27,12 +45,7 @@ void draw_stop_card(PanelFrame& frame) {
   if (frame.session.jobs->repair_offer || frame.session.view->gaze.picking != Picking::nothing) return;
   const RunKey run = run_key(*frame.timeline());
   if (frame.own<StopCardAway>().run == run) return;
-  const Box& view = frame.layout.view;
-  const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
-  const float width = std::min(frame.units(stop_card_width), view.width - 2.0f * margin);
-  ImGui::SetNextWindowPos(ImVec2(view.x + margin, view.bottom() - margin), ImGuiCond_Always,
-                          ImVec2(0.0f, 1.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, 0.7f * view.height));
+  place_stop_card(frame);
   push_raised_look(frame);
   ImGui::Begin("Stopped", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -51,7 +64,10 @@ void draw_stop_card(PanelFrame& frame) {
   const bool is_said =
       frame.session.program->preferences.shows(Panel::side) && frame.session.view->side == SidePanel::step;
   if (!is_said) wrapped_text(sentence(frame.session));
-  draw_stop_ways(frame, "stop/");
+  const std::size_t ways = draw_stop_ways(frame, "stop/");
+  frame.own<StopCardHead>().height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y +
+                                     ImGui::GetStyle().WindowPadding.y + ImGui::GetScrollY() -
+                                     static_cast<float>(ways) * height_of_way();
   ImGui::End();
 }
 

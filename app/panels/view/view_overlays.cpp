@@ -106,10 +106,31 @@ void draw_found(PanelFrame& frame) {
   tooltip(frame, "Puts this line away.");
 }
 
+bool shows_note(const PanelFrame& frame) {
+  return frame.session.document && !frame.session.document->place_note.empty() &&
+         !frame.session.view->presenting;
+}
+
+// What is at the place that one went to, or why another is shown: whole, with a cross of its own. It goes when one goes on.
+void draw_note(PanelFrame& frame) {
+  const float side = ImGui::GetFrameHeight();
+  const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side;
+  ImGui::AlignTextToFramePadding();
+  text(wrapped_at_blanks(frame.session.document->place_note,
+                         end - frame.units(8.0f) - ImGui::GetCursorPosX()));
+  frame.mark("place-note");
+  ImGui::SameLine(end);
+  if (icon_button("note away", Icon::cross, ImVec2(side, side))) frame.wish(PutNoteAway{});
+  frame.mark("note/away");
+  tooltip(frame, tooltip_of(info_of(Command::close)));
+}
+
 // The newest on top; when there are many, they scroll.
 void draw_notices(PanelFrame& frame) {
   const bool found = shows_found(frame);
-  if (frame.session.outbox->notices.empty() && !found) return;
+  const bool note = shows_note(frame);
+  const bool notices = !frame.session.outbox->notices.empty();
+  if (!notices && !found && !note) return;
   const Box& view = frame.layout.view;
   const float margin = std::min(frame.units(10.0f), 0.1f * view.width);
   const float width = view.width - 2.0f * margin;
@@ -118,8 +139,10 @@ void draw_notices(PanelFrame& frame) {
   push_raised_look(frame);
   ImGui::Begin("Notices", nullptr, floating);
   pop_raised_look();
+  if (note) draw_note(frame);
+  if (note && (found || notices)) ImGui::Separator();
   if (found) draw_found(frame);
-  if (found && !frame.session.outbox->notices.empty()) ImGui::Separator();
+  if (found && notices) ImGui::Separator();
   for (std::size_t i = frame.session.outbox->notices.size(); i-- > 0;) {
     draw_notice(frame, i);
     if (i > 0) ImGui::Separator();
