@@ -68,6 +68,13 @@ TEST_CASE("a place is read in any case and in the words that people use, and not
   CHECK(is("k2tog 3 of row 24", Goal::operation).which.count == 3);
   CHECK(is("12th m1l", Goal::operation).which.count == 12);
   CHECK(is("3rd k2tog after the widest round", Goal::operation).after_widest);
+  for (const char* falling :
+       {"third k2tog of the decreasing half", "3rd k2tog in the second half", "k2tog 3 of the upper half"})
+    CHECK(is(falling, Goal::operation).after_widest);
+  for (const char* rising :
+       {"first m1l of the increasing half", "m1l 2 of the first half", "last increase in the lower half"})
+    CHECK(is(rising, Goal::operation).until_widest);
+  CHECK(is("third k2tog of the decreasing half", Goal::operation).which.count == 3);
   CHECK(is("next decrease", Goal::operation).which.kind == WhichOne::Kind::next);
   CHECK(is("why row 7", Goal::row).why);
   CHECK(is("why not vertex 120?", Goal::vertex).why);
@@ -90,6 +97,9 @@ TEST_CASE("a place is read in any case and in the words that people use, and not
                          "widest",
                          "why",
                          "why banana",
+                         "third k2tog of the other half",
+                         "third k2tog after the decreasing half",
+                         "third k2tog of the decreasing half of it",
                          "round 7 with Leg A",
                          "vertex 1 2",
                          "problem",
@@ -180,6 +190,14 @@ TEST_CASE("operations count as hands work them, and next and previous go by the 
   REQUIRE(decreases.size() > 3);
   CHECK(there(session, "third decrease").thing == knit::Element(decreases[2]));
   CHECK(there(session, "decrease 3 after the widest round").thing == knit::Element(decreases[2]));
+  CHECK(there(session, "third decrease of the decreasing half").thing == knit::Element(decreases[2]));
+  CHECK(says(there(session, "third decrease of the decreasing half").words, ", the widest: "));
+  const auto widest = there(session, "widest round").place->row;
+  const auto last_increase = there(session, "last increase of the first half").thing;
+  REQUIRE(last_increase);
+  CHECK(std::get<knit::LabelElement>(*last_increase).row <= widest);
+  CHECK(says(nowhere_at(session, "first decrease of the increasing half").why,
+             "There is no decrease up to row "));
   CHECK(there(session, "last decrease").thing == knit::Element(decreases.back()));
   const std::string in_row = "first decrease of round " + std::to_string(decreases[0].row);
   CHECK(there(session, in_row).thing == knit::Element(decreases[0]));
@@ -241,6 +259,7 @@ TEST_CASE("what is typed is completed by the forms") {
   has("wi", "widest round");
   has("WI", "widest round");
   has("why", "why stopped");
+  has("third k2tog of", "third k2tog of the decreasing half");
   CHECK(completions_of(session, "banana").empty());
   for (const std::string& form : completions_of(session, "")) {
     INFO(form);

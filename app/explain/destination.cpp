@@ -468,21 +468,11 @@ class Finder {
   };
 
   [[nodiscard]] bool is_wished(knit::Label label) const {
-    switch (wish_.shaping) {
-      case Shaping::k2tog:
-        return label == knit::Label::k2tog;
-      case Shaping::ssk:
-        return label == knit::Label::ssk;
-      case Shaping::m1l:
-        return label == knit::Label::m1l;
-      case Shaping::m1r:
-        return label == knit::Label::m1r;
-      case Shaping::increase:
-        return label == knit::Label::m1l || label == knit::Label::m1r;
-      case Shaping::decrease:
-        return knit::is_decrease(label);
-    }
-    return false;
+    using knit::Label;
+    if (wish_.shaping == Shaping::increase) return label == Label::m1l || label == Label::m1r;
+    if (wish_.shaping == Shaping::decrease) return knit::is_decrease(label);
+    constexpr std::array labels{Label::k2tog, Label::ssk, Label::m1l, Label::m1r};
+    return label == labels.at(static_cast<std::size_t>(wish_.shaping));
   }
 
   [[nodiscard]] std::string shaping_word() const {
@@ -519,17 +509,20 @@ class Finder {
       return nowhere(which_piece(*only));
     }
     const std::int64_t after = wish_.after_widest ? widest_row() : wish_.after.value_or(0);
+    const std::int64_t until = wish_.until_widest ? widest_row() : run_.fabric.row_count();
     std::vector<Worked> worked;
     for (const auto& join : run_.fabric.joins())
-      if (only ? join->to == *only : join->to > after) add_worked(*join, worked);
+      if (only ? join->to == *only : join->to > after && join->to <= until) add_worked(*join, worked);
     return pick_operation(worked, only, after);
   }
 
   [[nodiscard]] Found pick_operation(const std::vector<Worked>& worked, std::optional<std::int64_t> only,
                                      std::int64_t after) const {
-    const std::string where = only        ? " in row " + digits(*only)
-                              : after > 0 ? " after row " + digits(after)
-                                          : "";
+    const std::string where = only                 ? " in row " + digits(*only)
+                              : wish_.until_widest ? " up to row " + digits(widest_row()) + ", the widest"
+                              : wish_.after_widest ? " after row " + digits(after) + ", the widest"
+                              : after > 0          ? " after row " + digits(after)
+                                                   : "";
     const auto count = static_cast<std::int64_t>(worked.size());
     const auto index = index_of_worked(worked);
     if (!index) {

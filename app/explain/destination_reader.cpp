@@ -149,7 +149,15 @@ bool read_stitch(TypedWords& words, PlaceWish& wish) {
   return wish.row && read_piece(words, wish);
 }
 
-// "of round 24", "after row 24", "after the widest round", or nothing more.
+// "decreasing half", "upper half": which of the two that the widest row parts.
+bool read_half(TypedWords& words, PlaceWish& wish) {
+  const bool rising = words.take({"increasing", "first", "lower", "bottom", "growing"});
+  if (!rising && !words.take({"decreasing", "second", "last", "upper", "top", "shrinking"})) return false;
+  (rising ? wish.until_widest : wish.after_widest) = true;
+  return words.take({"half", "part"}) && words.done();
+}
+
+// "of round 24", "after row 24", "after the widest round", "of the decreasing half", or nothing more.
 bool read_operation(TypedWords& words, PlaceWish& wish) {
   wish.goal = Goal::operation;
   if (const auto count = words.take_number()) {
@@ -163,6 +171,9 @@ bool read_operation(TypedWords& words, PlaceWish& wish) {
     wish.after_widest = true;
     return words.done() || (take_row_word(words, wish) && words.done());
   }
+  const std::size_t half = words.here();
+  if (!after && read_half(words, wish)) return true;
+  words.back(half);
   if (!take_row_word(words, wish)) return false;
   (after ? wish.after : wish.row) = words.take_number();
   return (after ? wish.after : wish.row) && read_piece(words, wish);

@@ -46,7 +46,8 @@ struct PlaceWish {
   std::optional<std::int64_t> number, second;
   std::optional<std::int64_t> row;    // of a stitch, or an operation
   std::optional<std::int64_t> after;  // an operation comes after this row
-  bool after_widest = false;
+  // An operation of one half of the run: up to the widest row with it, or after it.
+  bool until_widest = false, after_widest = false;
   std::string piece;  // as typed, in small letters; empty: not said
   std::string at;
 };
