@@ -110,7 +110,8 @@ TEST_CASE("cases: a large opening is closed flat where that is asked for, and kn
   const auto plan = plan_repairs(cup);
   REQUIRE(plan);
   CHECK(plan->kinds() == std::vector{RepairKind::openings});
-  CHECK(contains(plan->steps[0].would, "Close openings flat: closes 1 hole that is too large for a fault"));
+  CHECK(
+      contains(plan->steps[0].would, "Close openings flat: closes 1 hole that is too large to be an error"));
   CHECK(refusal(plan->mesh) == "");
   CHECK(plan->mesh.positions.size() == cup.positions.size() + 1);
   CHECK(rows_from_contours(plan->mesh).size() > 1);

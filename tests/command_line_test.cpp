@@ -323,7 +323,7 @@ TEST_CASE("what cannot be opened as asked is one sentence") {
                                 {{in + "text.obj"}, "text.obj"},
                                 {{in + "flat.obj"}, "plane"},
                                 {{"--example", "teapot"}, "choose one of thesis-sphere"},
-                                {{"--epsilon", "0.2"}, "epsilon"},
+                                {{"--epsilon", "0.2"}, "must be smaller than the stitch width"},
                                 {{"--start", "100000"}, "--start"},
                                 {{"--start", "5", "--end", "5"}, "two different"}};
   for (const Case& c : cases) {
@@ -472,4 +472,20 @@ TEST_CASE("two picked vertices that the mesh does not have are refused, however 
   const auto error = open_as_asked(session, understood({"--start", "4000000000", "--end", "5"}));
   REQUIRE(error);
   CHECK(contains(*error, "--start 4000000000 is not a vertex"));
+}
+
+TEST_CASE("the columns of the list of rows are given by name") {
+  const CommandLine line = understood({"--row-columns", "stitches,course"});
+  REQUIRE(line.row_columns);
+  Session session;
+  session.program->assets = KNIT_ASSETS_DIR;
+  REQUIRE_FALSE(open_as_asked(session, line));
+  for (std::size_t i = 0; i < row_column_keys.size(); ++i) {
+    const bool named = row_column_keys[i] == "stitches" || row_column_keys[i] == "course";
+    CHECK(session.program->preferences.shows(static_cast<RowColumn>(i)) == named);
+  }
+  CHECK(understood({"--row-columns", "none"}).row_columns == decltype(Preferences::row_columns){});
+  CHECK_FALSE(understood({}).row_columns);
+  CHECK(answered({"--row-columns", "stitches,colour"})
+            .error.find("--row-columns cannot be \"colour\"; give stitches, change") != std::string::npos);
 }

@@ -131,7 +131,7 @@ TEST_CASE("what does not fit together or the mesh is said") {
   CHECK(fault_of(p, *make_input(mesh))->find("both vertex 5") != std::string::npos);
   p = Parameters{};
   give_epsilon(p, p.stitch.width);
-  CHECK(fault_of(p, *make_input(mesh))->find("not below the stitch width") != std::string::npos);
+  CHECK(fault_of(p, *make_input(mesh))->find("must be smaller than the stitch width") != std::string::npos);
 }
 
 TEST_CASE("a picked vertex that is no part of the surface is a fault, whatever the timing") {

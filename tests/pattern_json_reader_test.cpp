@@ -276,7 +276,7 @@ TEST_CASE("json reader: what is wrong is said with its place") {
   CHECK(said_with("/pieces/2/end/kind", "held") == "pieces: 16 stitches are left on the holder of Body C.");
   CHECK(said_with("/pieces/2/begin/0", nullptr) == "pieces[2].begin: nothing says how Body C begins.");
   CHECK(said_with("/pieces/1/rounds/0/after", nullptr) ==
-        "\"pieces[1].rounds[0].after\" is missing; add it, or save the file anew.");
+        "\"pieces[1].rounds[0].after\" is missing; add it, or save the file again.");
   CHECK(said_with("/pieces/1/rounds/0/slips", true) ==
         "\"pieces[1].rounds[0].slips\" is no field of a pattern; remove it.");
   CHECK(said_with("/yarns", 3) == "yarns: 2 are used, 3 are told.");
@@ -341,7 +341,7 @@ TEST_CASE("json reader: what is no pattern is told in one sentence") {
   CHECK(said("{\n  \"format\": \"knit-mesh pattern\",\n  \"version\" 2}") ==
         begin +
             "it is no whole JSON: what stands at line 3, column 13 does not go on with it; save the "
-            "pattern anew.");
+            "pattern again.");
   CHECK(said("{}") == begin +
                           "it is JSON, but no pattern: \"format\" must be \"knit-mesh pattern\"; give a "
                           "file that --save-pattern wrote.");

@@ -138,7 +138,9 @@ TEST_CASE("what the command line says counts for one start, unless it is changed
   write_text(file, preferences_text(all_changed()));
   Session session;
   session.program->preferences.theme = ThemeKind::dark;  // as --theme dark has left it
-  PreferencesKeeper keeper(session, file, {ThemeKind::dark, 2.0});
+  const decltype(Preferences::row_columns) given{false, false, true, true, false};
+  PreferencesKeeper keeper(session, file, {ThemeKind::dark, 2.0, given});
+  CHECK(session.program->preferences.row_columns == given);
   CHECK(session.program->preferences.theme == ThemeKind::dark);
   CHECK(session.program->preferences.scale == 2.0);
   CHECK_FALSE(session.program->preferences.motion);
@@ -146,6 +148,7 @@ TEST_CASE("what the command line says counts for one start, unless it is changed
   keeper.pass(session, 10.0);
   CHECK(in_file(file).theme == ThemeKind::light);
   CHECK(in_file(file).scale == 1.25);
+  CHECK(in_file(file).row_columns == all_changed().row_columns);
   CHECK(in_file(file).motion);
   apply(session, SetTheme{ThemeKind::light});
   keeper.pass(session, 0.0);

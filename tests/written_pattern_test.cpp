@@ -192,8 +192,8 @@ TEST_CASE("markers and stars are explained where they are used") {
   CHECK(contains(all_of(marked.materials), "and 3 in another colour"));
   CHECK(contains(all_of(marked.notes), "main lines"));
   CHECK_FALSE(contains(all_of(plain.notes), "main lines"));
-  CHECK(contains(all_of(plain.notes), "square brackets"));
-  CHECK_FALSE(contains(all_of(starred.notes), "square brackets"));
+  CHECK(contains(all_of(plain.notes), "in [ ] the total number of times"));
+  CHECK_FALSE(contains(all_of(starred.notes), "in [ ] the total number of times"));
   CHECK(contains(pattern_as_text(starred), "rep: repeat"));
   CHECK(contains(pattern_as_text(marked), "sm: slip marker"));
   CHECK_FALSE(contains(pattern_as_text(plain), "sm: slip marker"));

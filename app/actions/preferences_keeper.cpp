@@ -66,6 +66,7 @@ PreferencesKeeper::PreferencesKeeper(Session& session, std::optional<fs::path> f
   session.program->preferences.recent = joined(opened, read_.recent);
   if (given_.theme) session.program->preferences.theme = *given_.theme;
   if (given_.scale) session.program->preferences.scale = *given_.scale;
+  if (given_.row_columns) session.program->preferences.row_columns = *given_.row_columns;
   // A file that somebody may want to repair is not replaced just because the program was started.
   known_ = spoilt_ ? lasting(session.program->preferences) : read_;
 }
@@ -75,8 +76,10 @@ Preferences PreferencesKeeper::lasting(const Preferences& preferences) {
   Preferences kept = preferences;
   if (given_.theme && *given_.theme != preferences.theme) given_.theme.reset();
   if (given_.scale && *given_.scale != preferences.scale) given_.scale.reset();
+  if (given_.row_columns && *given_.row_columns != preferences.row_columns) given_.row_columns.reset();
   if (given_.theme) kept.theme = read_.theme;
   if (given_.scale) kept.scale = read_.scale;
+  if (given_.row_columns) kept.row_columns = read_.row_columns;
   return kept;
 }
 

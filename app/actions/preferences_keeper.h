@@ -14,6 +14,7 @@ namespace app {
 struct ForThisStart {
   std::optional<ThemeKind> theme;
   std::optional<double> scale;
+  std::optional<decltype(Preferences::row_columns)> row_columns = std::nullopt;
 };
 
 // Keeps the file and a session's preferences alike.

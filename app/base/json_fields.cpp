@@ -43,7 +43,7 @@ bool JsonFields::has(const std::string& key) const { return object_->is_object()
 
 const Json* JsonFields::find(const std::string& key) {
   if (!has(key)) {
-    set_fault(key, "is missing; add it, or save the file anew.");
+    set_fault(key, "is missing; add it, or save the file again.");
     return nullptr;
   }
   return &(*object_)[key];

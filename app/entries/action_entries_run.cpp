@@ -91,7 +91,7 @@ std::variant<knit::Element, std::string> read_thing(const Session& session, cons
   const auto thing = vertex ? std::optional<knit::Element>(knit::VertexElement{*vertex}) : thing_named(typed);
   if (!thing) {
     return quoted(typed) +
-           " is no thing; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
+           " is no element; give stitch:ROW:ITEM, edge:ROW:ITEM, column:ROW:ITEM, face:ROW:ITEM, "
            "label:ROW:ITEM, rows and items from 1, or a vertex's number.";
   }
   const auto* mesh_vertex = std::get_if<knit::VertexElement>(&*thing);
@@ -146,15 +146,15 @@ void add_things(EntryList& list) {
             ActionPrompt{"Vertex", "12", read_about<Select>}, list.unless_open()});
   list.add({"Select stitch or face...", group::finding,
             "Also edge, column, face and label, or a vertex: lights it in the view, the chart and the lists.",
-            ActionPrompt{"Thing", "stitch:2:1", read_about<Select>}, list.unless_open()});
+            ActionPrompt{"Element", "stitch:2:1", read_about<Select>}, list.unless_open()});
   list.add({"Look at a stitch or face...", group::finding, "As select; the view turns to it.",
-            ActionPrompt{"Thing", "stitch:2:1", read_about<LookAt>}, list.unless_open()});
+            ActionPrompt{"Element", "stitch:2:1", read_about<LookAt>}, list.unless_open()});
   list.add({"Light edges of a size...", group::finding,
             "All course edges, wale edges or corners of a size: lights them in the view.",
             ActionPrompt{"Size", "wale:1.5", read_sizes}, list.unless_open()});
   list.add({"Why is it there...", group::finding,
             "Goes to the step that made it, or decided on it; a number alone is a vertex.",
-            ActionPrompt{"Thing", "stitch:2:1", read_about<ShowWhy>}, list.unless_open()});
+            ActionPrompt{"Element", "stitch:2:1", read_about<ShowWhy>}, list.unless_open()});
   for (const WhyQuestion& question : why_questions())
     list.add({std::string(question.words), group::finding, std::string(question.help),
               GoTo{std::string(question.where)}, list.unless_open()});
@@ -298,7 +298,7 @@ void add_picking(EntryList& list) {
 void add_edits(EntryList& list) {
   const std::size_t edits = list.session.document ? list.session.document->timeline.edits().size() : 0;
   list.add({"Change a parameter from here on...", group::parameters,
-            "What is past stays as it is; the rest is run anew.",
+            "What is past stays as it is; the rest is run again.",
             ActionPrompt{"From here on", "epsilon = 0.05", edited}, list.unless_open()});
   list.add({"Take back the last change on the way", group::parameters, "",
             RemoveEdit{edits > 0 ? edits - 1 : 0}, edits > 0 ? "" : "There is no change on the way."});

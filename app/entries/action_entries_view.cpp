@@ -168,7 +168,7 @@ void add_opening(EntryList& list, const ActionSources& sources) {
                 ? ""
                 : "No mesh was repaired in this window."});
   const bool none = list.session.program->preferences.recent.empty();
-  list.add({"Forget what was opened lately", group::files, "", ForgetRecent{},
+  list.add({"Forget the recent files and examples", group::files, "", ForgetRecent{},
             none ? "Nothing is remembered." : ""});
   const std::string no_rescue = list.session.program->rescued ? "" : "No session was left by a crash.";
   list.add({"Open the session from before the crash", group::files, "", TakeRescued{}, no_rescue});
@@ -206,7 +206,7 @@ void add_figures(EntryList& list) {
             "An animated picture, or numbered ones in a folder.",
             ActionPrompt{"Name", "row.gif", read_animation}, list.unless_open()});
   list.add({"Cancel the animation", group::files, "", CancelAnimation{},
-            list.session.jobs->animation ? "" : "No animation is in the making."});
+            list.session.jobs->animation ? "" : "No animation is in progress."});
 }
 
 // The pattern's options with one of its words set.

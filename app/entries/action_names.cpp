@@ -48,14 +48,16 @@ constexpr ActionName named(For<CopyParameters>) { return {"Copy all parameters",
 constexpr ActionName named(For<PasteParameters>) { return {"Paste parameters", control, "paste"}; }
 
 // Why, and finding one's way.
-constexpr ActionName named(For<Select>) { return {"Select a thing, or nothing", control, "selected/close"}; }
+constexpr ActionName named(For<Select>) {
+  return {"Select an element, or nothing", control, "selected/close"};
+}
 constexpr ActionName named(For<LookAt>) {
   return {"Look at what a figure or a mark is of", control, "track"};
 }
 constexpr ActionName named(For<SelectSized>) {
   return {"Light all edges or corners of a size", control, "plot/wale"};
 }
-constexpr ActionName named(For<ShowWhy>) { return {"Show why a thing is there", control, "selected/why"}; }
+constexpr ActionName named(For<ShowWhy>) { return {"Show why an element is there", control, "selected/why"}; }
 constexpr ActionName named(For<ToTouch>) {
   return {"Go to a step that touches what is selected", control, "selected/forward"};
 }
@@ -163,7 +165,9 @@ constexpr ActionName named(For<SetSplit>) { return {"Set the size of a panel", c
 constexpr ActionName named(For<ResetLayout>) {
   return {"Reset the layout", control, "menu/Reset the layout"};
 }
-constexpr ActionName named(For<ForgetRecent>) { return {"Forget what was opened", control, "recent/forget"}; }
+constexpr ActionName named(For<ForgetRecent>) {
+  return {"Forget the recent files and examples", control, "recent/forget"};
+}
 
 // Learning.
 constexpr ActionName named(For<StartLesson>) { return {"Start a lesson", control, "menu/learn"}; }

@@ -103,7 +103,7 @@ constexpr std::array terms{
     Term{"gap", "closing gap",
          "The distance from the last stitch of a row to its first. Where it is not within the band, the row "
          "closes "
-         "badly, and the gap is shared out among the stitches.",
+         "badly, and the gap is distributed among the stitches.",
          "band, resampling, row", "docs/algorithm.md, The closing gap; the thesis, 3.2.3"},
     Term{"gauge", "swatch",
          "How many stitches and rounds a knitter gets in 10 cm, counted on a small sample, the swatch. It "

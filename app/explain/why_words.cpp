@@ -287,7 +287,7 @@ std::string stitch_words(const knit::Timeline& timeline, const knit::StitchEleme
   const auto moved = knit::moved_by(timeline, stitch);
   if (!moved) return words + went;
   const bool spread = knit::is<knit::RowResampled>(timeline.step(*moved));
-  words += spread ? " The row was spread evenly afterwards." : " Moved when the gap was shared out.";
+  words += spread ? " The row was spread evenly afterwards." : " Moved when the gap was distributed.";
   return words + went;
 }
 
@@ -357,7 +357,7 @@ std::string why_words(const knit::Timeline& timeline, const knit::Element& thing
   if (const auto* vertex = std::get_if<knit::VertexElement>(&thing)) return vertex_words(timeline, *vertex);
   if (const auto* stitch = std::get_if<knit::StitchElement>(&thing)) return stitch_words(timeline, *stitch);
   const auto made = knit::made_by(timeline, thing);
-  if (!made) return "There is no such thing so far.";
+  if (!made) return "There is no such element so far.";
   const std::int32_t row = std::visit(Parts{}, thing).row;
   const auto* label = std::get_if<knit::LabelElement>(&thing);
   return said_by(timeline, *made) + (label != nullptr ? label_words(timeline, *label) : "") +

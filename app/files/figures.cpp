@@ -40,7 +40,7 @@ std::optional<std::string> fault_of(const SavePicture& wish) {
   if (wish.path != "-" && ending_of(wish.path) != ".png")
     return "a picture cannot be written as " + wish.path.string() + "; give a name that ends in .png.";
   if (wish.transparent && wish.panels)
-    return "panels have a ground of their own; for a transparent picture leave them out.";
+    return "panels have a background of their own; for a transparent picture leave them out.";
   return fault_of_size("a picture", wish.width, wish.height);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 const std::array judges{
     JudgeInfo{"next-vertex",
-              "the vertex that the row in the making takes next",
+              "the vertex that the row in progress takes next",
               {AnswerKind::vertex},
               JudgeNeeds::nothing,
               {},
@@ -87,7 +87,7 @@ const std::array judges{
               truths::closing_gap,
               nullptr},
     JudgeInfo{"odd-row",
-              "a row that missed the band (stall), was spread anew (resampled), or is left with "
+              "a row that missed the band (stall), was distributed again (resampled), or is left with "
               "the oddest gap (gap)",
               {AnswerKind::row},
               JudgeNeeds::word,

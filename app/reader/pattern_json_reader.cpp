@@ -96,7 +96,7 @@ JsonPattern read_pattern_json(std::string_view text) {
     document = PatternDocument::parse(text);
   } catch (const PatternDocument::parse_error& error) {
     return NoPattern("it is no whole JSON: what stands at " + place_in(text, error.byte) +
-                     " does not go on with it; save the pattern anew.");
+                     " does not go on with it; save the pattern again.");
   }
   if (auto fault = fault_of_kind(document); !fault.empty()) return fault;
   if (document["version"] == 1) return TubeJsonReader(document).run();

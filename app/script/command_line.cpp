@@ -28,7 +28,7 @@ namespace {
 struct Words {
   std::string session, diff, why, select, point, go_to;
   std::vector<std::string> breaks, sweep;
-  std::string mesh, example, preset, at, side, list, centre, positions, knit_along;
+  std::string mesh, example, preset, at, side, list, row_columns, centre, positions, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::vector<std::string> saves;     // beside the table of exports; empty: not given
   std::string size;
@@ -120,6 +120,8 @@ void declare_looking(CLI::App& app, Words& words) {
       "go to what is named, from there, and say what is there: \"row 7\", \"widest round\", \"why row 7\"");
   app.add_option("--side", words.side, "what the right column shows: " + one_of(side_keys));
   app.add_option("--list", words.list, "which list stands below the step: " + one_of(list_keys));
+  app.add_option("--row-columns", words.row_columns,
+                 "what the list of rows says of each, as A,B: " + one_of(row_column_keys) + "; or none");
   app.add_option("--centre", words.centre, "what the centre shows: view, chart, or chart:B, of a piece");
   app.add_option(
       "--positions", words.positions,
@@ -251,6 +253,20 @@ std::optional<std::string> read_side(const Words& words, CommandLine& line) {
   if (auto trouble = choose("--side", words.side, side_keys, index)) return trouble;
   line.side = static_cast<SidePanel>(index);
   line.side_given = true;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_row_columns(const Words& words, CommandLine& line) {
+  if (words.row_columns.empty()) return std::nullopt;
+  decltype(Preferences::row_columns) shown{};
+  if (words.row_columns != "none") {
+    for (const std::string_view word : split(words.row_columns, ',')) {
+      std::size_t index = 0;
+      if (auto trouble = choose("--row-columns", std::string(word), row_column_keys, index)) return trouble;
+      shown.at(index) = true;
+    }
+  }
+  line.row_columns = shown;
   return std::nullopt;
 }
 
@@ -469,6 +485,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
     }
   }
   if (const auto trouble = read_side(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_row_columns(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);

@@ -11,6 +11,7 @@
 
 #include "app/session/action.h"
 #include "app/session/at.h"
+#include "app/session/preferences.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
 
@@ -32,6 +33,7 @@ struct CommandLine {
   std::optional<Positions> positions;  // of stitches that have settled; none: settled, or as a session has it
   std::optional<ThemeKind> theme;      // none: as the preferences have it
   std::optional<double> scale;         // likewise
+  std::optional<decltype(Preferences::row_columns)> row_columns;  // of the list of rows; likewise
   std::vector<std::string> piece_order;    // letters, as they are worked; empty: the cheapest
   std::optional<std::int32_t> knit_along;  // the round to begin with
   bool follow = false;                     // the view turns to what happens behind the surface

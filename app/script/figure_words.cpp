@@ -20,7 +20,7 @@ std::optional<std::string> fault_of_company(const FigureWords& words) {
   if (words.transparent && words.picture.empty())
     return "--transparent is for --save-picture; give that too.";
   if (words.transparent && !words.alone)
-    return "--transparent needs --alone: panels have a ground of their own.";
+    return "--transparent needs --alone: panels have a background of their own.";
   const std::pair<const char*, const std::string*> only_animated[] = {
       {"--from", &words.from}, {"--to", &words.to}, {"--frames", &words.frames}, {"--fps", &words.rate}};
   for (const auto& [option, word] : only_animated) {
@@ -81,7 +81,7 @@ void declare_figures(CLI::App& app, FigureWords& words) {
                  "write an animation: a name that ends in .gif or .png, or a folder for numbered PNG")
       ->group(group);
   app.add_flag("--alone", words.alone, "both without panels")->group(group);
-  app.add_flag("--transparent", words.transparent, "the picture without a ground; needs --alone")
+  app.add_flag("--transparent", words.transparent, "the picture without a background; needs --alone")
       ->group(group);
   app.add_option("--from", words.from, "where the animation begins, as --at (0)")->group(group);
   app.add_option("--to", words.to, "where it ends, as --at (end)")->group(group);

@@ -134,6 +134,9 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (line.theme) apply(session, SetTheme{*line.theme});
   if (line.scale) apply(session, SetScale{*line.scale});
   if (line.list) apply(session, ShowList{*line.list});
+  if (line.row_columns)
+    for (std::size_t i = 0; i < row_column_keys.size(); ++i)
+      apply(session, ShowRowColumn{static_cast<RowColumn>(i), line.row_columns->at(i)});
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
   apply(session, SetPatternOptions{with_options(session.view->pattern, line.pattern)});
   if (!line.pattern.piece_names.empty()) apply(session, SetPieceNames{line.pattern.piece_names});

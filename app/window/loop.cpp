@@ -97,7 +97,7 @@ Kept begin(Session& session, const CommandLine& line, const Window& window, Fram
   ask(session, line);
   const auto folder = rescue_folder();
   if (folder) offer_rescued(session, find_rescued(*folder));
-  PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale});
+  PreferencesKeeper preferences(session, preferences_file(), {line.theme, line.scale, line.row_columns});
   drawer.draw(session, shape_of(window, 0.0, 1), {});
   if (!session.view->gaze.camera_kept) apply(session, FrameAll{});  // now that the view's shape is known
   // What has just appeared finds its size in a frame that is not shown: a click that waits already shall meet it.
@@ -160,7 +160,7 @@ void tell_loss(Session& session) {
     notify(session, Notice::Kind::warning, "The animation was given up. Save it again.");
   apply(session, CancelAnimation{});
   notify(session, Notice::Kind::warning,
-         "The graphics driver lost the window, so it was opened anew. Nothing else is lost.");
+         "The graphics driver lost the window, so it was opened again. Nothing else is lost.");
 }
 
 }  // namespace

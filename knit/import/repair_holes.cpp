@@ -259,7 +259,7 @@ Effect close_openings(const Mesh& mesh) {
   }
   add_faces(effect.mesh, faces);
   effect.what = counted(effect.count, "hole that is", "holes that are") +
-                " too large for a fault, the longest " + short_text(round) + " round, with " +
+                " too large to be an error, the longest " + short_text(round) + " round, with " +
                 counted(faces.size(), "triangle", "triangles") + " about a new vertex in the middle";
   return effect;
 }

@@ -192,13 +192,14 @@ constexpr std::array table{
         "last-anchor", "Last anchor", "",
         "keep: the last vertex picked is always a stitch. drop: not when it is nearer than w/2 to the first.",
         "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::last_anchor>(anchor_names), is_of_rings},
-    ParameterInfo{
-        "resample", "Resample jumps", "",
-        "on: a row that more than doubles or halves is spread anew within that limit, and logged. off: stop.",
-        "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::resample>(switch_names), is_of_rings},
+    ParameterInfo{"resample", "Resample jumps", "",
+                  "on: a row that more than doubles or halves is distributed again within that limit, and "
+                  "logged. off: stop.",
+                  "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::resample>(switch_names),
+                  is_of_rings},
     ParameterInfo{
         "close", "Closing gap", "",
-        "How the gap between last and first stitch is shared out: none, the thesis's shift, or equal arcs.",
+        "How the gap between last and first stitch is distributed: none, the thesis's shift, or equal arcs.",
         "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::close>(closing_names), is_of_rings},
     ParameterInfo{"placement", "Placement", "", placement_help, "Stitches", Stage::stitches,
                   choice<&Settings::stitches, &StitchSettings::placement>(placement_names)},

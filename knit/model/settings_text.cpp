@@ -301,9 +301,10 @@ std::optional<std::string> fault_of(const Parameters& parameters, const Input& i
   if (auto fault = ends_fault(p.timing, input.mesh)) return fault;
   if (auto fault = start_direction_fault(p, input.mesh)) return fault;
   if (p.rows.source != RowSource::contours && p.epsilon() >= p.stitch.width) {
-    return "epsilon " + number_text(p.epsilon()) + " is not below the stitch width " +
+    return "\xCE\xB5 must be smaller than the stitch width: \xCE\xB5 " + number_text(p.epsilon()) + " at w " +
            number_text(p.stitch.width) +
-           ", so a vertex would be a stitch away from itself; make epsilon smaller or the stitches wider.";
+           " would accept a vertex as a stitch away from itself; make \xCE\xB5 smaller or the stitches "
+           "wider.";
   }
   return std::nullopt;
 }

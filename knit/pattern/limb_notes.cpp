@@ -287,8 +287,8 @@ std::vector<std::string> notes_of_limbs(const LimbPlan& plan, const LimbNames& n
                                      ". Every rnd begins at the marker, which stays where the yarn hangs; "
                                      "slip it as you come to it. Rnds are numbered "
                                      "from 1 in each piece; a cast on counts as a rnd.",
-                                 "The number in brackets at the end of a line is how many sts are on the "
-                                 "needle after it. What stands in brackets by "
+                                 "The number in parentheses at the end of a line is how many sts are on the "
+                                 "needle after it. What stands in parentheses by "
                                  "itself is a remark."};
   notes.emplace_back(
       "Lines that begin with Divide, Join or Rejoin knit nothing. They list, from the marker on, the sts "

@@ -147,13 +147,12 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
 }
 
 void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::string>& notes) {
-  if (used.repeats)
-    notes.emplace_back("Work what stands in square brackets as many times in all as is said after them.");
+  if (used.repeats) notes.emplace_back("Repeat the instructions in [ ] the total number of times given.");
   if (used.sections) {
     notes.emplace_back(
         "Markers (m) stand between sections that are shaped alike. A named round says what is done in each "
-        "of them; slip "
-        "the marker after it. Where a named round does not fit yet, or no longer, the round is written out.");
+        "of them; slip the marker after it. Where a named round does not fit yet, or no longer, the round is "
+        "written out.");
   }
   if (used.increases()) {
     notes.emplace_back(

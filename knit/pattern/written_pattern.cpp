@@ -47,7 +47,8 @@ std::vector<std::string> note_lines(const Rounds& rounds, const Used& used) {
       "Worked from the bottom up in the round, right side out. Every round begins at the marker; slip it as "
       "you "
       "come to it.",
-      "The number in brackets at the end of a line is how many stitches there are after that round. The cast "
+      "The number in parentheses at the end of a line is how many stitches there are after that round. The "
+      "cast "
       "on "
       "counts as the first round."};
   const bool tight = !rounds.rounds.empty() && rounds.rounds.front().after > rounds.cast_on;

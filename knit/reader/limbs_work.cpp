@@ -455,7 +455,7 @@ bool LimbWorker::work_words(std::int32_t first, std::int32_t last, std::string_v
     WorkedRound round = work_round(read.nodes, on_needle());
     const std::string name = "Rnd " + std::to_string(number);
     if (!round.mistake.empty()) return fail(name + round.mistake);
-    if (!round.told) return fail(name + " takes three sts together, which this reader cannot hold.");
+    if (!round.told) return fail(name + " takes three sts together, which this checker cannot hold.");
     if (round.made != *read.stated)
       return fail(name + " makes " + sts(round.made) + ", the line says " + std::to_string(*read.stated) +
                   ".");

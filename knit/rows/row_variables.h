@@ -50,10 +50,10 @@ inline constexpr CodeVariable below{"below", "p", "How many stitches the row bel
 inline constexpr CodeVariable reason{"reason", "because", "Why the row has this count."};
 inline constexpr CodeVariable share{"share", "share",
                                     "By how much a stitch is shifted for its number, or the even spacing."};
-inline constexpr CodeVariable how{"how", "close", "How the closing gap is shared out: none, thesis or arc."};
+inline constexpr CodeVariable how{"how", "close", "How the closing gap is distributed: none, thesis or arc."};
 inline constexpr CodeVariable shared{"shared", "shared", "Whether the stitches were moved."};
 inline constexpr CodeVariable gap_after{"gap_after", "g after",
-                                        "The closing gap once it has been shared out."};
+                                        "The closing gap once it has been distributed."};
 
 // of contours
 inline constexpr CodeVariable rows{"rows", "rows", "How many rounds the tube gets."};

@@ -55,7 +55,7 @@ void draw_way(PanelFrame& frame, const std::string& mark, const FoundWay& found)
   if (ImGui::Button(label.c_str())) frame.wish(Tune{with_way(found.way, frame.timeline()->parameters())});
   frame.mark(mark + found.way.key);
   tooltip(frame, with_commas(found.stitches) + " stitches. Sets " + found.way.options +
-                     " and begins anew. Undo brings this run back.");
+                     " and begins again. Undo brings this run back.");
 }
 
 }  // namespace

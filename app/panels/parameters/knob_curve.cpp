@@ -120,7 +120,7 @@ void draw_curve_button(PanelFrame& frame, const knit::ParameterInfo& info) {
                                           style::packed(colour), ImDrawFlags_None, frame.units(1.5f));
   tooltip(frame,
           running ? "Stop trying values."
-                  : "Tries many values beside the window and draws behind this knob where the problems are. "
+                  : "Tries many values in the background and draws behind this knob where the problems are. "
                     "The side Sweep shows more of it.");
   if (!clicked) return;
   if (running) return frame.wish(CancelSweep{});

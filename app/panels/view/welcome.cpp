@@ -63,7 +63,7 @@ void draw_examples(PanelFrame& frame) {
 void draw_recent(PanelFrame& frame) {
   const std::vector<std::string>& recent = frame.session.program->preferences.recent;
   if (recent.empty()) return;
-  heading(frame, "Opened lately");
+  heading(frame, "Recent");
   for (std::size_t i = 0; i < std::min(recent.size(), most_shown); ++i) {
     const RecentWords words = words_of_recent(recent[i]);
     ImGui::PushID(static_cast<int>(i));
