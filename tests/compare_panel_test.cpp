@@ -52,6 +52,31 @@ TEST_CASE("compare side: pin, see what differs, swap, unpin", "[panels]") {
   CHECK_FALSE(shows(desk, "compare/swap"));
 }
 
+TEST_CASE("compare side: where the run stops now, the ways on stand there, and the pinned run stays",
+          "[panels]") {
+  Desk desk(1280, 720);
+  desk.open();
+  apply(desk.session, PinRun{});
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
+  knit::give_epsilon(parameters, 0.01);
+  parameters.rows.on_stall = knit::OnStall::stop;
+  apply(desk.session, Tune{parameters});
+  desk.session.document->timeline.extend_to_end();
+  REQUIRE(desk.session.document->timeline.stop() != nullptr);
+  apply(desk.session, ToFirst{});  // where no card of the stop is in sight
+  desk.session.view->side = SidePanel::compare;
+  desk.settle();
+  REQUIRE(shows(desk, "compare/words"));
+  std::string way;
+  for (const auto& [name, box] : desk.ui.controls)
+    if (name.rfind("compare/", 0) == 0 && box.width > 0.0f && way.empty() && name == "compare/contours")
+      way = name;
+  REQUIRE_FALSE(way.empty());
+  desk.act({only<Tune>(desk.click(way))});
+  CHECK(desk.session.document->pinned);
+  CHECK(desk.session.document->timeline.parameters().rows.source == knit::RowSource::contours);
+}
+
 TEST_CASE("sweep side: start, point, take", "[panels]") {
   Desk desk(1280, 720);
   desk.session.view->side = SidePanel::sweep;

@@ -146,7 +146,7 @@ Names different(const Outbox& a, const Outbox& b) {
 }
 
 Names different(const Jobs& a, const Jobs& b) {
-  const auto& [beside, opening, made_mesh, repair_offer, run, animation] = a;
+  const auto& [beside, opening, made_mesh, repair_offer, run, flight, animation] = a;
   const auto& [long_step, awaited, measuring] = run;
   return those_that_differ({{"beside", beside != b.beside},
                             {"opening", opening != b.opening},
@@ -155,6 +155,7 @@ Names different(const Jobs& a, const Jobs& b) {
                             {"long_step", long_step.has_value() != b.run.long_step.has_value()},
                             {"awaited", awaited.has_value() != b.run.awaited.has_value()},
                             {"measuring", measuring.has_value() != b.run.measuring.has_value()},
+                            {"flight", flight != b.flight},
                             {"animation", animation != b.animation}});
 }
 
@@ -166,7 +167,7 @@ Names different(const Program& a, const Program& b) {
 }
 
 constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 16,
-                      gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 8,
+                      gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 9,
                       program_fields = 3;
 
 // --- a session with something in every field ---------------------------------------------------------------
@@ -256,6 +257,7 @@ Session full_session() {
   session.jobs->run.long_step.emplace();
   session.jobs->run.awaited.emplace();
   session.jobs->run.measuring.emplace();
+  session.jobs->flight = CameraFlight{Camera{}, {}, 0.1};
   session.jobs->animation = std::make_shared<const AnimationRun>();
   session.program->rescued = Rescued{"a.json", "egg"};
   return session;

@@ -124,3 +124,54 @@ TEST_CASE("what a row holds and its course are lengths in stitch widths") {
   CHECK(once.course * once.stitches > 0.8 * once.holds);
   CHECK(facts_of_row(row, 0.0).course == 0.0);
 }
+
+TEST_CASE("the row in progress counts the anchor, which is a stitch from the moment that it is taken") {
+  Desk desk;
+  desk.open();
+  knit::Timeline& timeline = desk.session.document->timeline;
+  std::size_t before = 0, met = 0;
+  for (std::size_t at = 1; at <= timeline.known(); ++at) {
+    timeline.seek(at);
+    const knit::Place place = timeline.place();
+    const bool ended = timeline.state().fabric.has_row(place.row);
+    if (place.stage == knit::Stage::rows && ended && before > 0) {
+      CHECK(before == timeline.state().fabric.row(place.row).stitches.size());
+      ++met;
+    }
+    before = ended ? 0 : stitches_so_far(timeline.state());
+    const auto* work = std::get_if<knit::RowWork>(&timeline.state().work);
+    if (!ended && work != nullptr && work->phase == knit::RowPhase::measure) CHECK(before > 0);
+  }
+  CHECK(met > 3);
+}
+
+TEST_CASE("the tabs of the lists keep their place and height at every step, whatever is selected") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.open();
+  desk.settle();
+  const Box first = desk.ui.controls.at("list");
+  knit::Timeline& timeline = desk.session.document->timeline;
+  for (std::size_t at = 0; at <= timeline.known(); at += 17) {
+    timeline.seek(at);
+    desk.frame();
+    CHECK(desk.ui.controls.at("list").y == first.y);
+    CHECK(desk.ui.controls.at("list").height == first.height);
+  }
+  apply(desk.session, Select{knit::StitchElement{2, 1}});
+  desk.settle();
+  REQUIRE(desk.ui.controls.count("selected") == 1);
+  CHECK(desk.ui.controls.at("list").y == first.y);
+}
+
+TEST_CASE("the list of problems tells them whole, on as many lines as they need") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  knit::Parameters parameters = wide_band();
+  knit::give_epsilon(parameters, 0.01);
+  parameters.rows.on_stall = knit::OnStall::stop;
+  desk.open(parameters);
+  desk.session.view->list = RunList::problems;
+  desk.settle();
+  REQUIRE(desk.session.document->timeline.stop() != nullptr);
+  const Box stop = desk.ui.controls.at("problem/0");
+  CHECK(stop.height > 1.5f * ImGui::GetTextLineHeight());
+}

@@ -5,6 +5,8 @@
 
 #include "app/session/action.h"
 #include "app/session/document.h"
+#include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "app/session/view.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
@@ -83,4 +85,52 @@ TEST_CASE("looking at a thing selects it and turns the view to it and what faces
   CHECK(session.document->travel.sized);
   app::apply(session, app::Select{VertexElement{3}});
   CHECK_FALSE(session.document->travel.sized);
+}
+
+TEST_CASE("in a window the view flies to what is looked at, and a hand, or no wish for movement, ends that") {
+  app::Session session = small_ball();
+  session.jobs->beside = true;
+  const Timeline& timeline = session.document->timeline;
+  const auto edges = things_of_size(timeline.state(), timeline.parameters().stitch, {Measured::wale, 0.0});
+  const app::Camera start = session.view->gaze.camera;
+  const auto look_somewhere_else = [&] {
+    for (const SizedThing& edge : edges) {
+      app::apply(session, app::LookAt{edge.thing});
+      if (session.jobs->flight || session.view->gaze.camera != start) return;
+    }
+  };
+  look_somewhere_else();
+  REQUIRE(session.jobs->flight);
+  const app::Camera to = session.jobs->flight->to;
+  CHECK(session.view->gaze.camera == start);
+  app::apply(session, app::PassTime{0.1});
+  const app::Camera between = session.view->gaze.camera;
+  CHECK(between != start);
+  CHECK(between != to);
+  app::apply(session, app::PassTime{app::flight_s});
+  CHECK(session.view->gaze.camera == to);
+  CHECK_FALSE(session.jobs->flight);
+
+  session.view->gaze.camera = start;
+  look_somewhere_else();
+  app::apply(session, app::Orbit{0.3, 0.0});
+  const app::Camera held = session.view->gaze.camera;
+  app::apply(session, app::PassTime{0.1});
+  CHECK(session.view->gaze.camera == held);
+  CHECK_FALSE(session.jobs->flight);
+
+  session.view->gaze.camera = start;
+  session.program->preferences.motion = false;
+  look_somewhere_else();
+  CHECK_FALSE(session.jobs->flight);
+  CHECK(session.view->gaze.camera == to);
+}
+
+TEST_CASE("a flight turns the short way round") {
+  app::Camera from, to;
+  from.yaw = 6.0;
+  to.yaw = 0.5;
+  const app::Camera middle = app::camera_at({from, to, 0.5 * app::flight_s});
+  CHECK(middle.yaw > 6.0);
+  CHECK(app::camera_at({from, to, app::flight_s}) == to);
 }

@@ -75,3 +75,16 @@ TEST_CASE("the tip of a name that stands over its field leaves the field free") 
   }
   CHECK(seen > 3);
 }
+
+TEST_CASE("the tip of a side's tab leaves the side free") {
+  for (const float height : {720.0f, 1080.0f}) {
+    Desk desk(1280, height, 1, KNIT_ASSETS_DIR "/fonts");
+    desk.open();
+    desk.frames({desk.over("side/report"), desk.over("side/report", 0.6f)});
+    desk.settle();
+    const Box tip = desk.ui.controls.at("tip");
+    CHECK(tip.width > 10.0f);
+    CHECK(tip.right() <= desk.layout.explanation.x);
+    CHECK(tip.x >= 0.0f);
+  }
+}

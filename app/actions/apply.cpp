@@ -144,6 +144,7 @@ struct Apply {
   }
 
   void operator()(const PassTime& a) {
+    fly_on(session, a.seconds);
     if (!open()) return;
     work_beside(session, a.seconds);
     counted([&] { return extend_now(steps_of_slice(timeline())); });
@@ -347,6 +348,7 @@ Part<Document> show_instead(Session& session, Part<Document> document) {
   std::swap(session.document, document);
   session.view->gaze = {};
   session.jobs->run = {};
+  session.jobs->flight.reset();
   session.jobs->repair_offer.reset();
   session.outbox->notices.clear();
   stop_playing(session);

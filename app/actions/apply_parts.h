@@ -35,6 +35,7 @@ void take(Session& session, const SetLoop& action);
 void take(Session& session, const SetSlowMotion& action);
 // The clock's tick: carries the hits of break conditions and the loop on with the run.
 void tend_travel(Session& session);
+void fly_on(Session& session, double seconds);  // the camera, where it is on its way
 // As far as so many seconds lead; stops at a break condition's hit. Requires something open.
 void play(Session& session, double seconds);
 

@@ -11,6 +11,7 @@
 #include "app/lessons/predict.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "app/session/program.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -52,6 +53,16 @@ void tend_loop(Session& session) {
 }
 
 }  // namespace
+
+void fly_on(Session& session, double seconds) {
+  std::optional<CameraFlight>& flight = session.jobs->flight;
+  if (!flight) return;
+  Camera& camera = session.view->gaze.camera;
+  if (camera != flight->left) return flight.reset();
+  flight->passed_s += std::max(0.0, seconds);
+  camera = flight->left = camera_at(*flight);
+  if (flight->over()) flight.reset();
+}
 
 void tend_travel(Session& session) {
   if (!session.document) return;
@@ -167,6 +178,17 @@ void jump_after(Session& session, std::size_t step) {
   session.document->timeline.seek(step + 1);
 }
 
+// At once without a window, and for whoever wants nothing to move.
+void look_from(Session& session, const Camera& camera) {
+  Camera& now = session.view->gaze.camera;
+  session.jobs->flight.reset();
+  if (!session.jobs->beside || !session.program->preferences.motion) {
+    now = camera;
+  } else if (camera != now) {
+    session.jobs->flight = CameraFlight{now, camera};
+  }
+}
+
 // Takes the nearest place that is another than this one.
 void go_along(Session& session, std::vector<knit::Place>& from, std::vector<knit::Place>& onto) {
   const knit::Place now = here(session.document->timeline);
@@ -194,14 +216,14 @@ void take(Session& session, const Select& action) {
 void take(Session& session, const LookAt& action) {
   if (!session.document || !is_of_mesh(session, action.thing)) return;
   take(session, Select{action.thing});
-  session.view->gaze.camera = turned_to(session, action.thing);
+  look_from(session, turned_to(session, action.thing));
 }
 
 void take(Session& session, const SelectSized& action) {
   if (!session.document) return;
   take(session, Select{});
   session.document->travel.sized = action.range;
-  if (action.range) session.view->gaze.camera = turned_to(session, *action.range);
+  if (action.range) look_from(session, turned_to(session, *action.range));
 }
 
 void take(Session& session, const ShowWhy& action) {

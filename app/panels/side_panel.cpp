@@ -45,7 +45,12 @@ void draw_tab(PanelFrame& frame, const Tab& tab, ImVec2 size, float thin, ImFont
   text_at(ImVec2(at.x + 0.5f * width, at.y + frame.units(2.0f)), 0.5f,
           lit ? theme().text : theme().faint_text, tab.words);
   pop_font();
-  tooltip(frame, tooltip_of(info_of(Command::side)));
+  // Beside the column: below it the tip would cover the first lines of what the click opens.
+  if (wants_tooltip()) {
+    const Box& column = frame.layout.explanation;
+    const Box beside{column.x, at.y, column.width, frame.layout.window.bottom() - at.y};
+    tooltip_about(frame, beside, tooltip_of(info_of(Command::side)));
+  }
   if (!chosen) return;
   const float foot = std::floor(at.y + height);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, foot - 2.0f * thin), ImVec2(at.x + width, foot),

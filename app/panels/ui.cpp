@@ -69,8 +69,9 @@ void draw_panels(PanelFrame& frame) {
 }  // namespace
 
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
-                const Fonts& fonts) {
+                const Fonts& fonts, const Scene* other) {
   PanelFrame frame{session, memory, scene, layout, fonts, {}};
+  frame.other_scene = other;
   auto& list = memory.own<HangingList>();
   if (list.open) {
     frame.actions = commands_over_list(session);
@@ -116,6 +117,7 @@ void draw_captions_alone(const Session& session, PanelMemory& memory, const Scen
                          const Layout& layout, const Fonts& fonts) {
   PanelFrame frame{session, memory, scene, layout, fonts, {}};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  memory.controls.erase("legend-box");  // there is none
   begin_panel("Captions", layout.view, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   draw_captions(frame);

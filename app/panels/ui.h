@@ -31,9 +31,9 @@ LayoutWish layout_wish(const Session& session);
 // Of panels and fonts: `scale` times what the preferences have; larger while presenting.
 float ui_scale(const Session& session, float width, float height, float scale);
 
-// Needs a frame of ImGui's. What a person wished in it, in order.
+// Needs a frame of ImGui's. What a person wished in it, in order. `other`: of the pinned run, where both are seen.
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
-                const Fonts& fonts);
+                const Fonts& fonts, const Scene* other = nullptr);
 // What stands in the view beside the scene, as a frame's only window.
 void draw_captions_alone(const Session& session, PanelMemory& memory, const Scene& scene,
                          const Layout& layout, const Fonts& fonts);

@@ -120,10 +120,10 @@ std::filesystem::file_time_type ShaderProgram::newest_piece() const {
   return newest;
 }
 
-void ShaderProgram::refresh() {
+bool ShaderProgram::refresh() {
   const auto newest = newest_piece();
   if (newest == built_of_) {
-    return;
+    return false;
   }
   built_of_ = newest;
   try {
@@ -132,6 +132,7 @@ void ShaderProgram::refresh() {
   } catch (const GlError& error) {
     problem_ = error.what();
   }
+  return true;
 }
 
 GLint ShaderProgram::location(std::string_view name) const {

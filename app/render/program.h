@@ -24,7 +24,7 @@ class ShaderProgram {
   ShaderProgram(Pieces vertex, Pieces fragment);
 
   // Compiles again if a piece was saved since. If that fails the old program stays and problem() says why.
-  void refresh();
+  bool refresh();
   const std::string& problem() const { return problem_; }
 
   void use() const { glUseProgram(program_.id()); }

@@ -268,13 +268,14 @@ void Renderer::draw_points(const Frame& frame, bool hidden) {
 }
 
 // One a frame: to look when all their files were saved takes a tenth of a millisecond.
-void Renderer::refresh_next_program() {
+bool Renderer::refresh_next_program() {
   const auto all = programs();
   next_refreshed_ = (next_refreshed_ + 1) % all.size();
-  all.at(next_refreshed_)->refresh();
+  const bool changed = all.at(next_refreshed_)->refresh();
   shader_problem_.clear();
   for (const ShaderProgram* program : all)
     if (shader_problem_.empty()) shader_problem_ = program->problem();
+  return changed;
 }
 
 std::array<ShaderProgram*, 8> Renderer::programs() {

@@ -27,6 +27,10 @@ class Renderer {
   // Afterwards depth test, blending and scissor are off and the viewport is `viewport`.
   void draw(const Scene& scene, Rect viewport, float ui_scale);
 
+  // Looks whether one of the shaders was saved meanwhile, each time at the next one; draw() does so too. True: what was
+  // drawn may look otherwise now.
+  bool refresh_next_program();
+
   // Empty, or why a shader that was saved while the program runs is not in use, as of the last draw().
   [[nodiscard]] const std::string& shader_problem() const { return shader_problem_; }
 
@@ -54,7 +58,6 @@ class Renderer {
   void upload(const Scene& scene);
 
   std::array<ShaderProgram*, 8> programs();
-  void refresh_next_program();
 
   // The plain ones are for frames without a band, which most are.
   ShaderProgram surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;

@@ -50,6 +50,7 @@ struct Point {
   glm::vec3 position;
   Colour colour;
   float diameter_px = 6.0f;
+  friend bool operator==(const Point&, const Point&) = default;
 };
 
 // A word or number that stands at a place in the view; the panels' overlay writes it. With `other_end` it is about
@@ -59,6 +60,7 @@ struct Caption {
   std::string text;
   Colour colour;
   std::optional<glm::vec3> other_end = std::nullopt;
+  friend bool operator==(const Caption&, const Caption&) = default;
 };
 
 // The anchor's reach on the surface: w - epsilon to w + epsilon, drawn as an annulus on the mesh with a thin line
@@ -70,11 +72,13 @@ struct Band {
   float outer = 0.0f;
   Colour colour;
   glm::vec3 normal{0.0f};  // of the surface there
+  friend bool operator==(const Band&, const Band&) = default;
 };
 
 // Of the mesh's vertices.
 struct TimeSpan {
   float from = 0.0f, to = 0.0f;
+  friend bool operator==(const TimeSpan&, const TimeSpan&) = default;
 };
 
 // Where the view is seen from.
@@ -82,6 +86,7 @@ struct Sight {
   glm::mat4 view{1.0f};
   glm::mat4 projection{1.0f};
   glm::vec3 eye{0.0f};
+  friend bool operator==(const Sight&, const Sight&) = default;
 };
 
 struct Scene {
@@ -114,6 +119,8 @@ struct Scene {
   std::vector<Line> lines;  // this frame's own
   std::vector<Point> points;
   std::vector<Caption> captions;
+  // Of equal scenes one picture is made. What is shared is the same one, or counts as another.
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/base/worker.h"
+#include "app/scene/flight.h"
 #include "app/session/document.h"
 #include "knit/import/repair.h"
 #include "knit/quality/closeness.h"
@@ -54,6 +55,7 @@ struct Jobs {
   std::shared_ptr<const MadeMesh> made_mesh;  // while the action is done that it was made ready for
   std::optional<RepairOffer> repair_offer;    // of the mesh that could not be opened last
   RunWork run;
+  std::optional<CameraFlight> flight;             // none: the view is where it is to be
   std::shared_ptr<const AnimationRun> animation;  // in the making; null: none
 };
 

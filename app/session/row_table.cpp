@@ -24,6 +24,17 @@ RowFacts facts_of_row(const knit::Row& row, double stitch_width) {
   return facts;
 }
 
+std::size_t stitches_so_far(const knit::State& state) {
+  if (const auto* work = std::get_if<knit::RowWork>(&state.work)) {
+    if (!work->closed.stitches.empty()) return work->closed.stitches.size();
+    const bool begun = work->phase != knit::RowPhase::gather && work->phase != knit::RowPhase::order;
+    return begun ? work->walk.kept.size() + 1 : 0;
+  }
+  if (const auto* work = std::get_if<knit::CastOnWork>(&state.work)) return work->stitches.size();
+  const auto* work = std::get_if<knit::ContourWork>(&state.work);
+  return work != nullptr ? work->stitches.size() : 0;
+}
+
 std::optional<std::int32_t> pinned_stitches(const Session& session, std::int32_t row) {
   if (!session.document || !session.document->pinned) return std::nullopt;
   const Pin& pin = *session.document->pinned;

@@ -6,12 +6,14 @@
 // A value that is not there is empty.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "app/session/session.h"
 #include "knit/fabric/fabric.h"
+#include "knit/run/state.h"
 
 namespace app {
 
@@ -23,6 +25,9 @@ struct RowFacts {
 };
 // Cost: the row's stitches. A stitch width of 0, as a stopped run may have it: holds and course are 0.
 RowFacts facts_of_row(const knit::Row& row, double stitch_width);
+
+// Of the row in progress, with the anchor, which is a stitch from the moment that it is taken; 0: none is in progress.
+std::size_t stitches_so_far(const knit::State& state);
 
 // The stitches that the pinned run has in its row of this number; none: nothing is pinned, it is not known yet, or it
 // has no such row.

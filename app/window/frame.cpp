@@ -99,7 +99,8 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
     drawn.other = other_describer_.describe(*pinned, {height_px_of(drawn.layout), 1.0, in_pieces});
     unfinished_ = unfinished_ || drawn.other->unfinished;
   }
-  drawn.wishes = draw_ui(session, panels_, drawn.scene, drawn.layout, fonts_);
+  drawn.wishes =
+      draw_ui(session, panels_, drawn.scene, drawn.layout, fonts_, drawn.other ? &*drawn.other : nullptr);
   glue_.end_frame();
   return drawn;
 }
@@ -121,23 +122,36 @@ FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape
   return drawn;
 }
 
-void FrameDrawer::paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale) {
+// A picture with more samples than are wished will do.
+void FrameDrawer::paint(Drawn drawn, const FrameShape& shape, float chosen_scale) {
   const FrameSize size = size_of(shape);
-  target_.begin(shape.width_px, shape.height_px, shape.samples);
-  const auto draw_in = [&](const Scene& scene, const Box& box) {
-    const PixelBox place = pixels_of(box, drawn.layout.window, size.pixels_per_x, size.pixels_per_y);
-    renderer_.draw(scene, {place.x, place.y, place.width, place.height}, shape.pixel_scale * chosen_scale);
-  };
-  draw_in(drawn.scene, drawn.layout.view);
-  if (drawn.other) draw_in(*drawn.other, drawn.layout.other_view);
+  const Layout& layout = drawn.layout;
+  Painted now{
+      std::move(drawn.scene), std::move(drawn.other), layout.view,     layout.other_view,
+      layout.window,          shape.width_px,         shape.height_px, shape.pixel_scale * chosen_scale};
+  const bool same = painted_ == now && painted_samples_ >= shape.samples;
+  if (!same || renderer_.refresh_next_program()) {
+    painted_.reset();  // before the next run's rows take their room on the card
+    target_.begin(shape.width_px, shape.height_px, shape.samples);
+    const auto draw_in = [&](const Scene& scene, const Box& box) {
+      const PixelBox place = pixels_of(box, layout.window, size.pixels_per_x, size.pixels_per_y);
+      renderer_.draw(scene, {place.x, place.y, place.width, place.height}, now.pixel_scale);
+    };
+    draw_in(now.scene, now.view);
+    if (now.other) draw_in(*now.other, now.other_view);
+    painted_ = std::move(now);
+    painted_samples_ = shape.samples;
+    ++views_drawn_;
+  }
   target_.resolve();
   imgui_draw_.draw();
 }
 
 Actions FrameDrawer::draw(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events) {
   Drawn drawn = lay_out(session, shape, events, session.jobs->beside);
-  paint(drawn, shape, line_scale(session));
-  return std::move(drawn.wishes);
+  Actions wishes = std::move(drawn.wishes);
+  paint(std::move(drawn), shape, line_scale(session));
+  return wishes;
 }
 
 Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
@@ -151,7 +165,7 @@ Image FrameDrawer::figure(Session& session, const FigureShape& figure) {
     drawn = lay_out_alone(session, shape);
     if (figure.transparent) drawn.scene.background = {0, 0, 0, 0};
   }
-  paint(drawn, shape,
+  paint(std::move(drawn), shape,
         figure.panels ? line_scale(session) : static_cast<float>(session.program->preferences.scale));
   return figure.transparent ? target_.read_with_alpha() : target_.read();
 }
@@ -173,6 +187,7 @@ double FrameDrawer::appeared(const Session& session, float seconds) {
 Image FrameDrawer::finished(const Session& session, int side) {
   Scene scene = Describer().describe(finished_piece(session));
   scene.background = {255, 255, 255};
+  painted_.reset();
   target_.begin(side, side, 4);
   renderer_.draw(scene, {0, 0, side, side}, static_cast<float>(side) / 900.0f);
   target_.resolve();

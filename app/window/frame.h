@@ -68,6 +68,8 @@ class FrameDrawer {
   }
   // Panels wait for a worker of theirs: looking now and then is enough.
   [[nodiscard]] bool waits_for_panels() { return panels_are_working(panels_); }
+  // How often the view was drawn: not where the picture of before shows the same.
+  [[nodiscard]] std::size_t views_drawn() const { return views_drawn_; }
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
  private:
@@ -83,7 +85,18 @@ class FrameDrawer {
   Drawn lay_out(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events,
                 bool in_pieces);
   Drawn lay_out_alone(Session& session, const FrameShape& shape);
-  void paint(const Drawn& drawn, const FrameShape& shape, float chosen_scale);
+  void paint(Drawn drawn, const FrameShape& shape, float chosen_scale);
+
+  // What the target's view was drawn from. While one types or points at panels it is the same from frame to frame, and
+  // without a graphics card drawing it takes most of a frame's time.
+  struct Painted {
+    Scene scene;
+    std::optional<Scene> other;
+    Box view, other_view, window;
+    int width_px = 0, height_px = 0;
+    float pixel_scale = 1.0f;
+    friend bool operator==(const Painted&, const Painted&) = default;
+  };
 
   std::string fonts_folder_;
   ImGuiGlue glue_;
@@ -93,6 +106,9 @@ class FrameDrawer {
   Describer describer_, other_describer_;
   PinnedSession pinned_;
   PanelMemory panels_;
+  std::optional<Painted> painted_;
+  int painted_samples_ = 0;
+  std::size_t views_drawn_ = 0;
   bool unfinished_ = false;  // the last scene
   std::size_t last_position_ = 0;
   double since_step_s_ = motion_s;  // since the last step was taken; motion_s: long ago

@@ -30,15 +30,15 @@ bool working_beside(const Session& session) {
 
 bool working(const Session& session) {
   if (session.jobs->opening) return true;
-  return session.document &&
-         (session.jobs->animation || working_beside(session) || session.view->playback.playing ||
-          !session.document->timeline.complete() || session.jobs->run.measuring);
+  return session.document && (session.jobs->animation || session.jobs->flight || working_beside(session) ||
+                              session.view->playback.playing || !session.document->timeline.complete() ||
+                              session.jobs->run.measuring);
 }
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
   if (!session.document) return session.jobs->opening != nullptr;
-  return !session.view->playback.playing && !session.jobs->animation &&
+  return !session.view->playback.playing && !session.jobs->animation && !session.jobs->flight &&
          (session.jobs->run.long_step.has_value() ||
           (session.document->timeline.complete() &&
            (session.jobs->opening || session.jobs->run.measuring || working_beside(session))));
@@ -128,13 +128,14 @@ double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
   const bool moving = pace.frames_due > 1 || working(session);
   const int samples = moving && pace.frame_seconds > slow_frame_seconds ? 1 : 4;
   const auto start = std::chrono::steady_clock::now();
+  const std::size_t views = drawer.views_drawn();
   const Actions wishes =
       drawer.draw(session, shape_of(window, seconds, samples), window.input().take_frame());
   tell_shader_problem(session, drawer, pace);
   window.set_title(title_of(session));
   window.set_cursor(drawer.glue().wanted_cursor());
   drawer.target().present(pixels.width, pixels.height);
-  if (samples > 1) {
+  if (samples > 1 && drawer.views_drawn() != views) {
     const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     pace.frame_seconds += 0.3 * (cost - pace.frame_seconds);
   }

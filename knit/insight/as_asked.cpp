@@ -47,15 +47,22 @@ std::optional<Remark> remark_on_size(const PieceSize& knitted, const PieceSize& 
                     (rings ? ". Rows from contours come out as asked." : ". Finer stitches come nearer.")};
 }
 
-std::optional<Remark> remark_on_swatch(const Parameters& parameters) {
-  const Gauge& gauge = parameters.stitch.gauge;
+std::optional<double> rounds_that_go_with(const Gauge& gauge) {
   const double share = gauge.stitches / gauge.rounds;  // a stitch's height over its width
   if (share >= flattest_stitch && share <= tallest_stitch) return std::nullopt;
+  return std::max(1.0, std::round(gauge.stitches / height_of_width));
+}
+
+std::optional<Remark> remark_on_swatch(const Parameters& parameters) {
+  const Gauge& gauge = parameters.stitch.gauge;
+  const auto rounds = rounds_that_go_with(gauge);
+  if (!rounds) return std::nullopt;
+  const double share = gauge.stitches / gauge.rounds;
   const std::string fabric =
       "A stitch " + to_step(share, 0.01) +
       " as high as it is wide is hardly knitted fabric: " + to_step(gauge.stitches, 0.1) + " stitches and " +
       to_step(gauge.rounds, 0.1) + " rounds in 10 cm, where stockinette has 0.65 to 0.77.";
-  const std::string usual = to_step(gauge.stitches / height_of_width, 1.0);
+  const std::string usual = to_step(*rounds, 1.0);
   return Remark{RemarkKind::swatch, parameters.size.from() == SizesFrom::gauge
                                         ? fabric + " " + to_step(gauge.stitches, 0.1) +
                                               " stitches go with about " + usual +

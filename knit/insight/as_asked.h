@@ -30,5 +30,7 @@ PieceSize size_asked(const State& state, const Parameters& parameters);
 std::optional<Remark> remark_on_size(const PieceSize& knitted, const PieceSize& asked,
                                      const Parameters& parameters);
 std::optional<Remark> remark_on_swatch(const Parameters& parameters);
+// Where stitches and rounds are hardly those of one fabric: the rounds that go with the stitches, a whole number.
+std::optional<double> rounds_that_go_with(const Gauge& gauge);
 
 }  // namespace knit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,7 @@ class Desk {
   Actions frame(const std::vector<InputEvent>& events = {}) {
     glue_.begin_frame({layout.window.width, layout.window.height, 1, 1, 1.0f / 60.0f}, events);
     const Scene scene = describer_.describe(session);
-    Actions wishes = draw_ui(session, ui, scene, layout, fonts_);
+    Actions wishes = draw_ui(session, ui, scene, layout, fonts_, other ? &*other : nullptr);
     glue_.end_frame();
     return wishes;
   }
@@ -91,6 +92,7 @@ class Desk {
   Desk& operator=(const Desk&) = delete;
 
   Session session;
+  std::optional<Scene> other;  // of the pinned run
   PanelMemory ui;
   Layout layout;
   std::string clipboard = "stitch-width = 0.5\n";

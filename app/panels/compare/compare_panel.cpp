@@ -8,6 +8,7 @@
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/sides.h"
+#include "app/panels/kit/stop_ways.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
@@ -127,6 +128,7 @@ void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
   }
   if (!difference.stop_a.empty()) wrapped_text("Pinned, it stopped: " + difference.stop_a, theme().problem);
   if (!difference.stop_b.empty()) wrapped_text("Now it stops: " + difference.stop_b, theme().problem);
+  if (!difference.stop_b.empty()) draw_stop_ways(frame, "compare/");
 }
 
 // "D / C": the name now, then the pinned one where it is another.

@@ -51,6 +51,7 @@ struct PanelFrame {
   Actions actions;
   std::optional<RoundSpan> rounds_under = std::nullopt;  // the pointer, in whichever panel has it
   std::vector<RoundSpan> twins_under = {};               // of twins that the same words stand for
+  const Scene* other_scene = nullptr;                    // of the pinned run; null: it is not seen
 
   template <class State>
   [[nodiscard]] State& own() const {

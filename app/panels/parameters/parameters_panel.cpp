@@ -15,6 +15,7 @@
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/parameters/knob_curve.h"
+#include "app/panels/parameters/knob_notes.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -308,6 +309,7 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
   draw_trouble(frame, info, parameters);
+  draw_knob_notes(frame, info, parameters);
   ImGui::PopID();
 }
 
@@ -439,6 +441,7 @@ void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
     knit::Parameters parameters = timeline.parameters();
     draw_knob(frame, info, parameters);
     if (parameters == timeline.parameters()) continue;
+    note_change_of(frame, info, timeline.parameters(), parameters);
     wish_change(frame, info, parameters);
   }
 }

@@ -229,26 +229,20 @@ void draw_legend(PanelFrame& frame) {
   ImGui::SetCursorScreenPos(cells.end());
 }
 
-// The greatest height that the step's part has wanted in this stage: what stands below keeps still while one steps.
-struct StepHeight {
-  std::optional<knit::Stage> stage;
-  float width = 0.0f, wanted = 0.0f;
+// Of what is selected, with the gap below it, as it was drawn last.
+struct SelectedRoom {
+  float height = 0.0f;
 };
 
-float wanted_height(const PanelFrame& frame) {
-  StepHeight& kept = frame.own<StepHeight>();
-  std::optional<knit::Stage> stage;
-  if (const knit::Step* step = last_step(frame.session)) stage = step->place.stage;
-  const float width = frame.layout.explanation.width;
-  if (stage != kept.stage || width != kept.width) kept = {stage, width, 0.0f};
-  return kept.wanted;
-}
-
-// As high as what it holds, as far as the lists keep their room.
-float step_height(const PanelFrame& frame, float wanted) {
-  const float below = frame.units((shows_legend(frame) ? 270.0f : 30.0f) + 122.0f);
-  const float room = ImGui::GetContentRegionAvail().y - below;
-  return std::max(frame.units(150.0f), std::min(wanted > 0.0f ? wanted : room, room));
+// The same at every step, whatever it says: the lists below keep their place and their height. What does not fit scrolls.
+float step_height(const PanelFrame& frame) {
+  constexpr float tallest = 480.0f, least = 150.0f, lists_least = 122.0f;  // plain units
+  constexpr float lists_share = 0.21f;                                     // of the panel
+  const float legend = frame.units(shows_legend(frame) ? 270.0f : 30.0f);
+  const float lists = std::max(frame.units(lists_least), lists_share * frame.layout.explanation.height);
+  const float room = ImGui::GetContentRegionAvail().y - legend - lists;
+  return std::max(frame.units(least),
+                  std::min(room, frame.units(tallest)) - frame.own<SelectedRoom>().height);
 }
 
 }  // namespace
@@ -259,15 +253,15 @@ bool gives_away_causes(const Session& session) {
 
 template <>
 void draw_side<SidePanel::step>(PanelFrame& frame) {
-  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame, wanted_height(frame))), false);
+  ImGui::BeginChild("step", ImVec2(0.0f, step_height(frame)), false);
   draw_last_step(frame);
-  float& wanted = frame.own<StepHeight>().wanted;
-  wanted = std::max(wanted, ImGui::GetCursorPosY());
   ImGui::EndChild();
   frame.mark("step");
   draw_layers(frame);
   if (shows_legend(frame)) draw_legend(frame);
+  const float top = ImGui::GetCursorPosY();
   draw_selected(frame);
+  frame.own<SelectedRoom>().height = ImGui::GetCursorPosY() - top;
   draw_lists(frame);
 }
 

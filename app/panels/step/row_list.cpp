@@ -123,12 +123,6 @@ struct RowLine {
   bool in_progress = false;
 };
 
-std::size_t stitches_so_far(const knit::State& state) {
-  if (const auto* walk = std::get_if<knit::RowWork>(&state.work)) return walk->walk.kept.size();
-  const auto* contour = std::get_if<knit::ContourWork>(&state.work);
-  return contour != nullptr ? contour->stitches.size() : 0;
-}
-
 void draw_change(std::int32_t change, bool later) {
   if (change == 0) return right_aligned("0", theme().faint_text);
   // Warm and blue as the labels are, which themselves are too pale for words in the light theme.

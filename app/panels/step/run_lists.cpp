@@ -92,13 +92,21 @@ Problem problem_at(const PanelFrame& frame, std::size_t i) {
   return problem;
 }
 
+// The first ones whole, on as many lines as they need; of hundreds of others a line each, which all have short words for.
+constexpr std::size_t told_whole = 60;
+
+std::string problem_text(const Problem& problem, std::size_t i, float width) {
+  const std::string& words = problem.line.empty() ? problem.words : problem.line;
+  return i < told_whole ? wrapped_at_blanks(words, width) : cut_to_width(words, width);
+}
+
 void draw_problem(PanelFrame& frame, std::size_t i) {
   const Problem problem = problem_at(frame, i);
   ImGui::PushID(static_cast<int>(i));
-  const std::string line =
-      cut_to_width(problem.line.empty() ? problem.words : problem.line, ImGui::GetContentRegionAvail().x);
+  const std::string line = problem_text(problem, i, ImGui::GetContentRegionAvail().x);
   const bool here = problem.position && frame.timeline()->position() == *problem.position;
-  if (ImGui::Selectable("##problem", here)) {
+  const ImVec2 size(0.0f, ImGui::CalcTextSize(line.c_str()).y);
+  if (ImGui::Selectable("##problem", here, 0, size)) {
     if (problem.position) frame.wish(SeekTo{*problem.position});
     if (problem.thing && problem.position) frame.wish(LookAt{*problem.thing});
     if (problem.thing && !problem.position) frame.wish(ShowWhy{*problem.thing});
@@ -188,13 +196,19 @@ void draw_problems(PanelFrame& frame) {
   faint_text(cut_to_width(summary, ImGui::GetContentRegionAvail().x));
   frame.mark("problems/summary");
   tooltip(frame, summary);
+  // Why it stopped, then the ways on from there.
+  const std::size_t count = count_problems(frame) + count_remarks(frame);
+  const std::size_t first = frame.timeline()->stop() != nullptr ? 1 : 0;
+  if (first > 0) draw_problem(frame, 0);
   draw_tried_ways(frame, "problems/");
   draw_repairs(frame);
+  const std::size_t whole = std::min(count, told_whole);
+  for (std::size_t i = first; i < whole; ++i) draw_problem(frame, i);
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(count_problems(frame) + count_remarks(frame)));
+  clipper.Begin(static_cast<int>(count - whole));
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      draw_problem(frame, static_cast<std::size_t>(i));
+      draw_problem(frame, whole + static_cast<std::size_t>(i));
   }
   ImGui::EndChild();
 }

@@ -12,6 +12,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/timeline/track.h"
 #include "app/session/document.h"
+#include "app/session/row_table.h"
 #include "app/session/view.h"
 #include "knit/model/words.h"
 
@@ -21,12 +22,6 @@ namespace {
 
 constexpr float caption_share = 1.0f / 15.0f;  // of the window's height: a letter's
 constexpr float margin_share = 0.04f;          // of the caption's width
-
-std::size_t stitches_so_far(const knit::State& state) {
-  if (const auto* walk = std::get_if<knit::RowWork>(&state.work)) return walk->walk.kept.size();
-  if (const auto* contour = std::get_if<knit::ContourWork>(&state.work)) return contour->stitches.size();
-  return 0;
-}
 
 std::string stitch_words(std::size_t count) {
   return knit::plural(static_cast<std::int64_t>(count), "stitch", "stitches");

@@ -1,8 +1,10 @@
 // The words and numbers that stand at places in the view.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/view.h"
@@ -13,9 +15,15 @@ namespace {
 
 constexpr float room_between = 34.0f;  // two lines of the band, in plain pixels
 
-std::optional<ImVec2> place_on(const PanelFrame& frame, const glm::vec3& at) {
-  const Box& view = frame.layout.view;
-  const glm::vec4 place = frame.scene.view.projection * frame.scene.view.view * glm::vec4(at, 1.0f);
+// The view, or its half of the pinned run.
+struct Half {
+  const Scene& scene;
+  const Box& box;
+};
+
+std::optional<ImVec2> place_on(const Half& half, const glm::vec3& at) {
+  const Box& view = half.box;
+  const glm::vec4 place = half.scene.view.projection * half.scene.view.view * glm::vec4(at, 1.0f);
   if (place.w <= 0.0f) return std::nullopt;
   return ImVec2(view.x + (0.5f + 0.5f * place.x / place.w) * view.width,
                 view.y + (0.5f - 0.5f * place.y / place.w) * view.height);
@@ -42,19 +50,19 @@ glm::vec3 up_along(const glm::mat4& view, const glm::vec3& normal) {
 }
 
 // "w - ε", "w" and "w + ε" where the band's lines cross the upright through the anchor, once there is room.
-void draw_band_words(PanelFrame& frame) {
-  if (!frame.scene.band || !frame.scene.show_surface) return;
-  const Band& band = *frame.scene.band;
-  const glm::vec3 up = up_along(frame.scene.view.view, band.normal);
-  const auto inner = place_on(frame, band.centre + band.inner * up);
-  const auto outer = place_on(frame, band.centre + band.outer * up);
+void draw_band_words(const PanelFrame& frame, const Half& half) {
+  if (!half.scene.band || !half.scene.show_surface) return;
+  const Band& band = *half.scene.band;
+  const glm::vec3 up = up_along(half.scene.view.view, band.normal);
+  const auto inner = place_on(half, band.centre + band.inner * up);
+  const auto outer = place_on(half, band.centre + band.outer * up);
   if (!inner || !outer || inner->y - outer->y < 2.0f * frame.units(room_between)) return;
   struct Edge {
     float reach;
     const char* words;
   };
   for (const Edge& edge : {Edge{band.inner, "w - ε"}, Edge{band.middle, "w"}, Edge{band.outer, "w + ε"}}) {
-    const auto at = place_on(frame, band.centre + edge.reach * up);
+    const auto at = place_on(half, band.centre + edge.reach * up);
     if (!at || edge.reach <= 0.0f) continue;
     const ImVec2 size = ImGui::CalcTextSize(edge.words);
     boxed_text(frame, ImVec2(at->x - 0.5f * size.x, at->y - size.y - frame.units(4.0f)), edge.words,
@@ -62,19 +70,48 @@ void draw_band_words(PanelFrame& frame) {
   }
 }
 
-}  // namespace
+// Inside of the half and clear of the legend, of which nothing may be covered and which covers nothing: beside it or
+// above it, whichever is nearer. `size`: of the words.
+ImVec2 clear_place(const PanelFrame& frame, const Half& half, ImVec2 at, ImVec2 size) {
+  const float edge = frame.units(6.0f);  // of the words' ground, and a gap
+  at.x = std::max(half.box.x + edge, std::min(at.x, half.box.right() - size.x - edge));
+  at.y = std::max(half.box.y + edge, std::min(at.y, half.box.bottom() - size.y - edge));
+  const auto found = frame.memory.controls.find("legend-box");
+  if (found == frame.memory.controls.end()) return at;
+  const Box& legend = found->second;
+  const float left = legend.x - size.x - edge;
+  const float above = legend.y - size.y - edge;
+  const bool free = at.x <= left || at.x >= legend.right() + edge || at.y <= above || at.y >= legend.bottom();
+  if (free) return at;
+  const bool aside = left >= half.box.x + edge && at.x - left <= at.y - above;
+  return aside ? ImVec2(left, at.y) : ImVec2(at.x, above);
+}
 
-void draw_captions(PanelFrame& frame) {
-  draw_band_words(frame);
-  for (const Caption& caption : frame.scene.captions) {
-    const auto place = place_on(frame, caption.position);
-    const auto other = caption.other_end ? place_on(frame, *caption.other_end) : std::nullopt;
+void draw_captions_of(const PanelFrame& frame, const Half& half, const std::string& mark) {
+  draw_band_words(frame, half);
+  int number = 0;
+  for (const Caption& caption : half.scene.captions) {
+    const auto place = place_on(half, caption.position);
+    const auto other = caption.other_end ? place_on(half, *caption.other_end) : std::nullopt;
     if (!place) continue;
     const ImVec2 size = ImGui::CalcTextSize(caption.text.c_str());
-    const ImVec2 at = other ? below_line(frame, *place, *other, size)
-                            : ImVec2(place->x + frame.units(9.0f), place->y - size.y - frame.units(7.0f));
+    const ImVec2 wished = other ? below_line(frame, *place, *other, size)
+                                : ImVec2(place->x + frame.units(9.0f), place->y - size.y - frame.units(7.0f));
+    const bool seen = wished.x < half.box.right() && wished.x + size.x > half.box.x &&
+                      wished.y < half.box.bottom() && wished.y + size.y > half.box.y;
+    const ImVec2 at = seen ? clear_place(frame, half, wished, size) : wished;
     boxed_text(frame, at, caption.text, caption.colour);
+    frame.memory.controls.insert_or_assign(mark + std::to_string(number++), Box{at.x, at.y, size.x, size.y});
   }
+}
+
+}  // namespace
+
+void draw_captions(PanelFrame& frame) { draw_captions_of(frame, {frame.scene, frame.layout.view}, "tag/"); }
+
+void draw_other_captions(PanelFrame& frame) {
+  if (frame.other_scene != nullptr)
+    draw_captions_of(frame, {*frame.other_scene, frame.layout.other_view}, "other-tag/");
 }
 
 }  // namespace app

@@ -16,6 +16,13 @@ namespace app {
 
 namespace {
 
+// Under the legend; words in the view keep clear of it.
+void draw_ground(const PanelFrame& frame, const Box& box) {
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(box.x, box.y), ImVec2(box.right(), box.bottom()),
+                                            style::packed(theme().background), frame.units(4.0f));
+  frame.memory.controls.insert_or_assign("legend-box", box);
+}
+
 // What the mesh's colours say.
 void draw_time_ramp(const PanelFrame& frame) {
   const Session& session = frame.session;
@@ -36,8 +43,7 @@ void draw_time_ramp(const PanelFrame& frame) {
   const ImU32 c = style::packed(frame.scene.time_high);
   const float y = low.y - ImGui::GetTextLineHeight() - frame.units(1.0f);
   const float edge = frame.units(5.0f);
-  list.AddRectFilled(ImVec2(low.x - edge, y - edge), ImVec2(high.x + edge, high.y + edge),
-                     style::packed(theme().background), frame.units(4.0f));
+  draw_ground(frame, {low.x - edge, y - edge, width + 2.0f * edge, high.y - y + 2.0f * edge});
   list.AddRectFilledMultiColor(low, ImVec2(middle, high.y), a, b, b, a);
   list.AddRectFilledMultiColor(ImVec2(middle, low.y), high, b, c, c, b);
   const ImU32 colour = style::packed(theme().faint_text);
@@ -74,8 +80,7 @@ void draw_labels(PanelFrame& frame) {
   const float top = view.bottom() - line * static_cast<float>(shown.size()) - frame.units(10.0f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float edge = frame.units(5.0f);
-  list.AddRectFilled(ImVec2(left - edge, top - edge), ImVec2(view.right() - edge, view.bottom() - edge),
-                     style::packed(theme().background), frame.units(4.0f));
+  draw_ground(frame, {left - edge, top - edge, view.right() - left, view.bottom() - top});
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const float y = top + line * static_cast<float>(i);
     const float at = y + 0.5f * (line - swatch);
@@ -98,9 +103,8 @@ void draw_stretch_ramp(PanelFrame& frame) {
   const ImVec2 low(view.right() - width - frame.units(18.0f),
                    view.bottom() - line - height - frame.units(12.0f));
   const float top = low.y - 2.0f * line;
-  list.AddRectFilled(ImVec2(low.x - edge, top - edge),
-                     ImVec2(low.x + width + edge, low.y + height + line + edge),
-                     style::packed(theme().background), frame.units(4.0f));
+  draw_ground(frame,
+              {low.x - edge, top - edge, width + 2.0f * edge, low.y + height + line - top + 2.0f * edge});
   text_at(ImVec2(low.x, top), 0.0f, theme().text, "Length of an edge");
   text_at(ImVec2(low.x, top + line), 0.0f, theme().faint_text, "wale in h, course in w");
   const auto stretch_at = [](float share) {
@@ -130,7 +134,10 @@ void draw_coarse_note(const PanelFrame& frame) {
   if (frame.scene.coarse <= 1) return;
   const std::string every = std::to_string(frame.scene.coarse);
   const Box& view = frame.layout.view;
-  boxed_text(frame, ImVec2(view.x + frame.units(12.0f), view.y + frame.units(8.0f)),
+  // Below what stands over each half.
+  const float words = frame.layout.other_view.width > 0.0f ? 2.0f * ImGui::GetTextLineHeight() : 0.0f;
+  const float down = words > 0.0f ? words + frame.units(20.0f) : frame.units(8.0f);
+  boxed_text(frame, ImVec2(view.x + frame.units(12.0f), view.y + down),
              "Drawn coarsely: every " + every + "th row and stitch. Come nearer to see each.",
              theme().faint_text);
 }

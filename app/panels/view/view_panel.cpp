@@ -15,8 +15,11 @@
 #include "app/panels/view/overlays.h"
 #include "app/panels/view/view.h"
 #include "app/session/document.h"
+#include "app/session/pins.h"
 #include "app/session/program.h"
+#include "app/session/row_table.h"
 #include "app/session/view.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -182,12 +185,44 @@ void draw_hint(const PanelFrame& frame) {
   boxed_text(frame, at, cut_to_width(hint, room), theme().faint_text);
 }
 
-// Over one half of the view: which run it is of, and what is different there.
-void draw_half_words(const PanelFrame& frame, const Box& half, const std::string& words, Colour colour) {
+// "Row 20: 65 stitches" of the run in one half, both at the same row; while it is in progress "12 stitches so far".
+std::string place_words(const PanelFrame& frame, bool of_pinned) {
+  const knit::Timeline& timeline = *frame.timeline();
+  const std::int32_t row = timeline.position() > 0 ? timeline.place().row : 0;
+  if (row < 1) return "";
+  const std::string head = "Row " + std::to_string(row) + ": ";
+  const auto counted = [](std::int64_t count) {
+    return knit::stitch_count_text(static_cast<std::int32_t>(count));
+  };
+  if (of_pinned) {
+    const Pin& pin = *frame.session.document->pinned;
+    const auto count = pinned_stitches(frame.session, row);
+    if (!count) return pin.known ? "No row " + std::to_string(row) : "";
+    return head + counted(*count);
+  }
+  if (const knit::Row* made = timeline.state().fabric.find_row(row))
+    return head + counted(knit::size_of(*made));
+  return head + counted(static_cast<std::int64_t>(stitches_so_far(timeline.state()))) + " so far";
+}
+
+// Over one half of the view: which run it is of and what is different there, and below it its row.
+struct HalfWords {
+  std::string values, row, mark;
+};
+void draw_half_words(const PanelFrame& frame, const Box& half, const HalfWords& words, Colour colour) {
   const float margin = frame.units(12.0f);
+  const float width = half.width - 2.0f * margin;
   push_font(frame.fonts.strong);
-  boxed_text(frame, ImVec2(half.x + margin, half.y + frame.units(8.0f)),
-             cut_to_width(words, half.width - 2.0f * margin), colour);
+  const ImVec2 at(half.x + margin, half.y + frame.units(8.0f));
+  boxed_text(frame, at, cut_to_width(words.values, width), colour);
+  const float line = ImGui::GetTextLineHeight();
+  const ImVec2 below(at.x, at.y + line + frame.units(4.0f));
+  const std::string row = cut_to_width(words.row, width);
+  if (!row.empty()) {
+    boxed_text(frame, below, row, colour);
+    frame.memory.controls.insert_or_assign("half/" + words.mark + "/row",
+                                           Box{below.x, below.y, ImGui::CalcTextSize(row.c_str()).x, line});
+  }
   pop_font();
 }
 
@@ -220,7 +255,10 @@ void draw_other_view(PanelFrame& frame) {
   }
   ImGui::GetBackgroundDrawList()->AddRectFilled(
       ImVec2(half.right(), half.y), ImVec2(frame.layout.view.x, half.bottom()), style::packed(theme().panel));
-  draw_half_words(frame, half, "Pinned: " + beside_words(frame.session).pinned, opaque(theme().ghost));
+  draw_other_captions(frame);
+  draw_half_words(frame, half,
+                  {"Pinned: " + beside_words(frame.session).pinned, place_words(frame, true), "pinned"},
+                  opaque(theme().ghost));
   ImGui::End();
 }
 
@@ -248,12 +286,14 @@ void draw_view(PanelFrame& frame) {
     if (under != frame.session.view->gaze.hovered_stitch) frame.wish(HoverStitch{under});
     const bool aims = frame.session.view->gaze.picking != Picking::nothing || wanted_click(frame.session);
     if (hovered && aims) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!frame.session.view->presenting) draw_view_legend(frame);
     draw_captions(frame);
     if (frame.layout.other_view.width > 0.0f)
-      draw_half_words(frame, view, "Now: " + beside_words(frame.session).here, theme().text);
+      draw_half_words(frame, view,
+                      {"Now: " + beside_words(frame.session).here, place_words(frame, false), "now"},
+                      theme().text);
     if (hovered && !frame.session.view->presenting) draw_hint(frame);
   }
-  if (!frame.session.view->presenting) draw_view_legend(frame);
   ImGui::End();
 }
 
