@@ -1,10 +1,13 @@
 // The drawing of tubes: where they stand and which yarn they have; the panel that shows it, at every step and under a click.
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "app/panels/tubes/tube_names.h"
 #include "app/panels/tubes/tubes_layout.h"
 #include "app/panels/tubes/tubes_words.h"
+#include "knit/mesh/branching_shapes.h"
 #include "knit/model/words.h"
 #include "tests/support/bodies.h"
 #include "tests/support/desk.h"
@@ -271,4 +274,58 @@ TEST_CASE("tubes panel: a click on a tube goes to its first row, once, and hover
   REQUIRE(rounds);
   CHECK(rounds->first == layout.tubes[1].first_row);
   CHECK(rounds->last == rounds->first + end.tubes->tubes[1].rows() - 1);
+}
+
+TEST_CASE("tubes panel: names stand where there is room, those first that choose first", "[tubes-panel]") {
+  const Box ground{0, 0, 100, 100};
+  const Box here{10, 10, 20, 10}, there{50, 50, 20, 10}, outside{90, 90, 20, 10};
+  using Placed = std::vector<std::optional<Box>>;
+  CHECK(place_names({{here}, {here, there}, {here, there}}, {}, ground) == Placed{here, there, std::nullopt});
+  CHECK(place_names({{here, there}}, {{29, 19, 5, 5}}, ground) == Placed{there});
+  CHECK(place_names({{here}}, {{30, 10, 5, 5}}, ground) == Placed{here});  // they touch
+  CHECK(place_names({{outside}, {outside, here}}, {}, ground) == Placed{std::nullopt, here});
+  CHECK(place_names({{}}, {}, ground) == Placed{std::nullopt});
+}
+
+TEST_CASE("tubes panel: the list has a line for each tube, which leads there and lights its rounds",
+          "[tubes-panel]") {
+  Desk desk;
+  open_arch(desk);
+  const knit::TubePlan& plan = *desk.session.document->timeline.furthest().tubes;
+  const TubesLayout layout = lay_out(plan);
+  for (std::size_t tube = 0; tube < layout.tubes.size(); ++tube) {
+    desk.act({SeekPlace{{knit::Stage::faces, 0, 0}}});
+    desk.settle();
+    const std::string name = "tube-line/" + knit::tube_name(static_cast<TubeId>(tube));
+    INFO(name);
+    const Actions wishes = desk.click(name);
+    REQUIRE(count_of<SeekPlace>(wishes) == 1);
+    for (const Action& wish : wishes) {
+      if (wish.is<SeekPlace>()) CHECK(wish.get<SeekPlace>().place.row == layout.tubes[tube].first_row);
+    }
+  }
+  desk.act(desk.frames({desk.over("tube-line/C")}));
+  const auto& rounds = desk.session.view->gaze.hovered_rounds;
+  REQUIRE(rounds);
+  CHECK(rounds->first == layout.tubes[2].first_row);
+}
+
+TEST_CASE("tubes panel: of very many tubes the list scrolls and every one has its place", "[tubes-panel]") {
+  for (const float scale : {1.0f, 2.0f}) {
+    Desk desk(scale * 1280.0f, scale * 720.0f, scale);
+    knit::Parameters parameters = contours();
+    knit::give_width(parameters, 0.15);
+    desk.session.document = Document(knit::Timeline(knit::make_input(knit::octopus(0.15)), parameters));
+    desk.session.document->timeline.extend_to_end();
+    desk.session.view->side = SidePanel::tubes;
+    desk.settle();
+    const auto& plan = *desk.session.document->timeline.furthest().tubes;
+    CAPTURE(scale, plan.tubes.size());
+    REQUIRE(plan.tubes.size() > 8);
+    for (std::size_t tube = 0; tube < plan.tubes.size(); ++tube)
+      CHECK(desk.ui.controls.count("tube/" + knit::tube_name(static_cast<TubeId>(tube))) == 1);
+    CHECK(desk.ui.controls.count("tube-line/A") == 1);
+    CHECK(desk.ui.controls.count("tube-line/" +
+                                 knit::tube_name(static_cast<TubeId>(plan.tubes.size() - 1))) == 0);
+  }
 }

@@ -1,12 +1,16 @@
 #include "app/panels/tubes/tubes_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <variant>
 
 #include "app/panels/kit/plots.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/tubes/tube_names.h"
 #include "knit/insight/waiting.h"
 #include "knit/insight/why.h"
 #include "knit/model/words.h"
@@ -184,17 +188,20 @@ void draw_band(const PanelFrame& frame, const TubesDrawing& drawing, const Shown
   }
 }
 
-// From an event to the end of a tube that it has.
-void draw_way(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown, bool at_bottom) {
+// From an event to the end of a tube that it has: a curve's four points.
+std::array<ImVec2, 4> way_of(const TubesDrawing& drawing, const ShownTube& shown, bool at_bottom) {
   const knit::Tube& tube = drawing.tube(shown.id);
-  const auto event = static_cast<std::size_t>(at_bottom ? tube.bottom : tube.top);
-  const EventPlace& place = drawing.seen.layout.events[event];
-  const ImVec2 from(drawing.x_of(place.x), drawing.y_of(place.y));
+  const ImVec2 from = event_at(drawing, static_cast<std::size_t>(at_bottom ? tube.bottom : tube.top));
   const ImVec2 to(shown.x, at_bottom ? shown.bottom : shown.top);
-  const bool lit = at_bottom ? shown.begun || shown.held : shown.done;
   const float bend = 0.6f * (to.y - from.y);
-  drawing.list.AddBezierCubic(from, ImVec2(to.x, from.y), ImVec2(to.x, to.y - bend), to,
-                              style::packed(shown.colour, lit ? bright : faint), frame.units(2.0f));
+  return {from, ImVec2(to.x, from.y), ImVec2(to.x, to.y - bend), to};
+}
+
+void draw_way(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown, bool at_bottom) {
+  const auto [from, first, second, to] = way_of(drawing, shown, at_bottom);
+  const bool lit = at_bottom ? shown.begun || shown.held : shown.done;
+  drawing.list.AddBezierCubic(from, first, second, to, style::packed(shown.colour, lit ? bright : faint),
+                              frame.units(2.0f));
 }
 
 void dashed_across(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown) {
@@ -292,48 +299,10 @@ std::vector<LabelLine> label_of(const PanelFrame& frame, const TubesDrawing& dra
   return {};
 }
 
-using TakenPlaces = std::vector<Box>;  // by events' symbols and by names
-
-// Over the symbol that a tube ends with, where it is free: many limbs are narrower than a name.
-void draw_name_over(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown,
-                    const std::string& name, TakenPlaces& taken) {
-  const auto top = static_cast<std::size_t>(drawing.tube(shown.id).top);
-  if (drawing.plan.events[top].kind != knit::EventKind::bind_off) return;
-  const ImVec2 size = ImGui::CalcTextSize(name.c_str()), end = event_at(drawing, top);
-  const Box at{end.x - 0.5f * size.x, whole(end.y - frame.units(symbol_room) - size.y), size.x, size.y};
-  const bool hidden = std::any_of(taken.begin(), taken.end(), [&](const Box& b) {
-    return at.x < b.right() && b.x < at.right() && at.y < b.bottom() && b.y < at.bottom();
-  });
-  if (hidden || at.y < drawing.ground.y - frame.units(12.0f)) return;
-  taken.push_back(at);
-  text_at(ImVec2(end.x, at.y), 0.5f, shown.begun ? theme().text : theme().faint_text, name);
-}
-
-// The name alone, where a tube is too low for it: at its side, as far as its column goes, else over its end.
-void draw_name_outside(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown,
-                       TakenPlaces& taken) {
-  push_font(frame.fonts.small);
-  const std::string name = knit::tube_name(shown.id);
-  const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : 0.0f;
-  const float x = shown.x + half + frame.units(4.0f);
-  const float room = 0.5f * static_cast<float>(drawing.seen.layout.column) * drawing.ground.width;
-  if (x + ImGui::CalcTextSize(name.c_str()).x <= shown.x + room + frame.units(4.0f)) {
-    const float y = 0.5f * (shown.bottom + shown.top - ImGui::GetTextLineHeight());
-    text_at(ImVec2(x, whole(y)), 0.0f, shown.begun ? theme().text : theme().faint_text, name);
-  } else {
-    draw_name_over(frame, drawing, shown, name, taken);
-  }
-  pop_font();
-}
-
 void draw_tube_label(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown,
-                     TakenPlaces& taken) {
-  const std::vector<LabelLine> lines = label_of(frame, drawing, shown);
-  if (lines.empty()) return draw_name_outside(frame, drawing, shown, taken);
-  const ImVec2 size = size_of_label(lines);
-  const float middle = 0.5f * (shown.bottom + shown.top);
+                     const std::vector<LabelLine>& lines, const ImVec2& size) {
   const float edge = frame.units(3.0f);
-  ImVec2 at(shown.x, whole(middle - 0.5f * size.y));
+  ImVec2 at(shown.x, whole(0.5f * (shown.bottom + shown.top - size.y)));
   drawing.list.AddRectFilled(ImVec2(at.x - 0.5f * size.x - edge, at.y),
                              ImVec2(at.x + 0.5f * size.x + edge, at.y + size.y),
                              style::packed(theme().background), frame.units(3.0f));
@@ -343,6 +312,93 @@ void draw_tube_label(const PanelFrame& frame, const TubesDrawing& drawing, const
     at.y += ImGui::GetTextLineHeight();
     pop_font();
   }
+}
+
+// Beside its band, from the middle outward, and over or under its ends.
+std::vector<Box> places_of_name(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown,
+                                const ImVec2& size) {
+  const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : 0.0f, air = frame.units(3.0f);
+  const float high = shown.bottom - shown.top, middle = 0.5f * (shown.bottom + shown.top - size.y);
+  std::vector<Box> places;
+  for (const float off : {0.0f, -0.3f, 0.3f}) {
+    for (const float x : {shown.x + half + air, shown.x - half - air - size.x})
+      places.push_back({x, whole(middle + off * high), size.x, size.y});
+  }
+  const float past = frame.units(symbol_room);
+  const float over = drawing.y_of(drawing.place(shown.id).high) - past - size.y;
+  const float under = drawing.y_of(drawing.place(shown.id).low) + past;
+  for (const float y : {over, under}) places.push_back({shown.x - 0.5f * size.x, whole(y), size.x, size.y});
+  return places;
+}
+
+// Where no name is to stand: symbols, bands, and the ways between them.
+std::vector<Box> taken_by_lines(const PanelFrame& frame, const TubesDrawing& drawing) {
+  const float r = frame.units(symbol_room), thick = frame.units(1.5f);
+  std::vector<Box> taken;
+  const auto around = [&](const ImVec2& at, float half) {
+    taken.push_back({at.x - half, at.y - half, 2.0f * half, 2.0f * half});
+  };
+  for (std::size_t i = 0; i < drawing.plan.events.size(); ++i) around(event_at(drawing, i), r);
+  for (const ShownTube& shown : drawing.tubes) {
+    const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : thick;
+    taken.push_back({shown.x - half, shown.top, 2.0f * half, shown.bottom - shown.top});
+    for (const bool at_bottom : {true, false}) {
+      const auto [p0, p1, p2, p3] = way_of(drawing, shown, at_bottom);
+      constexpr int parts = 16;
+      for (int i = 1; i < parts; ++i) {
+        const float t = static_cast<float>(i) / static_cast<float>(parts), u = 1.0f - t;
+        const float a = u * u * u, b = 3.0f * u * u * t, c = 3.0f * u * t * t, d = t * t * t;
+        around(ImVec2(a * p0.x + b * p1.x + c * p2.x + d * p3.x, a * p0.y + b * p1.y + c * p2.y + d * p3.y),
+               thick);
+      }
+    }
+  }
+  return taken;
+}
+
+std::vector<knit::TubeId> largest_first(const TubesDrawing& drawing) {
+  std::vector<double> sizes;
+  std::vector<knit::TubeId> tubes;
+  for (const ShownTube& shown : drawing.tubes) {
+    const std::vector<double>& lengths = drawing.tube(shown.id).lengths;
+    sizes.push_back(std::accumulate(lengths.begin(), lengths.end(), 0.0));
+    tubes.push_back(shown.id);
+  }
+  std::stable_sort(tubes.begin(), tubes.end(), [&](knit::TubeId a, knit::TubeId b) {
+    return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
+  });
+  return tubes;
+}
+
+// In their bands where there is room; else names alone, beside them, as many as find a place. All are in the list.
+void draw_words(const PanelFrame& frame, const TubesDrawing& drawing) {
+  std::vector<Box> taken = taken_by_lines(frame, drawing);
+  std::vector<knit::TubeId> outside;
+  std::vector<std::vector<Box>> names;
+  for (const knit::TubeId id : largest_first(drawing)) {
+    const ShownTube& shown = drawing.tubes[static_cast<std::size_t>(id)];
+    if (const std::vector<LabelLine> lines = label_of(frame, drawing, shown); !lines.empty()) {
+      const ImVec2 size = size_of_label(lines);
+      draw_tube_label(frame, drawing, shown, lines, size);
+      taken.push_back({shown.x - 0.5f * size.x, 0.5f * (shown.bottom + shown.top - size.y), size.x, size.y});
+      continue;
+    }
+    outside.push_back(id);
+    names.push_back(
+        places_of_name(frame, drawing, shown, size_of_label({{knit::tube_name(id), frame.fonts.small}})));
+  }
+  const float edge = frame.units(12.0f);  // that is left round the tubes
+  const Box ground{drawing.ground.x, drawing.ground.y - edge, drawing.ground.width,
+                   drawing.ground.height + 2.0f * edge};
+  const std::vector<std::optional<Box>> placed = place_names(names, std::move(taken), ground);
+  push_font(frame.fonts.small);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const ShownTube& shown = drawing.tubes[static_cast<std::size_t>(outside[i])];
+    if (placed[i])
+      text_at(ImVec2(placed[i]->x, placed[i]->y), 0.0f, shown.begun ? theme().text : theme().faint_text,
+              knit::tube_name(shown.id));
+  }
+  pop_font();
 }
 
 // --- events ----------------------------------------------------------------------------------------------------
@@ -387,12 +443,8 @@ void draw_tubes(const PanelFrame& frame, const TubesDrawing& drawing, std::optio
     draw_outline(frame, drawing, tube, theme().text);
   draw_events(frame, drawing);
   // Words last: a narrow tube's are wider than it is, and a name stands close to an event.
-  const float r = frame.units(symbol_room);
-  TakenPlaces taken;
-  for (std::size_t i = 0; i < drawing.plan.events.size(); ++i)
-    taken.push_back({event_at(drawing, i).x - r, event_at(drawing, i).y - r, 2 * r, 2 * r});
+  draw_words(frame, drawing);
   for (const ShownTube& shown : drawing.tubes) {
-    draw_tube_label(frame, drawing, shown, taken);
     if (shown.held) dashed_across(frame, drawing, shown);
   }
 }

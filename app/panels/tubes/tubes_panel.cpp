@@ -8,6 +8,7 @@
 #include "app/panels/kit/sides.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/tubes/tube_list.h"
 #include "app/panels/tubes/tubes_drawing.h"
 #include "knit/model/words.h"
 
@@ -126,17 +127,20 @@ std::optional<knit::TubeId> draw_tube_items(PanelFrame& frame, const TubesDrawin
                                 drawing.seen.counts[static_cast<std::size_t>(shown.id)]));
     if (clicked && place.first_row > 0) wish_first_row(frame, place.first_row);
   }
-  if (pointed && drawing.tube(*pointed).rows() > 0) {
-    for (const knit::TubeId tube : twins_of(drawing, *pointed)) {
-      const knit::RowId first = drawing.place(tube).first_row;
-      const RoundSpan rounds{first, first + drawing.tube(tube).rows() - 1};
-      if (tube == *pointed)
-        frame.rounds_under = rounds;
-      else if (first > 0)
-        frame.twins_under.push_back(rounds);
-    }
-  }
   return pointed;
+}
+
+// In other panels: the tube's rounds, and those of its twins.
+void light_rounds(PanelFrame& frame, const TubesDrawing& drawing, knit::TubeId pointed) {
+  if (drawing.tube(pointed).rows() == 0) return;
+  for (const knit::TubeId tube : twins_of(drawing, pointed)) {
+    const knit::RowId first = drawing.place(tube).first_row;
+    const RoundSpan rounds{first, first + drawing.tube(tube).rows() - 1};
+    if (tube == pointed)
+      frame.rounds_under = rounds;
+    else if (first > 0)
+      frame.twins_under.push_back(rounds);
+  }
 }
 
 void draw_drawing(PanelFrame& frame, ImVec2 size) {
@@ -153,6 +157,11 @@ void draw_drawing(PanelFrame& frame, ImVec2 size) {
   ImGui::Dummy(size);
   frame.mark("tubes/drawing");
   draw_key_of_symbols(frame, drawing);
+  const TubeListUse list = draw_tube_list(frame, drawing);
+  frame.mark("tubes/list");
+  if (list.clicked && drawing.place(*list.clicked).first_row > 0)
+    wish_first_row(frame, drawing.place(*list.clicked).first_row);
+  if (const auto tube = pointed ? pointed : list.pointed) light_rounds(frame, drawing, *tube);
 }
 
 float height_of_words(const std::vector<std::string>& words) {
@@ -190,8 +199,12 @@ void draw_side<SidePanel::tubes>(PanelFrame& frame) {
   }
   const std::vector<std::string>& words = seen_now(frame).words;
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float below = height_of_words(words) + 3.0f * ImGui::GetTextLineHeight();
-  draw_drawing(frame, ImVec2(room.x, std::floor(std::max(frame.units(240.0f), room.y - below))));
+  const knit::TubePlan& plan = *state_with_plan(*frame.timeline()).tubes;
+  const float below = height_of_words(words) + height_of_tube_list(frame, plan.tubes.size()) +
+                      3.0f * ImGui::GetTextLineHeight();
+  // Of many events each has room for its symbol; then the panel scrolls.
+  const float least = frame.units(std::max(240.0f, 8.0f * static_cast<float>(plan.events.size())));
+  draw_drawing(frame, ImVec2(room.x, std::floor(std::max(least, room.y - below))));
   for (std::size_t i = 0; i < words.size(); ++i) {
     wrapped_text(words[i], i == 0 ? theme().text : theme().faint_text);
     frame.mark("tubes/words/" + std::to_string(i));
