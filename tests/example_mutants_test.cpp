@@ -44,7 +44,7 @@ std::string text_from(const TextLines& lines) {
   return text;
 }
 
-struct Proof {
+struct ProvingLines {
   std::vector<std::size_t> lines;  // that prove something, from 0
   std::vector<std::size_t> heads;  // of those the ones that begin a sentence
   [[nodiscard]] std::size_t head(std::size_t line) const {
@@ -67,8 +67,8 @@ bool is_round_line(const std::string& line) { return line.rfind("Rnd", 0) == 0; 
 bool is_close_line(const std::string& line) { return line.rfind("Break yarn, thread", 0) == 0; }
 
 // Between INSTRUCTIONS and FINISHING, remarks in brackets apart. Of one tube the rounds, the cast on and the close.
-Proof proof_of(const TextLines& lines, bool limbs) {
-  Proof proof;
+ProvingLines proof_of(const TextLines& lines, bool limbs) {
+  ProvingLines proof;
   bool inside = false;
   int depth = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -87,24 +87,24 @@ Proof proof_of(const TextLines& lines, bool limbs) {
   return proof;
 }
 
-struct Change {
+struct MutantText {
   TextLines lines;
   std::size_t first = 0;  // changed line, from 0
   std::string what;
 };
 
-class Changes {
+class MutantMaker {
  public:
-  Changes(const TextLines& lines, const Proof& proof) : lines_(lines), proof_(proof) {}
+  MutantMaker(const TextLines& lines, const ProvingLines& proof) : lines_(lines), proof_(proof) {}
 
   // Every change of a kind.
-  std::vector<Change> numbers() {
+  std::vector<MutantText> numbers() {
     return each(std::regex("(^|[^mk0-9])([0-9]+)"), [](const std::string& found) {
       const long value = std::stol(found);
       return std::vector<std::string>{std::to_string(value - 1), std::to_string(value + 1)};
     });
   }
-  std::vector<Change> words() {
+  std::vector<MutantText> words() {
     const std::regex word(
         "()\\b(k2tog|ssk|m1l|m1r|Knit|times|Rnds?|keep|gap|holder|held|Place|Divide|Rejoin|Join|Break|Work|"
         "Graft)\\b");
@@ -113,7 +113,7 @@ class Changes {
       return std::vector<std::string>{found};
     });
   }
-  std::vector<Change> letters() {
+  std::vector<MutantText> letters() {
     std::set<std::string> names{"Z"};
     for (const std::size_t at : proof_.lines) {
       std::smatch match;
@@ -127,19 +127,19 @@ class Changes {
       return others;
     });
   }
-  std::vector<Change> exchanged() {
-    std::vector<Change> all;
+  std::vector<MutantText> exchanged() {
+    std::vector<MutantText> all;
     for (std::size_t i = 0; i + 1 < proof_.lines.size(); ++i) {
       const std::size_t a = proof_.lines[i], b = proof_.lines[i + 1];
       if (lines_[a] == lines_[b]) continue;
-      Change change{lines_, a, "exchanged"};
+      MutantText change{lines_, a, "exchanged"};
       std::swap(change.lines[a], change.lines[b]);
       all.push_back(std::move(change));
     }
     return all;
   }
-  std::vector<Change> missing() {
-    std::vector<Change> all;
+  std::vector<MutantText> missing() {
+    std::vector<MutantText> all;
     for (const std::size_t at : proof_.lines) {
       all.push_back({lines_, at, "missing"});
       all.back().lines[at].clear();
@@ -149,15 +149,15 @@ class Changes {
 
  private:
   // What stands in the second group of `found`, one at a time, gives way to each of what is put for it.
-  std::vector<Change> each(const std::regex& found,
-                           const std::function<std::vector<std::string>(const std::string&)>& put) {
-    std::vector<Change> all;
+  std::vector<MutantText> each(const std::regex& found,
+                               const std::function<std::vector<std::string>(const std::string&)>& put) {
+    std::vector<MutantText> all;
     for (const std::size_t at : proof_.lines) {
       const std::string& line = lines_[at];
       for (auto it = std::sregex_iterator(line.begin(), line.end(), found); it != std::sregex_iterator();
            ++it) {
         for (const std::string& other : put(it->str(2))) {
-          Change change{lines_, at, it->str(2) + " -> " + other};
+          MutantText change{lines_, at, it->str(2) + " -> " + other};
           change.lines[at].replace(static_cast<std::size_t>(it->position(2)),
                                    static_cast<std::size_t>(it->length(2)), other);
           all.push_back(std::move(change));
@@ -168,11 +168,11 @@ class Changes {
   }
 
   const TextLines& lines_;
-  const Proof& proof_;
+  const ProvingLines& proof_;
 };
 
 // The last line, from 0, in which a change may be seen.
-std::size_t seen_by(const TextLines& sound, const Proof& proof, const Change& change) {
+std::size_t seen_by(const TextLines& sound, const ProvingLines& proof, const MutantText& change) {
   const std::string& line = sound[proof.head(change.first)];
   if (is_round_line(line)) return proof.next(change.first);
   if (is_heading_line(line)) {
@@ -185,13 +185,13 @@ std::size_t seen_by(const TextLines& sound, const Proof& proof, const Change& ch
   return sound.size();
 }
 
-struct Example {
+struct MutantShape {
   const char* name;
   std::function<Mesh()> mesh;
   double width_share;
 };
 
-State run_of(const Example& example) {
+State run_of(const MutantShape& example) {
   const auto input = make_input(example.mesh());
   Parameters parameters = default_parameters(input->bounds);
   give_width(parameters, example.width_share * input->bounds.diagonal());
@@ -207,11 +207,11 @@ State run_of(const Example& example) {
 
 constexpr std::size_t wanted = 30;
 
-struct Tally {
+struct MutantTally {
   std::size_t refused = 0, same = 0, there = 0, next = 0, later = 0;
 };
 
-Tally check_example(const Example& example) {
+MutantTally check_example(const MutantShape& example) {
   const State state = run_of(example);
   const bool limbs = has_limbs(state);
   const WrittenPattern words = limbs ? write_pattern(plan_limbs(state), {22.0, 32.0}, {}, example.name)
@@ -221,17 +221,17 @@ Tally check_example(const Example& example) {
   const ReadLimbs graph = read_limbs(text);
   const KnitGraph rounds = graph_of(read_pattern(text).rounds);
   const TextLines sound = lines_from(text);
-  const Proof proof = proof_of(sound, limbs);
-  Changes changes(sound, proof);
-  std::vector<std::vector<Change>> kinds{changes.numbers(), changes.words(), changes.exchanged(),
-                                         changes.missing()};
+  const ProvingLines proof = proof_of(sound, limbs);
+  MutantMaker changes(sound, proof);
+  std::vector<std::vector<MutantText>> kinds{changes.numbers(), changes.words(), changes.exchanged(),
+                                             changes.missing()};
   if (limbs) kinds.push_back(changes.letters());
   std::mt19937 random(18);
-  Tally tally;
+  MutantTally tally;
   for (std::size_t turn = 0; tally.refused < wanted && turn < 10 * wanted; ++turn) {
-    const std::vector<Change>& kind = kinds[turn % kinds.size()];
+    const std::vector<MutantText>& kind = kinds[turn % kinds.size()];
     if (kind.empty()) continue;
-    const Change& change = kind[random() % kind.size()];
+    const MutantText& change = kind[random() % kind.size()];
     const std::string whole = text_from(change.lines);
     const ReadPattern read = read_pattern(whole);
     CAPTURE(example.name, change.what, change.first + 1, sound[change.first]);
@@ -258,7 +258,7 @@ Tally check_example(const Example& example) {
   return tally;
 }
 
-std::vector<Example> examples() {
+std::vector<MutantShape> examples() {
   return {{"trousers", [] { return trousers(0.08); }, 0.05},
           {"sphere", [] { return sphere(32, 17, false); }, 0.05},
           {"mug", [] { return mug(0.08); }, 0.05},
@@ -281,7 +281,7 @@ std::vector<Example> examples() {
 
 TEST_CASE("mutants: thirty of each example's pattern are refused, each in its line") {
   std::size_t done = 0;
-  for (const Example& example : examples()) {
+  for (const MutantShape& example : examples()) {
     if (done == 3 && !test_support::whole()) break;
     CHECK(check_example(example).refused == wanted);
     ++done;
