@@ -37,7 +37,7 @@ constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesi
 constexpr std::array cases{Case{"bunny", linear, 4, 0.081, 1.5, 0, 3.8},
                            Case{"bunny", geodesic, 4, 0.080, 1.8, 1, 3.8},
                            Case{"spot", linear, 4, 0.110, 2.0, 0, 4.3},
-                           Case{"spot", geodesic, 4, 0.085, 1.6, 1, 5.3},
+                           Case{"spot", geodesic, 4, 0.0661, 1.45, 0, 5.3},
                            Case{"teddy", linear, 4, 0.069, 1.4, 0, 2.4},
                            Case{"teddy", geodesic, 4, 0.044, 1.3, 0, 2.8},
                            Case{"starfish", linear, 4, 0.093, 1.6, 0, 2.0},

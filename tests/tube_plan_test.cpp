@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -468,9 +469,16 @@ TEST_CASE("tube plan: an arch stands on two feet", "[tube-plan]") {
         Kinds{EventKind::cast_on, EventKind::split, EventKind::bind_off, EventKind::bind_off});
   CHECK(down.yarns == 2);
   // With stitches too large for one leg's girth both legs are one tube's.
-  const TubePlan coarse = plan_of(test_support::arch(), {0, 1, 0}, 0.8);
+  const TubePlan coarse = plan_of(test_support::arch(), {0, 1, 0}, 0.9);
   CHECK(coarse.tubes.size() == 1);
-  CHECK(coarse.left_out.size() == 1);
+  REQUIRE(coarse.left_out.size() == 1);
+  // Up to the stitch that is said, each has a row of its own.
+  const double keeps = coarse.left_out[0].width_that_keeps;
+  CHECK(plan_of(test_support::arch(), {0, 1, 0}, 1.001 * keeps).tubes.size() == 1);
+  const TubePlan kept = plan_of(test_support::arch(), {0, 1, 0}, 0.999 * keeps);
+  REQUIRE(kept.tubes.size() == 3);
+  CHECK(kept.tubes[0].rows() == 1);
+  CHECK(kept.tubes[0].height / kept.stitch_height == Approx(std::sqrt(0.75 * 1.75)).epsilon(0.01));
 }
 
 namespace {

@@ -4,6 +4,8 @@
 // one 0.75, beside a ring 0.5. A tube of height H with n rows has them H / (n - 1 + o1 + o2) apart, so
 //   wanted = floor(H / h - (o1 + o2 - 1) + 1/2), at least 0; 0 too if its longest curve is under 2.5 w, if it is a leaf of
 //   fewer than `smallest_limb` rows, or a leaf of at most one row that is a plateau (a slope under 6 % of the median).
+// A leaf gets its one row from H / h = sqrt(m (1 + m)) on, m = o1 + o2 - 1: there its rows would be as much too near to each
+// other, as a ratio, as they are too far without it.
 // Leaves without a row are pruned, the least height x girth first; where none is left, a rowless tube from a split to a join
 // that closes a ring of rowless tubes, or is under 1.5 w round and not all that holds two parts together, is a handle smaller
 // than a row and is left out. What stays rowless is only dealt through (between two events), is a ring (a leaf beside two

@@ -1,6 +1,7 @@
 #include "knit/tubes/simplify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -94,14 +95,22 @@ class Simplifier {
   }
   [[nodiscard]] std::int32_t wanted(const TubeChain& chain) const {
     if (clearly_less(chain.longest, least_girth * settings_.width, settings_.width)) return 0;
+    const std::int32_t least = least_rows(chain);
     const std::int32_t rows = rows_that_fit(chain.height, offsets(chain), settings_.height);
-    return rows < least_rows(chain) ? 0 : rows;
+    if (rows >= least) return rows;
+    return clearly_less(chain.height, rows_high(chain) * settings_.height, settings_.height) ? 0 : least;
+  }
+  // How high it must be for its least rows, in stitches' heights. A limb is as well off with its one row too near to what is
+  // beside it as without one too far from it: by the ratio, not by the difference.
+  [[nodiscard]] double rows_high(const TubeChain& chain) const {
+    const std::int32_t least = least_rows(chain);
+    const double more = offsets(chain).more();
+    return is_leaf(chain) && least == 1 ? std::sqrt(more * (1.0 + more)) : least - 0.5 + more;
   }
   // Of a stitch as high by its width as the one that is set.
   [[nodiscard]] double width_that_keeps(const TubeChain& chain) const {
-    const double rows_high = least_rows(chain) - 0.5 + offsets(chain).more();
     return std::min(chain.longest / least_girth,
-                    chain.height / rows_high * (settings_.width / settings_.height));
+                    chain.height / rows_high(chain) * (settings_.width / settings_.height));
   }
 
   // A rowless leaf whose other end would become regular: the least height x girth.
