@@ -1,0 +1,195 @@
+#!/usr/bin/env bash
+# Takes pictures of the real window, screen by screen, to be looked at: what tools/pictures.sh cannot have, since it has no
+# window: menus, dialogs, what is worked out beside, hands.
+#   tools/screens.sh FOLDER [SCREEN...]     all screens, or those named, in both themes at 1280x720, 1920x1080 and 3840x2160
+#                                           (scale 2): FOLDER/SCREEN-THEME-WIDTHxHEIGHT.png
+#   tools/screens.sh --sheets FOLDER        what lies there on contact sheets, FOLDER/sheets/THEME-WIDTHxHEIGHT-N.png
+#   tools/screens.sh --list                 the screens
+# SIZES, THEMES: fewer of them, as SIZES="1280x720" THEMES="light". KNIT_MESH, KNIT_MESHES: as for tools/pictures.sh. Needs Xvfb,
+# xdotool and ImageMagick; lessons as printed pages are taken where Chromium is.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+program=${KNIT_MESH:-$root/build/dev/knit-mesh}
+meshes=${KNIT_MESHES:-$root/../shared/meshes}
+sizes=${SIZES:-1280x720 1920x1080 3840x2160}
+themes=${THEMES:-dark light}
+
+# NAME | what the program is told | what hands do. Hands: a key as xdotool calls it; "word" types it; @X,Y clicks there and
+# =X,Y points there, in units, below 0 from the right and from the foot; ~N waits N seconds.
+screens() {
+  cat <<'LIST'
+first-start | | ~1
+empty | --empty |
+examples-menu | | @27,18 =60,66
+row | --example thesis-sphere --at rows:14:13 --list candidates |
+number-typed | --example thesis-sphere --at rows:14:13 | @203,350 "0.0" ~1
+number-wrong | --example thesis-sphere --at rows:14:13 | @203,592 "9" Return ~1
+curves | --example thesis-sphere --at rows:14 | @241,591 ~5 =700,400
+go-to | --example thesis-sphere --at rows:14 | ctrl+g
+go-to-typed | --example thesis-sphere --at rows:14 | ctrl+g "widest round"
+why-menu | --example thesis-sphere --at rows:14 | @201,18
+why-row | --example thesis-sphere --go-to "why row 7" |
+rows | --example thesis-sphere --at rows:30:12 --list rows |
+problems | --example thesis-sphere --epsilon 0.012 --at end --list problems |
+breaks | --example thesis-sphere --break stall --epsilon 0.012 --list breaks |
+cause | --example vase --at rows:22 |
+report | --example thesis-sphere --at end --side report |
+report-octopus | --example octopus --at end --side report |
+stop | --example capsule --axis x --rows rings | End ~3
+stop-end | --example torus --rows rings --side pattern | End ~3
+found | MESHES/simple-elbow.obj |
+refused | MESHES/teapot.obj |
+refused-pieces | MESHES/suzanne.obj |
+present | --example thesis-sphere --present --at rows:14:13 | =-300,300
+present-lesson | --lesson what-it-does --lesson-page 4 --present |
+beside | --example thesis-sphere --at rows:20 --beside stitch-width=0.12 |
+compare | --example thesis-sphere --at end --beside stitch-width=0.12 --side compare | b
+sweep | --example thesis-sphere --at rows:14 --sweep epsilon=0.005:0.05:91 --side sweep | ~2
+tubes | --example octopus --at rows:57 --side tubes |
+split | --example torus --rows contours --at rows:13:3 --side tubes |
+chart | --example vase --preset best-rows --centre chart --side pattern |
+pattern | --example octopus --at end --side pattern |
+knit-along | --example octopus --knit-along 12 --side pattern |
+lesson | --lesson what-it-does --lesson-page 4 |
+guess | --lesson picking-a-row --lesson-page 2 |
+help | --example thesis-sphere | F1
+palette | --example thesis-sphere --at rows:14 | ctrl+p "row"
+glossary | --example thesis-sphere --at rows:14 | ctrl+p "glossary" Return
+open | --example thesis-sphere | ctrl+o
+figure | --example thesis-sphere | ctrl+p "save a picture" Return
+view-menu | --example thesis-sphere | @239,18
+LIST
+}
+
+need() {
+  local tool
+  for tool in "$@"; do
+    command -v "$tool" >/dev/null || {
+      echo "screens: $tool is missing" >&2
+      exit 1
+    }
+  done
+}
+
+case ${1:-} in
+  --list)
+    screens | cut -d' ' -f1
+    exit 0
+    ;;
+  --sheets)
+    need montage
+    folder=${2:?give the folder of the pictures}
+    rm -rf "$folder/sheets"
+    mkdir -p "$folder/sheets"
+    for theme in $themes; do
+      for size in $sizes; do
+        pictures=()
+        for name in $(screens | cut -d' ' -f1); do
+          [ ! -f "$folder/$name-$theme-$size.png" ] || pictures+=("$folder/$name-$theme-$size.png")
+        done
+        [ ${#pictures[@]} = 0 ] || montage -label '%t' "${pictures[@]}" -tile 2x2 -geometry 960x540+6+4 \
+          "$folder/sheets/$theme-$size.png"
+      done
+    done
+    exit 0
+    ;;
+esac
+
+need Xvfb xdotool import
+folder=${1:?give a folder to write into}
+shift
+wanted=" $* "
+mkdir -p "$folder"
+aside=$(mktemp -d)
+server= pid=
+end() {
+  [ -z "$pid" ] || kill -KILL "$pid" 2>/dev/null || true
+  [ -z "$server" ] || kill "$server" 2>/dev/null || true
+  rm -rf "$aside"
+}
+trap end EXIT
+
+await() { # tries COMMAND...: a tenth of a second each
+  local tries=$1
+  shift
+  for _ in $(seq "$tries"); do
+    ! "$@" || return 0
+    sleep 0.1
+  done
+  return 1
+}
+is_drawn() { ! cmp -s "$aside/Xvfb_screen0" "$aside/blank"; }
+is_displayed() { [ -s "$aside/display" ]; }
+has_window() { window=$(xdotool search --onlyvisible --name '(^| - )knit-mesh$' 2>/dev/null | head -n 1) && [ -n "$window" ]; }
+has_keyboard() {
+  xdotool windowfocus "$window" 2>/dev/null || true
+  [ "$(xdotool getwindowfocus 2>/dev/null)" = "$window" ]
+}
+# The screen is a moment later as it was.
+rests() {
+  cp "$aside/Xvfb_screen0" "$aside/before"
+  sleep 0.5
+  cmp -s "$aside/Xvfb_screen0" "$aside/before"
+}
+
+hand() { # what
+  local x y
+  case $1 in
+    '"'*) xdotool type --delay 12 "${1//\"/}" ;;
+    '~'*) sleep "${1#\~}" ;;
+    [@=]*)
+      IFS=, read -r x y <<<"${1:1}"
+      x=$((x * scale)) y=$((y * scale))
+      [ $x -ge 0 ] || x=$((x + wide))
+      [ $y -ge 0 ] || y=$((y + high))
+      xdotool mousemove --window "$window" "$x" "$y"
+      sleep 0.2
+      [ "${1:0:1}" = = ] || xdotool click 1
+      sleep 0.5
+      ;;
+    *) xdotool key --delay 12 "${1/Ctrl/ctrl}" ;;
+  esac
+}
+
+take() { # name, options, hands, theme
+  local file=$folder/$1-$4-${wide}x$high.png options=() deeds=()
+  mapfile -t options < <(xargs -n 1 <<<"${2//MESHES/$meshes}")
+  mapfile -t deeds < <(grep -oE '"[^"]*"|[^ ]+' <<<"$3" || true)
+  rm -rf "$aside/state" "$aside/config"
+  xdotool mousemove $((wide - 3)) $((high - 3))
+  [ -n "${options[0]}" ] || options=()
+  XDG_STATE_HOME=$aside/state XDG_CONFIG_HOME=$aside/config "$program" "${options[@]}" --theme "$4" --scale "$scale" \
+    --size "${wide}x$high" 2>"$aside/errors" &
+  pid=$!
+  if await 150 has_window && await 100 has_keyboard && await 100 is_drawn; then
+    await 20 rests || true
+    local deed
+    for deed in "${deeds[@]}"; do hand "$deed"; done
+    await 20 rests || echo "screens: $1 does not come to rest" >&2
+    import -window root "$file"
+  else
+    echo "screens: no window for $1: $(cat "$aside/errors")" >&2
+  fi
+  kill -KILL "$pid" 2>/dev/null || true
+  wait "$pid" 2>/dev/null || true
+  pid=
+}
+
+for size in $sizes; do
+  wide=${size%x*} high=${size#*x} scale=1
+  [ "$wide" -lt 3000 ] || scale=2
+  : >"$aside/display"
+  Xvfb -displayfd 7 -noreset -screen 0 "${size}x24" -nolisten tcp -fbdir "$aside" 7>"$aside/display" 2>/dev/null &
+  server=$!
+  await 300 is_displayed
+  cp "$aside/Xvfb_screen0" "$aside/blank"
+  DISPLAY=:$(cat "$aside/display")
+  export DISPLAY
+  while IFS='|' read -r name options hands; do
+    name=${name// /}
+    [ "$wanted" = "  " ] || [[ $wanted = *" $name "* ]] || continue
+    for theme in $themes; do take "$name" "$options" "$hands" "$theme" </dev/null; done
+  done < <(screens)
+  kill "$server"
+  server=
+done
