@@ -7,15 +7,21 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
+#include "app/files/report.h"
+#include "app/panels/parameters/parameters.h"
 #include "app/scene/palette.h"
+#include "app/script/command_line.h"
 #include "app/session/document.h"
 #include "app/session/program.h"
 #include "tests/support/catch.h"
-#include "tests/support/desk.h"
+#include "tests/support/corpus.h"
+#include "tests/support/hands.h"
 #include "tests/support/session.h"
 
 // The system's library may hold the same names.
@@ -63,7 +69,7 @@ losing_driver=$3
 cd "$2"
 # The server itself takes a free display, so that several tests may run at once; without -noreset it would be away
 # for a moment whenever its last window closes.
-Xvfb -displayfd 7 -noreset -screen 0 1280x800x24 -nolisten tcp 7>display 2>/dev/null &
+Xvfb -displayfd 7 -noreset -screen 0 "${screen:-1280x800}x24" -nolisten tcp 7>display 2>/dev/null &
 server=$!
 trap 'kill $server 2>/dev/null || true' EXIT
 for _ in $(seq 300); do
@@ -78,7 +84,7 @@ fail() {
   exit 1
 }
 start() {
-  "$program" --size 1200x760 "$@" 2>errors &
+  "$program" --size "${size:-1200x760}" "$@" 2>errors &
   pid=$!
   await_window
 }
@@ -129,8 +135,8 @@ close() {
 )sh";
 
 // Runs a script on a virtual screen, in the folder. Nothing, or what went wrong.
-std::string run_on_screen(const Folder& folder, const std::string& script) {
-  test_support::write_text(folder.path() / "script", script_head + script);
+std::string run_on_screen(const Folder& folder, const std::string& script, const std::string& sizes = "") {
+  test_support::write_text(folder.path() / "script", sizes + "\n" + script_head + script);
   const std::string in = folder.path().string();
   const std::string command = "timeout -k 5 100 bash '" + in + "/script' '" + KNIT_MESH_BINARY + "' '" + in +
                               "' '" + KNIT_LOSING_DRIVER + "' >'" + in + "/log' 2>&1";
@@ -202,6 +208,29 @@ std::string middle_of(const std::string& control) {
   desk.open();
   const MouseMove middle = desk.over(control);
   return std::to_string(std::lround(middle.x)) + " " + std::to_string(std::lround(middle.y));
+}
+
+// A desk with what the program would open.
+void open_as(desk::Desk& desk, const Folder& folder, const std::string& options) {
+  std::istringstream in(options);
+  std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
+  words.front() = (folder.path() / words.front()).string();
+  const auto line = parse_command_line(words, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<CommandLine>(line));
+  REQUIRE_FALSE(open_as_asked(desk.session, std::get<CommandLine>(line)));
+  desk.settle();
+}
+
+std::string place_of(const desk::Desk& desk, const std::string& control) {
+  const MouseMove middle = desk.over(control);
+  return std::to_string(std::lround(middle.x)) + " " + std::to_string(std::lround(middle.y));
+}
+
+// As xdotool calls them, a blank before each.
+std::string keys_of_text(const std::string& text) {
+  std::string keys;
+  for (const char c : text) keys += c == '.' ? " period" : c == '-' ? " minus" : " " + std::string(1, c);
+  return keys;
 }
 
 }  // namespace
@@ -301,6 +330,70 @@ close
   CHECK(report["parameters"]["stitch-width"] == 0.12);
   CHECK(report["parameters"]["stitch-height"] == 0.09);
   CHECK(report["steps"] == 0);  // no key stepped or played
+}
+
+TEST_CASE(
+    "every number of the left panel is typed, and then dragged, within one long frame each, and none is "
+    "lost") {
+  if (!can_run()) return;
+  constexpr int narrow = 800, tall = 1500, drag_px = 24;  // all of the panel in sight, and little else
+  const Folder folder;
+  test_support::write_text(folder.path() / "ball.obj", corpus::obj_of(knit::sphere(16, 9, false)));
+  const std::string direction =
+      " --axis 0.125,1,0.25 --start-direction 1,0.125,0.25 --stitch-width 0.45 --epsilon 0.2";
+  for (const std::string rows : {"rings", "contours"}) {
+    CAPTURE(rows);
+    const std::string options = "ball.obj --rows " + rows + " --settle on" + direction;
+    // The same hands at a desk, where what they do is seen one by one.
+    desk::Desk desk(narrow, tall, 1, KNIT_ASSETS_DIR "/fonts");
+    open_as(desk, folder, options);
+    desk::Hands hands(desk);
+    std::string typing, dragging;
+    // Of sizes that follow each other one view only.
+    const std::set<std::string> left_out =
+        rows == "rings" ? std::set<std::string>{"stitch-width", "stitch-height", "start", "end"}
+                        : std::set<std::string>{"gauge", "height-cm", "start", "end"};
+    std::vector<desk::NumberKnob> knobs = desk::number_knobs(desk);
+    std::erase_if(knobs, [&](const desk::NumberKnob& knob) { return left_out.count(knob.key) > 0; });
+    CHECK(knobs.size() >= 12);
+    for (const desk::NumberKnob& knob : knobs) {
+      CAPTURE(knob.control);
+      // Sizes as they suit a ball of radius 1; epsilon stays below the width.
+      const double stitch = desk.session.document->timeline.parameters().stitch.width;
+      const std::string half = knit::number_text(std::round(5000.0 * stitch) / 10000.0);
+      const bool length = knob.key == "stitch-width" || knob.key == "stitch-height";
+      const std::string typed = length                    ? "0.4375"
+                                : knob.key == "epsilon"   ? half
+                                : knob.key == "height-cm" ? "20"
+                                : knob.key == "gauge"     ? "2.5"
+                                                          : knob.typed;
+      const bool tab = &knob == &knobs.front() || knob.part > 0 || knob.key.size() % 2 == 0;
+      hands.click(knob.control);
+      hands.type(typed);
+      hands.press(tab ? Key::Tab : Key::Enter);
+      if (tab) hands.press(Key::Escape);  // the next one is open, and stays as it is
+      hands.drain();
+      CHECK(desk::value_of(desk, knob) == typed);
+      typing += " mousemove --window $window " + place_of(desk, knob.control) + " click 1 key --delay 8" +
+                keys_of_text(typed) + (tab ? " Tab Escape" : " Return");
+    }
+    for (const desk::NumberKnob& knob : knobs) {
+      CAPTURE(knob.control);
+      const std::string before = desk::value_of(desk, knob);
+      hands.drag(knob.control, drag_px, 1);
+      CHECK(desk::value_of(desk, knob) != before);
+      dragging += " mousemove --window $window " + place_of(desk, knob.control) +
+                  " mousedown 1 mousemove_relative -- " + std::to_string(drag_px) + " 0 mouseup 1";
+    }
+    CHECK(desk.ui.own<KnobTroubles>().empty());
+    const std::string script = "start " + options + " --save-report numbers.json\nat_once" + typing +
+                               "\nat_once" + dragging + "\nclose\n";
+    REQUIRE(run_on_screen(folder, script, "screen=800x1500 size=800x1500") == "");
+    const Json report = Json::parse(read_text(folder.path() / "numbers.json"), nullptr, false);
+    REQUIRE(report.is_object());
+    CHECK(report["parameters"] == Json(to_json(desk.session.document->timeline.parameters())));
+    CHECK(report["steps"] == 0);  // no key stepped or played
+  }
 }
 
 TEST_CASE("after a crash the real window offers the session, and a clean end leaves nothing") {

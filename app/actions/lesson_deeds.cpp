@@ -21,6 +21,8 @@ void look_as_at_first(View& view) {
   View first;
   first.aspect = view.aspect;
   first.following = view.following;
+  first.presenting = view.presenting;
+  first.ring = view.ring;
   first.pattern = std::move(view.pattern);
   first.dialogs = std::move(view.dialogs);
   view = std::move(first);

@@ -19,6 +19,7 @@ struct ChangeMode {
 struct KnobTrouble {
   std::string value;  // of the knob, as text
   std::string words;
+  bool fresh = true;  // nobody has seen it yet
 };
 using KnobTroubles = std::map<std::string, KnobTrouble, std::less<>>;  // by parameter key
 

@@ -83,6 +83,13 @@ struct Control {
     return ImGui::CalcTextSize(whole.c_str()).x < room ? whole : number;
   }
 
+  // The value that follows from others, as far as there is room.
+  [[nodiscard]] static std::string automatic(const PanelFrame& frame, const std::string& number, float wide) {
+    std::string words = "auto (" + number + ")";
+    const float room = wide - 2.0f * frame.units(3.0f);
+    return ImGui::CalcTextSize(words.c_str()).x <= room ? words : "auto " + number;
+  }
+
   // Lengths are dragged in proportion to themselves: they have no end.
   void operator()(const knit::Number& number) const {
     const bool is_length = number.high >= knit::no_limit;
@@ -93,13 +100,14 @@ struct Control {
     const bool teaches = has_curve(info);
     const float gap = frame.units(3.0f);
     const float room = teaches ? width - ImGui::GetFrameHeight() - gap : width;
-    const NumberShape shape{knit::is_auto(number, parameters) ? "auto (" + words + ")" : fitted(words, room),
-                            knit::value_text(info, parameters),
-                            value,
-                            from_zero ? number.low : high * 1e-7,
-                            high,
-                            is_length ? DragPace::ratio : DragPace::linear,
-                            teaches ? [&] { draw_curve(frame, info); } : std::function<void()>()};
+    const NumberShape shape{
+        knit::is_auto(number, parameters) ? automatic(frame, words, room) : fitted(words, room),
+        knit::value_text(info, parameters),
+        value,
+        from_zero ? number.low : high * 1e-7,
+        high,
+        is_length ? DragPace::ratio : DragPace::linear,
+        teaches ? [&] { draw_curve(frame, info); } : std::function<void()>()};
     const auto marked = teaches ? curve_marks(frame, info, room) : std::nullopt;
     const NumberChange change = number_field(frame, "##value", shape, room);
     if (marked) take_typed(knit::number_text(*marked));
@@ -269,6 +277,8 @@ void draw_trouble(PanelFrame& frame, const knit::ParameterInfo& info, const knit
   }
   wrapped_text(found->second.words, theme().problem);
   frame.mark("knob-trouble/" + std::string(info.key));
+  if (found->second.fresh) ImGui::SetScrollHereY(1.0f);  // it may stand below the panel's edge
+  found->second.fresh = false;
 }
 
 void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters, float x) {
@@ -305,7 +315,8 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
     // The button and the marks of the curve have tips of their own.
-    if (!curve_is_pointed_at(frame, info)) tooltip(frame, help_text(frame, info));
+    if (!curve_is_pointed_at(frame, info) && !number_field_open(frame.memory))
+      tooltip(frame, help_text(frame, info));
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
   draw_trouble(frame, info, parameters);

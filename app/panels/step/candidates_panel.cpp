@@ -325,12 +325,14 @@ void draw_header(PanelFrame& frame) {
   ImGui::TableSetupColumn("Stitch", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));
+  push_font(frame.fonts.small);  // with the mark of the order a word must fit in a narrow panel
   for (int column = 0; column < 5; ++column) {
     ImGui::TableSetColumnIndex(column);
     ImGui::TableHeader(ImGui::TableGetColumnName(column));
     frame.mark("candidates/sort/" + std::to_string(column));
     tooltip(frame, "Click: sort by this, and the other way round.");
   }
+  pop_font();
   ImGui::PopStyleColor();
 }
 

@@ -65,6 +65,7 @@ void draw_band_words(const PanelFrame& frame, const Half& half) {
     const auto at = place_on(half, band.centre + edge.reach * up);
     if (!at || edge.reach <= 0.0f) continue;
     const ImVec2 size = ImGui::CalcTextSize(edge.words);
+    if (at->y - size.y < frame.layout.view.y + frame.units(8.0f)) continue;  // would be cut at the head
     boxed_text(frame, ImVec2(at->x - 0.5f * size.x, at->y - size.y - frame.units(4.0f)), edge.words,
                theme().anchor);
   }

@@ -7,6 +7,7 @@
 #include "app/session/learning.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
+#include "app/session/view.h"
 
 namespace app {
 
@@ -29,6 +30,9 @@ bool is_first_start(const PanelFrame& frame) {
 void draw_first_start(PanelFrame& frame) {
   bool& away = frame.own<FirstStartAway>().away;
   if (away || !is_first_start(frame) || frame.timeline()->position() > 0) return;
+  // Who asked for more than the view has seen what this is.
+  const View& view_of_it = *frame.session.view;
+  if (view_of_it.centre != CentrePanel::view || view_of_it.gaze.knit_along) return;
   if (!frame.session.outbox->notices.empty()) return;
   if (frame.session.program->rescued || frame.session.jobs->repair_offer) return;
   const Box& view = frame.layout.view;
