@@ -125,14 +125,15 @@ const std::vector<Arrow> arrows{
      {"CLI/CLI.hpp"}},
 
     {"app/panels/kit", {"knit/", "app/"}, {"glm/", "imgui.h", "imgui_internal.h"}},
-    {"app/panels/view", {"knit/", "app/", "app/panels/kit"}, {"glm/", "imgui.h"}},
+    {"app/panels/offers", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
+    {"app/panels/view", {"knit/", "app/", "app/panels/kit", "app/panels/offers"}, {"glm/", "imgui.h"}},
     {"app/panels/timeline", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/parameters", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
-    {"app/panels/step", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
+    {"app/panels/step", {"knit/", "app/", "app/panels/kit", "app/panels/offers"}, {"imgui.h"}},
     {"app/panels/tubes", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/report", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/compare", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
-    {"app/panels/dialogs", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
+    {"app/panels/dialogs", {"knit/", "app/", "app/panels/kit", "app/panels/offers"}, {"imgui.h"}},
     {"app/panels/pattern", {"knit/", "app/", "app/panels/kit", "app/panels/dialogs"}, {"imgui.h"}},
     {"app/panels",
      {"knit/", "app/", "app/panels/kit", "app/panels/view", "app/panels/timeline", "app/panels/parameters",
@@ -141,9 +142,10 @@ const std::vector<Arrow> arrows{
 
     {"app/render",
      {"knit/", "app/base", "app/scene", "app/files", "shaders_embedded.h"},
-     {"glm/", "glad/", "EGL/", "imgui", "stb_image_write.h", "gif_lib.h", "dlfcn.h", "malloc.h", "unistd.h"}},
+     {"glm/", "glad/", "EGL/", "imgui", "stb_image.h", "stb_image_write.h", "gif_lib.h", "dlfcn.h",
+      "malloc.h", "unistd.h"}},
     {"app/window",
-     {"knit/", "app/", "app/panels", "app/panels/kit", "app/render"},
+     {"knit/", "app/", "app/panels", "app/panels/kit", "app/panels/offers", "app/render"},
      {"glm/", "glad/", "GLFW/"}},
     {"app", {"knit/", "app/session", "app/actions", "app/script", "app/window"}, {}}};
 

@@ -322,3 +322,25 @@ TEST_CASE("repairs are offered in the list for what is only warned of too") {
     CHECK(desk.session.document->timeline.position() == 20);
   }
 }
+
+TEST_CASE("repairs of what is only warned of stand with what was found at opening, and at a stop") {
+  const Folder folder;
+  Desk desk;
+  apply(desk.session, OpenFile{bad_file(folder, "flipped-face.obj")});
+  REQUIRE(desk.session.document->findings.size() == 1);
+  desk.settle();
+  CHECK(only<OpenFile>(desk.click("found/reorient")).repairs.kinds ==
+        std::vector{knit::RepairKind::reorient});
+
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
+  parameters.rows.source = knit::RowSource::rings;
+  knit::give_epsilon(parameters, 1e-6);
+  parameters.rows.on_stall = knit::OnStall::stop;
+  apply(desk.session, Tune{parameters});
+  apply(desk.session, ToLast{});
+  REQUIRE(desk.session.document->timeline.stop() != nullptr);
+  desk.session.outbox->notices.clear();
+  desk.settle();
+  desk.act(desk.click("stop/reorient"));
+  CHECK(desk.session.document->findings.empty());
+}

@@ -3,6 +3,9 @@
 #   tools/pictures.sh FOLDER            every scene, in both themes, at two sizes, and one at 4K:
 #                                       FOLDER/SCENE-THEME-WIDTHxHEIGHT.png
 #   tools/pictures.sh --docs            those of README and docs, into docs/pictures
+#   tools/pictures.sh --examples        the small ones of what each example is when it is knitted: assets/EXAMPLE/picture.png, and
+#                                       in assets/pictures.txt of which mesh and parameters they are. Needs ImageMagick
+#   tools/pictures.sh --digest EXAMPLE  that of its mesh and parameters
 #   tools/pictures.sh --pair NAME ...   a mesh as its rows were placed and as it settled: NAME-placed.png, NAME-settled.png;
 #                                       ... is a mesh with what else the program is told. YAW, PITCH: where from
 # KNIT_MESH: the program, else build/dev/knit-mesh. KNIT_MESHES: where simple-elbow.obj may lie, else ../shared/meshes.
@@ -85,7 +88,35 @@ docs() {
   fi
 }
 
+digest_of() {
+  local home
+  home=$(dirname "$program")/assets/$1
+  cat "$home/mesh.obj" "$home/parameters.json" | sha256sum | cut -c 1-16
+}
+
+# Drawn four times as large and made smaller, for stitches are finer than these pixels; 64 colours keep them light.
+examples() {
+  local name lines=""
+  while read -r name _; do
+    "$program" --example "$name" --headless --alone --transparent --size 640x480 --scale 2 \
+      --save-picture "$aside/large.png" >/dev/null 2>&1 || [ -s "$aside/large.png" ]
+    convert "$aside/large.png" -resize 160x120 +dither -colors 64 -strip -define png:compression-level=9 \
+      "$root/assets/$name/picture.png"
+    rm "$aside/large.png"
+    lines+="$name $(digest_of "$name")"$'\n'
+  done < <("$program" --list-examples)
+  printf '%s' "$lines" >"$root/assets/pictures.txt"
+}
+
 case ${1:-} in
+  --examples)
+    examples
+    exit 0
+    ;;
+  --digest)
+    digest_of "${2:?give an example}"
+    exit 0
+    ;;
   --docs)
     docs
     exit 0

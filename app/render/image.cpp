@@ -10,6 +10,11 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb_image_write.h>
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_MAX_DIMENSIONS 4096
+#include <stb_image.h>
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
@@ -38,6 +43,17 @@ std::vector<std::uint8_t> png_bytes(const Image& image) {
   const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width < 1 || image.height < 1 || image.rgba.size() != pixels * 4) return {};
   return encode(image);
+}
+
+std::optional<Image> read_png(const std::filesystem::path& path) {
+  Image image;
+  int channels = 0;
+  stbi_uc* pixels = stbi_load(path.string().c_str(), &image.width, &image.height, &channels, 4);
+  if (pixels == nullptr) return std::nullopt;
+  const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  image.rgba.assign(pixels, pixels + 4 * count);
+  stbi_image_free(pixels);
+  return image;
 }
 
 std::optional<std::string> save_png(const std::string& path, const Image& image) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct Image {
 
 // The picture as a PNG file's bytes; none when it is empty or too large.
 std::vector<std::uint8_t> png_bytes(const Image& image);
+
+// None where there is no such file or it is no PNG.
+std::optional<Image> read_png(const std::filesystem::path& path);
 
 // Writes beside `path` and renames, so that there is never half a picture; "-" is standard output. Returns
 // what went wrong and what to do, or nothing.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/panels/kit/style.h"
+#include "app/panels/offers/example_pictures.h"
 #include "app/render/headless_gl.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
@@ -99,8 +100,11 @@ FrameDrawer::Drawn FrameDrawer::lay_out(Session& session, const FrameShape& shap
     drawn.other = other_describer_.describe(*pinned, {height_px_of(drawn.layout), 1.0, in_pieces});
     unfinished_ = unfinished_ || drawn.other->unfinished;
   }
+  fill_pictures(session.program->assets);
   drawn.wishes =
       draw_ui(session, panels_, drawn.scene, drawn.layout, fonts_, drawn.other ? &*drawn.other : nullptr);
+  const auto& pictures = panels_.own<ExamplePictures>();
+  unfinished_ = unfinished_ || (pictures.wanted && !pictures.filled);
   glue_.end_frame();
   return drawn;
 }
@@ -120,6 +124,20 @@ FrameDrawer::Drawn FrameDrawer::lay_out_alone(Session& session, const FrameShape
   draw_captions_alone(session, panels_, drawn.scene, drawn.layout, fonts_);
   glue_.end_frame();
   return drawn;
+}
+
+void FrameDrawer::fill_pictures(const std::filesystem::path& assets) {
+  auto& pictures = panels_.own<ExamplePictures>();
+  if (!pictures.wanted || pictures.filled) return;
+  pictures.filled = true;
+  for (const std::string& name : list_examples(assets)) {
+    if (example_pictures_.count(name) == 0) {
+      const auto image = read_png(assets / name / "picture.png");
+      if (image) example_pictures_.emplace(name, texture_of(*image));
+    }
+    const auto found = example_pictures_.find(name);
+    if (found != example_pictures_.end()) pictures.textures[name] = found->second.id();
+  }
 }
 
 // A picture with more samples than are wished will do.

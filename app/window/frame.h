@@ -2,6 +2,8 @@
 // and for pictures without a display.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "app/panels/ui.h"
 #include "app/render/image.h"
 #include "app/render/imgui_draw.h"
+#include "app/render/picture_texture.h"
 #include "app/render/renderer.h"
 #include "app/render/target.h"
 #include "app/session/action.h"
@@ -85,6 +88,8 @@ class FrameDrawer {
   Drawn lay_out(Session& session, const FrameShape& shape, const std::vector<InputEvent>& events,
                 bool in_pieces);
   Drawn lay_out_alone(Session& session, const FrameShape& shape);
+  // What panels have asked for and nobody has read yet.
+  void fill_pictures(const std::filesystem::path& assets);
   void paint(Drawn drawn, const FrameShape& shape, float chosen_scale);
 
   // What the target's view was drawn from. While one types or points at panels it is the same from frame to frame, and
@@ -109,6 +114,7 @@ class FrameDrawer {
   std::optional<Painted> painted_;
   int painted_samples_ = 0;
   std::size_t views_drawn_ = 0;
+  std::map<std::string, GlTexture> example_pictures_;
   bool unfinished_ = false;  // the last scene
   std::size_t last_position_ = 0;
   double since_step_s_ = motion_s;  // since the last step was taken; motion_s: long ago

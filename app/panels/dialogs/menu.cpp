@@ -1,4 +1,5 @@
 // The menu bar: what the program does by name, how it looks, and what was opened lately.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -13,6 +14,7 @@
 #include "app/panels/kit/panel_buttons.h"
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/offers/example_pictures.h"
 #include "app/script/command_line.h"
 #include "app/session/document.h"
 #include "app/session/presets.h"
@@ -147,20 +149,27 @@ void command_item(PanelFrame& frame, Command command) {
   command_item(frame, info, words_of(info).c_str(), frame.timeline() != nullptr);
 }
 
+// As high as the window allows.
+void draw_examples_menu(PanelFrame& frame) {
+  if (!begin_submenu(frame, "Examples")) return;
+  const auto examples = list_examples(frame.session.program->assets);
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  const auto count = static_cast<float>(std::max<std::size_t>(1, examples.size()));
+  const float room = (frame.layout.window.height - frame.units(30.0f)) / count - spacing;
+  const float height = std::floor(std::clamp(room, ImGui::GetTextLineHeight(), frame.units(30.0f)));
+  for (const std::string& name : examples) {
+    const bool open = frame.session.document && frame.session.document->source.example == name;
+    if (example_line(frame, name, open, ImVec2(frame.units(170.0f), height))) frame.wish(OpenExample{name});
+    frame.mark("menu/example/" + name);
+  }
+  if (examples.empty()) ImGui::MenuItem("No examples were found", nullptr, false, false);
+  ImGui::EndMenu();
+}
+
 void draw_file_menu(PanelFrame& frame) {
   if (!begin_menu(frame, "File", "menu/file")) return;
   command_item(frame, info_of(Command::open), "Open...");
-  if (ImGui::BeginMenu("Examples")) {
-    const auto examples = list_examples(frame.session.program->assets);
-    for (const std::string& name : examples) {
-      const bool open = frame.session.document && frame.session.document->source.example == name;
-      if (ImGui::MenuItem(name.c_str(), nullptr, open)) {
-        frame.wish(OpenExample{name});
-      }
-    }
-    if (examples.empty()) ImGui::MenuItem("No examples were found", nullptr, false, false);
-    ImGui::EndMenu();
-  }
+  draw_examples_menu(frame);
   draw_recent_menu(frame);
   command_item(frame, info_of(Command::close_mesh), "Close", frame.timeline() != nullptr);
   ImGui::Separator();

@@ -10,6 +10,7 @@
 #include "app/panels/kit/stop_ways.h"
 #include "app/panels/kit/ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/offers/repair_buttons.h"
 #include "app/panels/step/step_parts.h"
 #include "app/session/document.h"
 #include "app/session/remarks.h"
@@ -119,36 +120,10 @@ void draw_problem(PanelFrame& frame, std::size_t i) {
   ImGui::PopID();
 }
 
-// What would repair a finding that is no more than a warning; none: nothing that is sure to.
-std::optional<knit::RepairKind> repair_of(knit::FindingKind finding) {
-  switch (finding) {
-    case knit::FindingKind::flipped_faces:
-    case knit::FindingKind::inside_out:
-      return knit::RepairKind::reorient;
-    case knit::FindingKind::unreferenced:
-      return knit::RepairKind::unreferenced;
-    default:
-      return std::nullopt;
-  }
-}
-
 // Over the list: repairs of what stands in it, and the way back.
 void draw_repairs(PanelFrame& frame) {
   if (!frame.session.document) return;
-  const Source& source = frame.session.document->source;
-  for (const knit::Finding& finding : frame.session.document->findings) {
-    const auto kind = repair_of(finding.kind);
-    if (!kind || source.file.empty()) continue;
-    const bool faces = kind == knit::RepairKind::reorient;
-    if (ImGui::SmallButton(faces ? "Repair: turn faces round" : "Repair: drop stray vertices")) {
-      knit::RepairWish wish{false, source.repairs};
-      wish.kinds.push_back(*kind);
-      frame.wish(OpenFile{source.file, std::move(wish)});
-    }
-    frame.mark("repair/" + std::string(knit::key_of(*kind)));
-    tooltip(frame,
-            finding.sentence + "\n\nOpens the mesh again, repaired, with its own parameters; can be undone.");
-  }
+  draw_repair_buttons(frame, "repair/");
   if (!frame.session.document->before_repair) return;
   if (ImGui::SmallButton("Undo the repairs")) frame.wish(UndoRepair{});
   frame.mark("repair/undo-here");

@@ -3,6 +3,7 @@
 
 #include "app/panels/kit/stop_ways.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/offers/repair_buttons.h"
 #include "app/panels/view/overlays.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
@@ -64,6 +65,7 @@ void draw_stop_card(PanelFrame& frame) {
   const bool is_said =
       frame.session.program->preferences.shows(Panel::side) && frame.session.view->side == SidePanel::step;
   if (!is_said) wrapped_text(sentence(frame.session));
+  draw_repair_buttons(frame, "stop/");
   const std::size_t ways = draw_stop_ways(frame, "stop/");
   frame.own<StopCardHead>().height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y +
                                      ImGui::GetStyle().WindowPadding.y + ImGui::GetScrollY() -

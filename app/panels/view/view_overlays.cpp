@@ -7,6 +7,7 @@
 #include "app/explain/found_words.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/offers/repair_buttons.h"
 #include "app/panels/view/overlays.h"
 #include "app/panels/view/view.h"
 #include "app/session/document.h"
@@ -141,7 +142,10 @@ void draw_notices(PanelFrame& frame) {
   pop_raised_look();
   if (note) draw_note(frame);
   if (note && (found || notices)) ImGui::Separator();
-  if (found) draw_found(frame);
+  if (found) {
+    draw_found(frame);
+    draw_repair_buttons(frame, "found/");
+  }
   if (found && notices) ImGui::Separator();
   for (std::size_t i = frame.session.outbox->notices.size(); i-- > 0;) {
     draw_notice(frame, i);

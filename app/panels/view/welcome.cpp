@@ -1,12 +1,14 @@
 #include "app/panels/view/overlays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/files/preferences_file.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/offers/example_pictures.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
@@ -15,7 +17,8 @@ namespace app {
 
 namespace {
 
-constexpr float card_width = 440.0f;
+constexpr float card_width = 600.0f;
+constexpr std::size_t examples_in_line = 6;
 constexpr std::size_t most_shown = 5;  // recent files; the others are in the menu
 
 void accent_button_look() {
@@ -42,22 +45,23 @@ void draw_first_ways(PanelFrame& frame) {
                theme().faint_text);
 }
 
-// Side by side, as many in a line as there is room for.
+// What each is when it is knitted, so many side by side.
 void draw_examples(PanelFrame& frame) {
   const auto examples = list_examples(frame.session.program->assets);
   if (examples.empty()) return;
   heading(frame, "Examples");
-  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  bool first = true;
-  for (const std::string& name : examples) {
-    const float width = ImGui::CalcTextSize(name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    if (!first && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine();
-    first = false;
-    if (ImGui::Button(name.c_str())) frame.wish(OpenExample{name});
-    frame.mark("welcome/" + name);
-    tooltip(frame, "Open this example.");
+  const float gap = frame.units(6.0f);
+  const float width =
+      std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(examples_in_line) - gap);
+  const ImVec2 size(width, std::floor(0.66f * width) + ImGui::GetTextLineHeight());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+  for (std::size_t i = 0; i < examples.size(); ++i) {
+    if (i % examples_in_line > 0) ImGui::SameLine();
+    if (example_tile(frame, examples[i], size)) frame.wish(OpenExample{examples[i]});
+    frame.mark("welcome/" + examples[i]);
+    tooltip(frame, "Open the example " + examples[i] + ".");
   }
+  ImGui::PopStyleVar();
 }
 
 void draw_recent(PanelFrame& frame) {
