@@ -38,11 +38,13 @@ bool example_tile(PanelFrame& frame, const std::string& name, ImVec2 size) {
   const bool clicked = ImGui::Button(("##" + name).c_str(), size);
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   const float edge = frame.units(3.0f);
+  push_font(frame.fonts.small);  // the longest name fits
   const float line = ImGui::GetTextLineHeight();
   draw_example_picture(frame, name, {from.x + edge, from.y + edge}, {to.x - edge, to.y - line - 2.0f * edge});
   const std::string words = cut_to_width(name, size.x - 2.0f * edge);
   const float x = 0.5f * (from.x + to.x - ImGui::CalcTextSize(words.c_str()).x);
   ImGui::GetWindowDrawList()->AddText({std::floor(x), to.y - line - edge}, colour_of_text(), words.c_str());
+  pop_font();
   return clicked;
 }
 

@@ -320,8 +320,8 @@ void draw_header(PanelFrame& frame) {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Order", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableSetupColumn("Vertex", ImGuiTableColumnFlags_WidthStretch, 0.22f);
-  ImGui::TableSetupColumn("Distance", ImGuiTableColumnFlags_WidthStretch, 0.26f);
-  ImGui::TableSetupColumn("Verdict", ImGuiTableColumnFlags_WidthStretch, 0.30f);
+  ImGui::TableSetupColumn("Distance", ImGuiTableColumnFlags_WidthStretch, 0.30f);
+  ImGui::TableSetupColumn("Verdict", ImGuiTableColumnFlags_WidthStretch, 0.28f);
   ImGui::TableSetupColumn("Stitch", ImGuiTableColumnFlags_WidthStretch, 0.20f);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().faint_text));

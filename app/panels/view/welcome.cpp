@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 constexpr float card_width = 600.0f;
-constexpr std::size_t examples_in_line = 6;
+constexpr std::size_t examples_in_line = 5;
 constexpr std::size_t most_shown = 5;  // recent files; the others are in the menu
 
 void accent_button_look() {
@@ -53,7 +53,7 @@ void draw_examples(PanelFrame& frame) {
   const float gap = frame.units(6.0f);
   const float width =
       std::floor((ImGui::GetContentRegionAvail().x + gap) / static_cast<float>(examples_in_line) - gap);
-  const ImVec2 size(width, std::floor(0.66f * width) + ImGui::GetTextLineHeight());
+  const ImVec2 size(width, std::floor(0.52f * width) + ImGui::GetTextLineHeight());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
   for (std::size_t i = 0; i < examples.size(); ++i) {
     if (i % examples_in_line > 0) ImGui::SameLine();
