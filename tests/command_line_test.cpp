@@ -417,7 +417,7 @@ TEST_CASE("a preset comes first, settings over it, wherever they stand") {
   const Answer bad = answered({"--preset", "fluffy"});
   CHECK(bad.exit_code == 2);
   CHECK(bad.out.empty());
-  CHECK(bad.error == "--preset cannot be \"fluffy\"; give thesis, best-rows or knitters-gauge.");
+  CHECK(bad.error == "--preset cannot be \"fluffy\"; give thesis, best-rows, knitters-gauge or hand.");
   CHECK(answered({"--preset", ""}).exit_code == 2);
 }
 

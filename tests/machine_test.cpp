@@ -65,6 +65,9 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   contours.settle.settling = Settling::on;
   collect(run(small_sphere(), contours), contours);
   contours.settle.settling = Settling::off;
+  Parameters rhythm = contours;
+  rhythm.rhythm.counts = CountPlanning::rhythm;
+  collect(run(small_sphere(), rhythm), rhythm);
   contours.timing.kind = TimingKind::geodesic;
   collect(run(small_sphere(), contours), contours);
   Parameters chosen = small_parameters();

@@ -275,8 +275,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
   const std::vector<std::string_view> of_rings{"level-tolerance", "metric",   "epsilon", "on-stall",
                                                "last-anchor",     "resample", "close"};
   const std::vector<std::string_view> of_nearest{"stacking-penalty", "follow-mains"};
-  const std::vector<std::string_view> of_contours{"field-smoothing", "smoothing-length", "smallest-limb",
-                                                  "round-start", "graft"};
+  const std::vector<std::string_view> of_contours{
+      "field-smoothing", "smoothing-length", "smallest-limb", "round-start", "graft", "counts"};
   const auto among = [](const std::vector<std::string_view>& keys, std::string_view key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
@@ -288,8 +288,9 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
       p.stitches.placement = placement;
       for (const ParameterInfo& info : parameter_table()) {
         CAPTURE(info.key, rows, placement);
-        const bool of_settling = info.key.substr(0, 7) == "settle-";  // it is off
-        const bool idle = of_settling || (among(of_rings, info.key) && rows == RowSource::contours) ||
+        const bool of_settling = info.key.substr(0, 7) == "settle-";  // it is off, and counts are whole
+        const bool idle = of_settling || info.key.substr(0, 7) == "rhythm-" ||
+                          (among(of_rings, info.key) && rows == RowSource::contours) ||
                           (among(of_contours, info.key) && rows == RowSource::rings) ||
                           (among(of_nearest, info.key) && placement != PlacementPolicy::nearest &&
                            placement != PlacementPolicy::by_itself);

@@ -26,7 +26,7 @@ const Preset& preset(std::string_view key) {
 
 }  // namespace
 
-TEST_CASE("there are three presets, each found by its key, with a title and a sentence") {
+TEST_CASE("there are four presets, each found by its key, with a title and a sentence") {
   std::set<std::string_view> keys;
   for (const Preset& p : presets()) {
     CAPTURE(p.key);
@@ -36,9 +36,9 @@ TEST_CASE("there are three presets, each found by its key, with a title and a se
     CHECK(is_one_sentence(std::string(p.about)));
     CHECK_FALSE(p.settings.empty());
   }
-  CHECK(keys == std::set<std::string_view>{"thesis", "best-rows", "knitters-gauge"});
-  CHECK(presets().size() == 3);
-  CHECK(preset_keys() == "thesis, best-rows or knitters-gauge");
+  CHECK(keys == std::set<std::string_view>{"thesis", "best-rows", "knitters-gauge", "hand"});
+  CHECK(presets().size() == 4);
+  CHECK(preset_keys() == "thesis, best-rows, knitters-gauge or hand");
   CHECK(find_preset("") == nullptr);
   CHECK(find_preset("Thesis") == nullptr);
 }

@@ -106,6 +106,9 @@ std::vector<Session> all_ways() {
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 0.7); });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 1e-7); });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_width(p, 9.0); });
+  add([](Parameters& p) {
+    p.rows.source = knit::RowSource::contours, p.rhythm.counts = knit::CountPlanning::rhythm;
+  });
   runs.push_back(example_with("torus"));
   runs.push_back(test_support::torus_from_rings());
   runs.back().document->timeline.extend_to_end();

@@ -69,12 +69,12 @@ RhythmSettings random_settings(Dice& dice) {
 }
 
 // From "+8/2x6; knit 16; -8/2x6'".
-std::vector<Segment> segments_of(std::string_view text) {
-  std::vector<Segment> segments;
+std::vector<RhythmSegment> segments_of(std::string_view text) {
+  std::vector<RhythmSegment> segments;
   std::istringstream in{std::string(text)};
   std::string word;
   while (in >> word) {
-    Segment segment;
+    RhythmSegment segment;
     if (word == "knit") {
       in >> segment.rows;
       in.ignore();
@@ -91,7 +91,7 @@ std::vector<Segment> segments_of(std::string_view text) {
 // The same counts in as many segments; in the same words too, unless those are equally good.
 void check_same(const RhythmPlan& plan, std::int32_t first, std::string_view segments,
                 std::size_t& other_words) {
-  const std::vector<Segment> known = segments_of(segments);
+  const std::vector<RhythmSegment> known = segments_of(segments);
   CHECK(segments_text(known) == segments);
   CHECK(plan.counts == counts_of(first, known));
   CHECK(plan.segments.size() == known.size());
@@ -121,14 +121,14 @@ std::string fault_of(const RhythmPlan& plan, const std::vector<double>& ideals) 
 // Of a plan's cost what the dial scales.
 double dial_part(const RhythmPlan& plan, const RhythmPrices& prices) {
   // Of a plan that mirrors the plain stretch in the middle is in its half only if that is long enough; recounted there.
-  std::vector<Segment> segments = plan.segments;
+  std::vector<RhythmSegment> segments = plan.segments;
   double both = 1.0;
   if (plan.mirrored) {
     both = 2.0;
     const auto half = static_cast<std::int32_t>((plan.counts.size() + 1) / 2) - 1;
     std::int32_t used = 0;
-    std::vector<Segment> opening;
-    for (const Segment& segment : segments) {
+    std::vector<RhythmSegment> opening;
+    for (const RhythmSegment& segment : segments) {
       if (used >= half) break;
       opening.push_back(segment);
       used += segment.length();
@@ -136,7 +136,7 @@ double dial_part(const RhythmPlan& plan, const RhythmPrices& prices) {
     segments = opening;
   }
   double sum = 0.0;
-  for (const Segment& segment : segments) {
+  for (const RhythmSegment& segment : segments) {
     const bool single = prices.single > 0.0 && std::abs(segment.change) == plan.sections;
     sum += segment.change == 0 ? prices.plain : prices.rhythm + (single ? prices.single : 0.0);
   }
@@ -246,7 +246,7 @@ TEST_CASE("a plan from a row that is made is what is left of the whole plan") {
     REQUIRE(plan);
     std::int32_t row = 0;
     for (std::size_t i = 0; i < plan->segments.size(); ++i) {
-      const Segment& done = plan->segments[i];
+      const RhythmSegment& done = plan->segments[i];
       row += done.length();
       const SegmentEnd ended = done.kind == SegmentKind::plain ? SegmentEnd::plain
                                : done.kind == SegmentKind::pre ? SegmentEnd::changed
@@ -256,8 +256,8 @@ TEST_CASE("a plan from a row that is made is what is left of the whole plan") {
       REQUIRE(rest);
       INFO(name << " from row " << row);
       CHECK(rest->segments ==
-            std::vector<Segment>(plan->segments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                 plan->segments.end()));
+            std::vector<RhythmSegment>(plan->segments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                       plan->segments.end()));
       CHECK(rest->counts == std::vector<std::int32_t>(plan->counts.begin() + row, plan->counts.end()));
     }
   }

@@ -15,7 +15,7 @@ using test_support::Dice;
 namespace {
 
 // Of a whole list, row by row: nothing of it is shared with the search.
-double cost_of(const SegmentTask& task, std::int32_t first, const std::vector<Segment>& segments) {
+double cost_of(const SegmentTask& task, std::int32_t first, const std::vector<RhythmSegment>& segments) {
   const std::vector<std::int32_t> counts = counts_of(first, segments);
   double cost = 0.0;
   for (std::size_t row = 0; row < counts.size(); ++row) {
@@ -23,7 +23,7 @@ double cost_of(const SegmentTask& task, std::int32_t first, const std::vector<Se
     cost += std::min(1.0, task.ideals[row] / 12.0) * off * off;
   }
   bool changed = false;
-  for (const Segment& segment : segments) {
+  for (const RhythmSegment& segment : segments) {
     if (segment.kind == SegmentKind::plain) {
       cost += task.prices.plain;
       changed = false;
@@ -86,7 +86,7 @@ class AllLists {
       }
     }
   }
-  void with(const Segment& segment, std::int32_t row, std::int32_t count) {
+  void with(const RhythmSegment& segment, std::int32_t row, std::int32_t count) {
     segments_.push_back(segment);
     go_on(row, count);
     segments_.pop_back();
@@ -94,7 +94,7 @@ class AllLists {
 
   const SegmentTask& task_;
   std::int32_t rows_ = 0, first_ = 0, highest_ = 0;
-  std::vector<Segment> segments_;
+  std::vector<RhythmSegment> segments_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
@@ -152,14 +152,14 @@ TEST_CASE("a section doubles or halves at most") {
 }
 
 TEST_CASE("segments are counts, roles and words, and mirror") {
-  const std::vector<Segment> opening{
+  const std::vector<RhythmSegment> opening{
       {SegmentKind::pre, 2, 8, 2}, {SegmentKind::post, 3, 8, 1}, {SegmentKind::plain, 2}};
   CHECK(counts_of(8, opening) == std::vector<std::int32_t>{8, 8, 16, 16, 24, 32, 32, 32, 32, 32});
   using Role = RowRole;
   CHECK(roles_of(opening) == std::vector<Role>{Role::first, Role::rest, Role::change, Role::rest,
                                                Role::change, Role::change, Role::rest, Role::rest,
                                                Role::plain, Role::plain});
-  const std::vector<Segment> all = with_mirror(opening, 19);
+  const std::vector<RhythmSegment> all = with_mirror(opening, 19);
   CHECK(segments_text(all) == "+8/2x2; +8/3x1'; knit 4; -8/3x1; -8/2x2'");
   const std::vector<std::int32_t> counts = counts_of(8, all);
   CHECK(counts.size() == 19);

@@ -15,10 +15,11 @@ namespace app {
 namespace {
 
 constexpr std::array all_listings{
-    &knit::linear_code,        &knit::arc_length_code,  &knit::geodesic_code,     &knit::harmonic_code,
-    &knit::timing_choice_code, &knit::rows_choice_code, &knit::tubes_code,        &knit::cast_on_code,
-    &knit::ring_code,          &knit::contour_code,     &knit::thesis_index_code, &knit::even_index_code,
-    &knit::nearest_index_code, &knit::faces_code,       &knit::settle_code,       &knit::pattern_code};
+    &knit::linear_code,        &knit::arc_length_code,   &knit::geodesic_code,     &knit::harmonic_code,
+    &knit::timing_choice_code, &knit::rows_choice_code,  &knit::tubes_code,        &knit::cast_on_code,
+    &knit::ring_code,          &knit::contour_code,      &knit::thesis_index_code, &knit::even_index_code,
+    &knit::nearest_index_code, &knit::repeat_index_code, &knit::faces_code,        &knit::settle_code,
+    &knit::pattern_code};
 
 constexpr std::array<std::string_view, 6> keywords{"for", "each", "if", "else", "not", "write"};
 

@@ -17,16 +17,26 @@ constexpr std::array thesis_settings{
 constexpr std::array best_settings{
     PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "mesh"},
     PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
-    PresetSetting{"cast-on", "auto"},       PresetSetting{"placement", "nearest"},
+    PresetSetting{"cast-on", "auto"},       PresetSetting{"counts", "whole"},
+    PresetSetting{"placement", "nearest"},  PresetSetting{"stacking-penalty", "0"},
+    PresetSetting{"follow-mains", "off"},   PresetSetting{"settle", "auto"},
+};
+constexpr std::array gauge_settings{
+    PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "gauge"},
+    PresetSetting{"gauge", "22,32"},        PresetSetting{"height-cm", "12"},
+    PresetSetting{"rows", "contours"},      PresetSetting{"cast-on", "auto"},
+    PresetSetting{"counts", "whole"},       PresetSetting{"placement", "nearest"},
     PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
     PresetSetting{"settle", "auto"},
 };
-constexpr std::array gauge_settings{
-    PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
-    PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
-    PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
-    PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},  PresetSetting{"settle", "auto"},
+constexpr std::array hand_settings{
+    PresetSetting{"timing", "arc-length"},   PresetSetting{"sizes", "gauge"},
+    PresetSetting{"gauge", "22,32"},         PresetSetting{"height-cm", "12"},
+    PresetSetting{"rows", "contours"},       PresetSetting{"cast-on", "auto"},
+    PresetSetting{"counts", "rhythm"},       PresetSetting{"rhythm-tolerance", "3.5"},
+    PresetSetting{"rhythm-changes", "auto"}, PresetSetting{"rhythm-style", "pairs"},
+    PresetSetting{"placement", "nearest"},   PresetSetting{"stacking-penalty", "0"},
+    PresetSetting{"follow-mains", "off"},    PresetSetting{"settle", "auto"},
 };
 
 constexpr std::array table{
@@ -42,6 +52,10 @@ constexpr std::array table{
     Preset{"knitters-gauge", "Knitter's gauge",
            "As best rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a height of 12 cm.",
            gauge_settings},
+    Preset{
+        "hand", "For hands",
+        "As knitter's gauge, with counts in a rhythm: few and regular repeats, shaped in pairs beside mains.",
+        hand_settings},
 };
 
 }  // namespace

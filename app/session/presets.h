@@ -22,7 +22,7 @@ struct Preset {
 
 std::span<const Preset> presets();
 const Preset* find_preset(std::string_view key);
-std::string preset_keys();  // "thesis, best-rows or knitters-gauge"
+std::string preset_keys();  // "thesis, best-rows, knitters-gauge or hand"
 
 // The parameters with the preset's settings; what it does not name stays.
 knit::Parameters with_preset(const Preset& preset, knit::Parameters parameters);

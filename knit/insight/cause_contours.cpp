@@ -101,6 +101,11 @@ std::string reason_text(const State& run, std::int32_t row, const CountRead& rea
     case CountReason::room_ahead:
       return holds + (limits.empty() ? "" : "; " + limits) + ". " +
              ahead_text(ideals_above(run, read), row, chosen);
+    case CountReason::rhythm_change:
+      if (chosen.below == 0) return "its rhythm begins with so many; " + holds + ".";
+      return "its rhythm changes here, by " + whole_text(chosen.count - chosen.below) + "; " + holds + ".";
+    case CountReason::rhythm_rest:
+      return "its rhythm rests here, as many as below; " + holds + ".";
   }
   return holds + ".";
 }

@@ -114,6 +114,9 @@ std::string main_text(const LabelAt& at) {
     case Rule::even:
       return are_wanted + ", with sections of the smaller row as even as can be: a main every " +
              plural(join.spacing, "stitch", "stitches") + ".";
+    case Rule::repeat:
+      return "A rhythm has mains at equal sections, a main every " + plural(join.spacing, "cell", "cells") +
+             "; each begins a section, and all sections are worked alike.";
     case Rule::nearest:
       if (at.on_cast_on())
         return "Mains are wales; they are spread evenly over the round that they begin on.";
@@ -175,11 +178,23 @@ std::string shared_text(const LabelAt& at) {
   return text + leaning_text(at, first, second);
 }
 
+// In a rhythm: one repeat in every section.
+std::string repeated_text(const LabelAt& at) {
+  const auto sections = static_cast<std::int32_t>(at.number_of_mains());
+  const std::string each = at.shaping() == sections ? "one" : "a pair";
+  return "The rhythm has " + change_text(at) + " in this row, " + each + " in each of its " +
+         plural(sections, "section", "sections") + ", at the same place in all of them; this one is " +
+         std::string(name_of(at.label())) + ".";
+}
+
 std::string words_of_label(const LabelAt& at) {
   const bool by_place = at.join.rule == Rule::nearest;
   if (at.label() == Label::main) return main_text(at) + fallen_back_text(at);
   if (is_shaping(at.label()))
-    return (by_place ? shared_text(at) : beside_main_text(at)) + fallen_back_text(at);
+    return (by_place                       ? shared_text(at)
+            : at.join.rule == Rule::repeat ? repeated_text(at)
+                                           : beside_main_text(at)) +
+           fallen_back_text(at);
   if (at.join.change() == 0) return "The row has as many stitches as the one below, and no main stands here.";
   for (std::int32_t other = 0; other < at.cells(); ++other) {
     if (other != at.cell && is_shaping(at.label(other)) &&

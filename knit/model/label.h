@@ -12,6 +12,16 @@ inline bool is_decrease(Label label) { return label == Label::k2tog || label == 
 inline bool is_shaping(Label label) { return is_increase(label) || is_decrease(label); }
 
 // How mains were spaced; names as in docs/algorithm.md.
-enum class Rule : std::uint8_t { from_cast_on, plain, equal, follow, remainder_last, dense, even, nearest };
+enum class Rule : std::uint8_t {
+  from_cast_on,
+  plain,
+  equal,
+  follow,
+  remainder_last,
+  dense,
+  even,
+  nearest,
+  repeat
+};
 
 }  // namespace knit

@@ -11,9 +11,12 @@ namespace knit {
 enum class RhythmStyle : std::uint8_t { pairs, lines, centre, stagger };
 inline constexpr std::array<std::string_view, 4> rhythm_style_names{"pairs", "lines", "centre", "stagger"};
 
+// Row by row as many as its length holds, or all of a piece at once.
+enum class CountPlanning : std::uint8_t { whole, rhythm };
 enum class FitSize : std::uint8_t { off, on };  // whether the piece may be made a little larger or smaller
 
 struct RhythmSettings {
+  CountPlanning counts = CountPlanning::whole;
   RhythmStyle style = RhythmStyle::pairs;
   std::int32_t changes = 0;  // stitches that a shaping round adds or takes; 0: chosen
   double tolerance = 3.5;    // the most that a circumference may be seen to be off, in %

@@ -10,6 +10,7 @@
 
 #include "knit/mesh/mesh.h"
 #include "knit/model/placement_policy.h"
+#include "knit/model/rhythm_settings.h"
 
 namespace knit {
 
@@ -150,6 +151,7 @@ struct Settings {
   SizeSettings size;
   TubeSettings tubes;
   RowsSettings rows;
+  RhythmSettings rhythm;
   StitchSettings stitches;
   SettleSettings settle;
   PatternSettings pattern;

@@ -32,6 +32,10 @@ bool is_of_nearest(const Parameters& p) {
          p.stitches.placement == PlacementPolicy::by_itself;
 }
 
+bool is_in_rhythm(const Parameters& p) {
+  return is_of_contours(p) && p.rhythm.counts == CountPlanning::rhythm;
+}
+
 bool is_settled(const Parameters& p) {
   const bool by_itself = p.settle.settling == Settling::by_itself && is_of_contours(p);
   return p.settle.settling == Settling::on || by_itself;
@@ -62,6 +66,7 @@ constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"}
 constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
 constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
+constexpr std::array<std::string_view, 2> count_names{"whole", "rhythm"};
 constexpr std::array<std::string_view, 2> graft_names{"kitchener", "three-needle"};
 
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
@@ -173,6 +178,39 @@ constexpr std::array table{
         "Stitches of the first row, spread evenly. auto: 6 with rings; with contours as many as its "
         "length holds.",
         "Rows", Stage::cast_on, Count{field<&Settings::rows, &RowsSettings::cast_on>(), 3, 1000, true}},
+    ParameterInfo{"counts", "Counts", "",
+                  "How many stitches rows have. whole: each row as many as its length holds, to the nearest "
+                  "whole number. "
+                  "rhythm: all "
+                  "rows planned together, so that shaping comes in few and regular rhythms and every shaping "
+                  "round is one "
+                  "repeat; for pieces of one tube.",
+                  "Rhythm", Stage::cast_on, choice<&Settings::rhythm, &RhythmSettings::counts>(count_names),
+                  is_of_contours},
+    ParameterInfo{"rhythm-tolerance", "Tolerance", "%",
+                  "By how much the circumference may be seen to be off, as a mean over six rounds. Less "
+                  "keeps nearer to the "
+                  "shape and takes more rhythms.",
+                  "Rhythm", Stage::cast_on,
+                  Number{field<&Settings::rhythm, &RhythmSettings::tolerance>(), 0.0, 50.0}, is_in_rhythm},
+    ParameterInfo{"rhythm-changes", "Changes in a round", "stitches",
+                  "How many stitches a shaping round adds or takes away. auto: whatever reads best.",
+                  "Rhythm", Stage::cast_on,
+                  Count{field<&Settings::rhythm, &RhythmSettings::changes>(), 2, 60, true}, is_in_rhythm},
+    ParameterInfo{
+        "rhythm-style", "Shaping stands", "",
+        "Where a section's shaping stands. pairs: on both sides of its main stitch, mirrored. lines: before "
+        "the "
+        "next section. centre: in its middle. stagger: as lines and centre in turn, so that no line is seen.",
+        "Rhythm", Stage::cast_on, choice<&Settings::rhythm, &RhythmSettings::style>(rhythm_style_names),
+        is_in_rhythm},
+    ParameterInfo{"rhythm-simplicity", "Simplicity", "",
+                  "How much a rhythm less is worth against the shape: 2.7 makes few, 0.03 keeps to the "
+                  "shape. auto: six are "
+                  "tried, and what reads best within the tolerance is taken.",
+                  "Rhythm", Stage::cast_on,
+                  Number{field<&Settings::rhythm, &RhythmSettings::dial>(), 0.0, 100.0, Zero::means_auto},
+                  is_in_rhythm},
     ParameterInfo{
         keys::metric, "Metric", "",
         "The ruler of Algorithm 2. euclidean: straight through the air, as in the thesis. arc: along "

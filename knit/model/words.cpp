@@ -44,6 +44,8 @@ std::string_view name_of(Rule rule) {
       return "even";
     case Rule::nearest:
       return "nearest";
+    case Rule::repeat:
+      return "repeat";
   }
   return "";
 }

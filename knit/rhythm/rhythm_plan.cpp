@@ -78,7 +78,7 @@ double preference(std::int32_t changes) {
 double score_of(const RhythmPlan& plan) {
   double lines = 0.0;
   std::set<std::int32_t> steps;
-  for (const Segment& segment : plan.segments) {
+  for (const RhythmSegment& segment : plan.segments) {
     lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;
     if (segment.change != 0) steps.insert(std::abs(segment.change));
   }

@@ -7,40 +7,16 @@
 // Segments: segment_search.h. Preferred: 4, 6, 8 and 12 changes, as published patterns have them.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
-#include <tuple>
 #include <vector>
 
 #include "knit/model/rhythm_settings.h"
-#include "knit/rhythm/deviation.h"
 #include "knit/rhythm/segment_search.h"
-#include "knit/rhythm/segments.h"
+#include "knit/rhythm/tube_rhythm.h"
 
 namespace knit {
-
-struct RhythmPlan {
-  std::vector<std::int32_t> counts;  // of all rows that were planned, the first among them
-  std::vector<RowRole> roles;        // of the same rows
-  std::vector<Segment> segments;
-  std::int32_t sections = 0;  // M: a shaping round is one repeat, so many times
-  std::int32_t changes = 0;   // k: the most that a round changes by
-  double size = 1.0;          // of the piece, against what was asked for
-  double dial = 0.0;          // that it was found with
-  SeenDeviation seen;
-  double score = 0.0;
-  double cost = 0.0;      // of segment_search.h, of both halves of what mirrors
-  bool mirrored = false;  // planned by half
-  bool within = false;    // the tolerance
-  [[nodiscard]] auto fields() const {
-    return std::tie(counts, roles, segments, sections, changes, size, dial, seen, score, cost, mirrored,
-                    within);
-  }
-  friend bool operator==(const RhythmPlan&, const RhythmPlan&) = default;
-};
 
 // What the rows hold, in stitches, if the piece is made `size` times as large. Positive, at least one row.
 using IdealsAt = std::function<std::vector<double>(double size)>;

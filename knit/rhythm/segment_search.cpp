@@ -168,7 +168,7 @@ class SegmentSearch {
     }
   }
 
-  [[nodiscard]] Segment segment_between(const Place& from, const Place& to) {
+  [[nodiscard]] RhythmSegment segment_between(const Place& from, const Place& to) {
     const std::int32_t times = at(to).times;
     const SegmentKind kind = to.end == after_plain    ? SegmentKind::plain
                              : to.end == after_change ? SegmentKind::pre

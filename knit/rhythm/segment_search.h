@@ -65,7 +65,7 @@ struct SegmentTask {
 struct FoundSegments {
   double cost = 0.0;
   std::int32_t first = 0;  // count of the row it begins with
-  std::vector<Segment> segments;
+  std::vector<RhythmSegment> segments;
 };
 // None: no list of segments leads from the start to the end.
 std::optional<FoundSegments> find_segments(const SegmentTask& task);

@@ -6,32 +6,32 @@ namespace knit {
 
 namespace {
 
-Segment turned_round(Segment segment) {
+RhythmSegment turned_round(RhythmSegment segment) {
   segment.change = -segment.change;
   if (segment.kind == SegmentKind::plain || segment.rows == 1) return segment;
   segment.kind = segment.kind == SegmentKind::pre ? SegmentKind::post : SegmentKind::pre;
   return segment;
 }
 
-bool changes_at(const Segment& segment, std::int32_t row_of_turn) {
+bool changes_at(const RhythmSegment& segment, std::int32_t row_of_turn) {
   if (segment.kind == SegmentKind::plain) return false;
   return row_of_turn == (segment.kind == SegmentKind::pre ? segment.rows - 1 : 0);
 }
 
 }  // namespace
 
-std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const Segment> segments) {
+std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const RhythmSegment> segments) {
   std::vector<std::int32_t> counts{first};
-  for (const Segment& segment : segments) {
+  for (const RhythmSegment& segment : segments) {
     for (std::int32_t i = 0; i < segment.length(); ++i)
       counts.push_back(counts.back() + (changes_at(segment, i % segment.rows) ? segment.change : 0));
   }
   return counts;
 }
 
-std::vector<RowRole> roles_of(std::span<const Segment> segments) {
+std::vector<RowRole> roles_of(std::span<const RhythmSegment> segments) {
   std::vector<RowRole> roles{RowRole::first};
-  for (const Segment& segment : segments) {
+  for (const RhythmSegment& segment : segments) {
     const RowRole still = segment.kind == SegmentKind::plain ? RowRole::plain : RowRole::rest;
     for (std::int32_t i = 0; i < segment.length(); ++i)
       roles.push_back(changes_at(segment, i % segment.rows) ? RowRole::change : still);
@@ -39,21 +39,21 @@ std::vector<RowRole> roles_of(std::span<const Segment> segments) {
   return roles;
 }
 
-std::vector<Segment> with_mirror(std::vector<Segment> opening, std::int32_t rows) {
+std::vector<RhythmSegment> with_mirror(std::vector<RhythmSegment> opening, std::int32_t rows) {
   if (!opening.empty() && opening.back().kind == SegmentKind::plain) opening.pop_back();
   std::int32_t used = 0;
-  for (const Segment& segment : opening) used += segment.length();
-  std::vector<Segment> all = opening;
+  for (const RhythmSegment& segment : opening) used += segment.length();
+  std::vector<RhythmSegment> all = opening;
   if (const std::int32_t between = rows - 1 - 2 * used; between > 0)
     all.push_back({SegmentKind::plain, between});
   std::reverse(opening.begin(), opening.end());
-  for (const Segment& segment : opening) all.push_back(turned_round(segment));
+  for (const RhythmSegment& segment : opening) all.push_back(turned_round(segment));
   return all;
 }
 
-std::string segments_text(std::span<const Segment> segments) {
+std::string segments_text(std::span<const RhythmSegment> segments) {
   std::string text;
-  for (const Segment& segment : segments) {
+  for (const RhythmSegment& segment : segments) {
     if (!text.empty()) text += "; ";
     if (segment.kind == SegmentKind::plain) {
       text += "knit " + std::to_string(segment.rows);

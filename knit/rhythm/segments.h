@@ -16,28 +16,28 @@ namespace knit {
 
 enum class SegmentKind : std::uint8_t { plain, pre, post };
 
-struct Segment {
+struct RhythmSegment {
   SegmentKind kind = SegmentKind::plain;
   std::int32_t rows = 1;    // of one turn: p, or L
   std::int32_t change = 0;  // stitches, with its sign; plain: 0
   std::int32_t times = 1;
   [[nodiscard]] std::int32_t length() const { return rows * times; }
   [[nodiscard]] auto fields() const { return std::tie(kind, rows, change, times); }
-  friend bool operator==(const Segment&, const Segment&) = default;
+  friend bool operator==(const RhythmSegment&, const RhythmSegment&) = default;
 };
 
 // What a row is within its segment.
 enum class RowRole : std::uint8_t { first, plain, change, rest };
 
 // The counts of all rows, `first` among them.
-std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const Segment> segments);
-std::vector<RowRole> roles_of(std::span<const Segment> segments);
+std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const RhythmSegment> segments);
+std::vector<RowRole> roles_of(std::span<const RhythmSegment> segments);
 
 // The closing half of a piece of `rows` rows whose opening half, its last plain stretch left out, is `opening`: both, with
 // what is left between them plain.
-std::vector<Segment> with_mirror(std::vector<Segment> opening, std::int32_t rows);
+std::vector<RhythmSegment> with_mirror(std::vector<RhythmSegment> opening, std::int32_t rows);
 
 // "+8/2x6; +8/3x3; knit 16; -8/3x3'": change / every how many rows x times, ' when the change comes first.
-std::string segments_text(std::span<const Segment> segments);
+std::string segments_text(std::span<const RhythmSegment> segments);
 
 }  // namespace knit

@@ -7,6 +7,7 @@
 
 #include "knit/fabric/deal.h"
 #include "knit/model/event.h"
+#include "knit/rhythm/no_rhythm.h"
 
 namespace knit {
 
@@ -71,6 +72,27 @@ enum class CountReason : std::uint8_t {
   at_most_double,  // of the row below
   at_least_half,   // of the row below
   room_ahead,      // so that the rows above come nearer to what they hold
+  rhythm_change,   // where the rhythm begins or changes
+  rhythm_rest,     // as many as below, as the rhythm has it
+};
+
+// The counts of all the tube's rows that are still to come.
+struct RhythmPlanned {
+  static constexpr std::string_view kind = "rhythm-planned";
+  std::int16_t tube, changes, sections;  // changes: the most in a round
+  std::int16_t rhythms;                  // segments that shape
+  std::int16_t shaping, rounds;          // rounds that shape, of so many
+  std::int16_t row;                      // of the piece, from 1: where it is most off
+  RhythmStyle style;
+  NoRhythm none;
+  float local, belt, score;  // seen, in % of the row and of the widest
+  bool within;               // the tolerance
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  [[nodiscard]] bool unusual(const Parameters& /*parameters*/) const {
+    return none != NoRhythm::no || !within;
+  }
+  friend bool operator==(const RhythmPlanned&, const RhythmPlanned&) = default;
 };
 
 struct CountChosen {
@@ -141,7 +163,8 @@ struct LoopsDealt {
   friend bool operator==(const LoopsDealt&, const LoopsDealt&) = default;
 };
 
-using ContourEvent = std::variant<TubeTaken, RowsReplanned, CutFound, LoopClosed, LengthMeasured, CountChosen,
-                                  RoundBegun, StitchPlaced, GapsFound, BridgeCastOn, LoopsDealt>;
+using ContourEvent =
+    std::variant<TubeTaken, RowsReplanned, RhythmPlanned, CutFound, LoopClosed, LengthMeasured, CountChosen,
+                 RoundBegun, StitchPlaced, GapsFound, BridgeCastOn, LoopsDealt>;
 
 }  // namespace knit

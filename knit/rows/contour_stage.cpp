@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/model/bug.h"
+#include "knit/rhythm/rhythm_plan.h"
 #include "knit/rows/contour_rows.h"
 #include "knit/rows/dealing.h"
 #include "knit/rows/follow.h"
@@ -163,11 +164,88 @@ double time_at(const Timing& timing, double value) {
   return timing.retimed ? height_at(timing.scale, value) / timing.scale.total() : value;
 }
 
+// Asked for, and not planned for the rows to come as they are now.
+bool rhythm_is_due(const RhythmSettings& rhythm, const StitchSize& stitch, const ContourAt& at,
+                   const ContourWork& work) {
+  if (rhythm.counts == CountPlanning::whole || work.row == tube_in_work(at, work).rows()) return false;
+  const TubeRhythm* planned = rhythm_of(at.rhythms, current_tube(at.plan, work));
+  return planned == nullptr || planned->settings != rhythm || planned->stitch_width != stitch.width ||
+         planned->stitch_height != stitch.height;
+}
+
+// Where the plan begins: at the tube's first row, or on the last that is made.
+RhythmStart rhythm_start(const RowsSettings& rows, const ContourAt& at, const ContourWork& work) {
+  if (work.row == 0) return {0, at.fabric.empty() ? rows.cast_on : 0};
+  const TubeId id = current_tube(at.plan, work);
+  const std::int32_t made = work.row;
+  const std::int32_t last = made - 1;
+  const TubeRhythm* before = rhythm_of(at.rhythms, id);
+  const bool changed = before != nullptr && before->has(last) && before->role(last) == RowRole::change;
+  return {last, at.fabric.live(id).size(), changed ? SegmentEnd::changed : SegmentEnd::rested};
+}
+
+RhythmPlanned planned_words(const TubeRhythm& made) {
+  const RhythmPlan& plan = made.plan;
+  const auto small = [](std::ptrdiff_t value) {
+    return static_cast<std::int16_t>(std::min<std::ptrdiff_t>(value, INT16_MAX));
+  };
+  const auto shapes = [](const RhythmSegment& segment) { return segment.kind != SegmentKind::plain; };
+  return {small(made.tube),
+          small(plan.changes),
+          small(plan.sections),
+          small(std::count_if(plan.segments.begin(), plan.segments.end(), shapes)),
+          small(std::count(plan.roles.begin(), plan.roles.end(), RowRole::change)),
+          small(std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(plan.counts.size()) - 1)),
+          small(plan.seen.row + 1),
+          made.settings.style,
+          made.none,
+          static_cast<float>(plan.seen.local),
+          static_cast<float>(plan.seen.belt),
+          static_cast<float>(plan.score),
+          plan.within};
+}
+
+// What a row is made by.
+struct RowWish {
+  const RowsSettings& rows;
+  const RhythmSettings& rhythm;
+  const StitchSize& stitch;
+};
+
+RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourWork& work,
+                        std::optional<TubeRhythm>& made) {
+  const TubeId id = current_tube(at.plan, work);
+  const Tube& tube = at.plan.tube(id);
+  const RhythmStart start = rhythm_start(wish.rows, at, work);
+  made = TubeRhythm{id, start.row, wish.rhythm, wish.stitch.width, wish.stitch.height};
+  if (at.plan.tubes.size() > 1) {
+    made->none = NoRhythm::branches;
+  } else {
+    std::vector<double> ideals;
+    for (const double length : tube.lengths) ideals.push_back(length / wish.stitch.width);
+    RhythmSettings as_it_is = wish.rhythm;
+    as_it_is.fit_size = FitSize::off;
+    std::optional<RhythmPlan> plan = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start);
+    if (plan)
+      made->plan = *std::move(plan);
+    else
+      made->none = NoRhythm::fits_none;
+  }
+  return planned_words(*made);
+}
+
 CutFound find_cut(const ContourAt& at, ContourWork& work) {
   const Tube& tube = tube_in_work(at, work);
   work.phase = ContourPhase::loop;
   return {current_tube(at.plan, work), work.row,
           time_at(at.timing, tube.values[static_cast<std::size_t>(work.row)])};
+}
+
+Advanced<ContourEvent> begin_row(const RowWish& wish, const ContourAt& at, ContourWork& work,
+                                 std::optional<TubeRhythm>& rhythm) {
+  if (!rhythm_is_due(wish.rhythm, wish.stitch, at, work)) return find_cut(at, work);
+  work.phase = ContourPhase::cut;
+  return plan_rows(wish, at, work, rhythm);
 }
 
 Rowless why_rowless(const TubePlan& plan, const Tube& tube) {
@@ -215,12 +293,13 @@ Advanced<ContourEvent> replan(const StitchSize& stitch, const ContourAt& at, Con
 }
 
 // Between rows: deals first, then the next row of the tube, then the next tube.
-Advanced<ContourEvent> go_on(const StitchSize& stitch, const ContourAt& at, ContourWork& work,
-                             std::optional<TubePlan>& plan) {
+Advanced<ContourEvent> go_on(const RowWish& wish, const ContourAt& at, ContourWork& work, ContourMade& made) {
+  const StitchSize& stitch = wish.stitch;
   if (at.plan.stitch_width != stitch.width || at.plan.stitch_height != stitch.height)
-    return replan(stitch, at, work, plan);
+    return replan(stitch, at, work, made.plan);
   if (const std::int32_t event = next_deal(at, work); event >= 0) return find_gaps(at, stitch, event, work);
-  if (work.taken > 0 && work.row < tube_in_work(at, work).rows()) return find_cut(at, work);
+  if (work.taken > 0 && work.row < tube_in_work(at, work).rows())
+    return begin_row(wish, at, work, made.rhythm);
   return take_tube(at, work);
 }
 
@@ -247,15 +326,30 @@ std::int32_t across_the_ring(const ContourAt& at, TubeId tube) {
   return 0;
 }
 
-CountChosen count(const RowsSettings& rows, const StitchSize& stitch, const ContourAt& at,
-                  ContourWork& work) {
+// What the tube's rhythm says of the row.
+std::optional<ChosenCount> count_of_rhythm(const RhythmSettings& rhythm, const ContourAt& at,
+                                           const ContourWork& work, double ideal) {
+  if (rhythm.counts == CountPlanning::whole) return {};
+  const TubeRhythm* planned = rhythm_of(at.rhythms, current_tube(at.plan, work));
+  if (planned == nullptr || !planned->has(work.row)) return {};
+  const RowRole role = planned->role(work.row);
+  const bool changes = role == RowRole::change || role == RowRole::first;
+  return ChosenCount{planned->count(work.row),
+                     changes ? CountReason::rhythm_change : CountReason::rhythm_rest, ideal};
+}
+
+CountChosen count(const RowsSettings& rows, const RhythmSettings& rhythm, const StitchSize& stitch,
+                  const ContourAt& at, ContourWork& work) {
   const TubeId id = current_tube(at.plan, work);
   const Tube& tube = at.plan.tube(id);
   std::int32_t below = at.fabric.live(id).size();
   if (below == 0) below = across_the_ring(at, id);
   const bool first = at.fabric.empty();
   const auto lengths = std::span(tube.lengths).subspan(static_cast<std::size_t>(work.row));
-  const ChosenCount chosen = choose_count(lengths, below, stitch.width, first ? rows.cast_on : 0);
+  const std::optional<ChosenCount> in_rhythm =
+      count_of_rhythm(rhythm, at, work, lengths.front() / stitch.width);
+  const ChosenCount chosen =
+      in_rhythm ? *in_rhythm : choose_count(lengths, below, stitch.width, first ? rows.cast_on : 0);
   work.count = chosen.count;
   work.phase = ContourPhase::begin;
   return {chosen.count, below, chosen.reason, chosen.ideal,
@@ -307,6 +401,13 @@ Advanced<ContourEvent> place(const ContourAt& at, ContourWork& work, std::option
 
 }  // namespace
 
+const TubeRhythm* rhythm_of(std::span<const Shared<TubeRhythm>> rhythms, TubeId tube) {
+  for (auto i = rhythms.size(); i-- > 0;) {
+    if (rhythms[i]->tube == tube) return &*rhythms[i];
+  }
+  return nullptr;
+}
+
 TubeId current_tube(const TubePlan& plan, const ContourWork& work) {
   return work.taken > 0 ? plan.order[static_cast<std::size_t>(work.taken) - 1] : -1;
 }
@@ -315,19 +416,20 @@ const Ring& current_curve(const TubePlan& plan, const ContourWork& work) {
   return *plan.tube(current_tube(plan, work)).curves[static_cast<std::size_t>(work.row)];
 }
 
-Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const StitchSize& stitch,
-                                        const ContourAt& at, ContourWork& work, ContourMade made) {
+Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const RhythmSettings& rhythm,
+                                        const StitchSize& stitch, const ContourAt& at, ContourWork& work,
+                                        ContourMade made) {
   switch (work.phase) {
     case ContourPhase::take:
-      return go_on(stitch, at, work, made.plan);
+      return go_on({rows, rhythm, stitch}, at, work, made);
     case ContourPhase::cut:
-      return find_cut(at, work);
+      return begin_row({rows, rhythm, stitch}, at, work, made.rhythm);
     case ContourPhase::loop:
       return close_loop(at, work);
     case ContourPhase::measure:
       return measure(stitch, at, work);
     case ContourPhase::count:
-      return count(rows, stitch, at, work);
+      return count(rows, rhythm, stitch, at, work);
     case ContourPhase::begin:
       return begin_round(rows, stitch, at, work);
     case ContourPhase::bridge:

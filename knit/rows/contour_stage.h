@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
 #include "knit/model/products.h"
+#include "knit/rhythm/tube_rhythm.h"
 #include "knit/rows/contour_events.h"
 #include "knit/tubes/plan.h"
 
@@ -39,6 +41,9 @@ struct ContourWork {
   friend bool operator==(const ContourWork&, const ContourWork&) = default;
 };
 
+// The last that was planned for the tube; null: none.
+const TubeRhythm* rhythm_of(std::span<const Shared<TubeRhythm>> rhythms, TubeId tube);
+
 // The tube that is worked now; -1 before the first.
 TubeId current_tube(const TubePlan& plan, const ContourWork& work);
 // Of the row in progress; requires a tube with rows.
@@ -51,14 +56,17 @@ struct ContourAt {
   const TubeGraph& graph;
   const TubePlan& plan;
   const Fabric& fabric;
+  std::span<const Shared<TubeRhythm>> rhythms = {};
 };
 // A product, once it has ended.
 struct ContourMade {
   std::optional<Row>& row;
   std::optional<Deal>& deal;
   std::optional<TubePlan>& plan;  // in place of the one before, when the stitch was changed on the way
+  std::optional<TubeRhythm>& rhythm;
 };
-Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const StitchSize& stitch,
-                                        const ContourAt& at, ContourWork& work, ContourMade made);
+Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const RhythmSettings& rhythm,
+                                        const StitchSize& stitch, const ContourAt& at, ContourWork& work,
+                                        ContourMade made);
 
 }  // namespace knit

@@ -1,6 +1,8 @@
 #include "knit/rows/contour_events.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "knit/model/measured.h"
 #include "knit/model/words.h"
@@ -25,6 +27,10 @@ std::string_view word_of(CountReason reason) {
       return "at least half";
     case CountReason::room_ahead:
       return "room ahead";
+    case CountReason::rhythm_change:
+      return "rhythm: change";
+    case CountReason::rhythm_rest:
+      return "rhythm: rest";
   }
   return "";
 }
@@ -103,6 +109,42 @@ StepFields RowsReplanned::numbers() const {
   return {{var::rows, rows}, {"width", &var::width, width}, {var::stitch_height, stitch_height}};
 }
 
+std::string RhythmPlanned::sentence(const Telling& at) const {
+  const std::string name = "Tube " + tube_name(tube);
+  if (none == NoRhythm::branches)
+    return name + " has no rhythm, as the piece has other tubes; its counts are those that its rows hold.";
+  if (none == NoRhythm::fits_none)
+    return name +
+           " has no rhythm: no number of sections goes with the stitches and changes that were asked "
+           "for; its counts are those that its rows hold.";
+  const std::string seen = percent_text(static_cast<double>(std::max(local, belt)) / 100.0);
+  if (shaping == 0)
+    return name + " is knitted plain, " + plural(rounds, "round", "rounds") +
+           "; the circumference is never seen more than " + seen + " off.";
+  const std::string planned = name + " is planned whole: " + plural(rhythms, "rhythm", "rhythms") + ", " +
+                              std::to_string(shaping) + " of " + plural(rounds, "round", "rounds") +
+                              " shape, each by " + std::to_string(changes) + " at most in " +
+                              plural(sections, "equal section", "equal sections");
+  if (within) return planned + "; the circumference is never seen more than " + seen + " off.";
+  return planned + ". No rhythm stays within " + short_number(at.parameters.rhythm.tolerance) +
+         " %: this one is off by " + seen + " at row " + std::to_string(row) +
+         ". Smaller stitches, or a higher tolerance, leave more to choose from.";
+}
+StepFields RhythmPlanned::numbers() const {
+  return {{var::tube, std::string_view(tube_name(tube))},
+          {var::changes, changes},
+          {var::sections, sections},
+          {var::style, rhythm_style_names[static_cast<std::size_t>(style)]},
+          {var::rhythms, rhythms},
+          {"shaping", &var::shaping_rounds, shaping},
+          {"rounds", &var::rows, rounds},
+          {var::seen, static_cast<double>(std::max(local, belt))},
+          {var::most_off, row},
+          {var::score, static_cast<double>(score)},
+          {"within", &var::within_tolerance, within},
+          {"rhythm", &var::has_rhythm, none == NoRhythm::no}};
+}
+
 std::string CutFound::sentence(const Telling& at) const {
   return at.row() + ": tube " + tube_name(tube) + " is cut at t = " + short_number(time) + ".";
 }
@@ -139,6 +181,12 @@ std::string CountChosen::sentence(const Telling& at) const {
       return head + ", half of the " + std::to_string(below) + " below" + instead + tail;
     case CountReason::room_ahead:
       return head + instead + ", so that the rows above come nearer to what theirs hold" + tail;
+    case CountReason::rhythm_change:
+      if (below == 0) return head + ", with which its rhythm begins" + tail;
+      return head + ", " + std::to_string(std::abs(count - below)) + (count > below ? " more" : " fewer") +
+             " than below, as its rhythm has it; its length holds " + short_number(ideal) + tail;
+    case CountReason::rhythm_rest:
+      return head + ", as below, where its rhythm rests; its length holds " + short_number(ideal) + tail;
   }
   return head;
 }

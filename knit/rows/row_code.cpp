@@ -169,6 +169,14 @@ constexpr std::array contour_lines{
              "docs/algorithm.md, Order",
              lit_by<TubeTaken>,
              true},
+    CodeLine{"  if rhythm: plan {} of all its curves",
+             {&var::n},
+             &var::rhythms,
+             "Counts that come in few and regular rhythms, multiples of M, as near to L / w as the tolerance "
+             "asks: "
+             "a dynamic programme over rows and counts.",
+             "docs/algorithm.md, Rhythm",
+             lit_by<RhythmPlanned>},
     CodeLine{"  for each of its curves",
              {},
              &var::time,
@@ -187,6 +195,12 @@ constexpr std::array contour_lines{
              "As many as shall be cast on.",
              "docs/algorithm.md, Rows from contours: Count",
              lit_if<&CountChosen::reason, CountReason::as_cast_on>},
+    CodeLine{"    else if rhythm: {} \xE2\x86\x90 as planned",
+             {&var::n},
+             &var::n,
+             "A change where the plan has one, else as many as below.",
+             "docs/algorithm.md, Rhythm",
+             lit_if<&CountChosen::reason, CountReason::rhythm_change, CountReason::rhythm_rest>},
     CodeLine{
         "    else {} \xE2\x86\x90 round({} / {})",
         {&var::n, &var::length, &var::width},
@@ -235,11 +249,14 @@ constexpr std::array cast_on_aside{&var::time, &var::last_level, &var::passed_ov
 constexpr std::array ring_aside{&var::order,  &var::below,   &var::count,  &var::length,       &var::level,
                                 &var::metric, &var::in_band, &var::picked, &var::dropped_last, &var::reason,
                                 &var::first,  &var::how,     &var::shared, &var::gap_after};
-constexpr std::array contour_aside{&var::dealt_from, &var::dealt_to,       &var::laid_aside,   &var::level,
-                                   &var::points,     &var::ideal,          &var::course,       &var::reason,
-                                   &var::rows,       &var::surface_height, &var::row_height,   &var::passes,
-                                   &var::slid,       &var::below,          &var::arcs_tried,   &var::one,
-                                   &var::two,        &var::whole,          &var::stitch_height};
+constexpr std::array contour_aside{
+    &var::dealt_from, &var::dealt_to,       &var::laid_aside,       &var::level,
+    &var::points,     &var::ideal,          &var::course,           &var::reason,
+    &var::rows,       &var::surface_height, &var::row_height,       &var::passes,
+    &var::slid,       &var::below,          &var::arcs_tried,       &var::one,
+    &var::two,        &var::whole,          &var::stitch_height,    &var::changes,
+    &var::sections,   &var::style,          &var::shaping_rounds,   &var::seen,
+    &var::most_off,   &var::score,          &var::within_tolerance, &var::has_rhythm};
 
 // Only its own step shows it.
 bool never_chosen(const Parameters& /*parameters*/) { return false; }

@@ -63,6 +63,21 @@ inline constexpr CodeVariable surface_height{"surface_height", "H",
                                              "The height of the tube, along the surface."};
 inline constexpr CodeVariable row_height{"row_height", "row height", "How far apart its rounds lie."};
 inline constexpr CodeVariable tube{"tube", "tube", "The tube that is worked, by its letter."};
+inline constexpr CodeVariable changes{"changes", "k",
+                                      "The most stitches that a shaping round adds or takes."};
+inline constexpr CodeVariable sections{"sections", "M",
+                                       "How many equal sections a round has, and so how often its repeat."};
+inline constexpr CodeVariable style{"style", "style", "Where a section's shaping stands."};
+inline constexpr CodeVariable rhythms{"rhythms", "rhythms", "How many rhythms the tube is made of."};
+inline constexpr CodeVariable shaping_rounds{"shaping_rounds", "shaping", "How many rounds shape."};
+inline constexpr CodeVariable seen{
+    "seen", "seen",
+    "By how much the circumference is seen to be off at most, in % (a mean over six rounds)."};
+inline constexpr CodeVariable most_off{"most_off", "most off", "The row where it is most off."};
+inline constexpr CodeVariable score{"score", "score", "What decides among plans: less reads better."};
+inline constexpr CodeVariable within_tolerance{"within_tolerance", "within",
+                                               "Whether it is seen to be off by no more than asked for."};
+inline constexpr CodeVariable has_rhythm{"has_rhythm", "found", "Whether there is a rhythm for the tube."};
 inline constexpr CodeVariable passes{"passes", "passes", "How often the round was matched and slid."};
 inline constexpr CodeVariable slid{"slid", "shift", "By how much the round was moved along its loop."};
 inline constexpr CodeVariable squares{"squares", "\xCE\xA3",

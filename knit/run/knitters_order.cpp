@@ -23,8 +23,9 @@ void add_rows_and_deals(const UnorderedTubes& at, const TubePlan& plan, Fabric& 
     std::optional<Row> row;
     std::optional<Deal> deal;
     std::optional<TubePlan> other_plan;  // never made: the stitch stays
+    std::optional<TubeRhythm> rhythm;    // nor is this: whole counts are enough for an order
     const ContourAt now{at.input, at.timing, at.graph, plan, fabric};
-    ended = advance_contours(at.rows, at.stitch, now, work, {row, deal, other_plan}).ended;
+    ended = advance_contours(at.rows, {}, at.stitch, now, work, {row, deal, other_plan, rhythm}).ended;
     if (row) fabric.add(std::move(*row));
     if (deal) fabric.add(std::move(*deal));
   }
@@ -36,9 +37,9 @@ void add_joins(const UnorderedTubes& at, Fabric& fabric) {
     const Row& row = fabric.row(id);
     const std::vector<Stitch> below = fabric.stitches_of(row.on);
     const BelowJoins joins = joins_below(fabric, row.on);
-    Join join =
-        plan_row_join(at.stitches, at.stitch,
-                      {id, row.on, below, joins.mains, joins.shaped, joins.cast_on, &row, follows, false});
+    Join join = plan_row_join(
+        at.stitches, at.stitch,
+        {id, row.on, below, joins.mains, joins.shaped, joins.cast_on, &row, follows, {}, false});
     join.from = row.on;
     fabric.add(Shared(std::move(join)));
   }

@@ -66,14 +66,17 @@ void keep(Fabric& fabric, Shared<Strip>&& made) {
 }
 
 Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
-  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric};
+  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms};
   std::optional<Row> row;
   std::optional<Deal> deal;
   std::optional<TubePlan> plan;
-  Taken taken = advance_contours(parameters.rows, parameters.stitch, at, work, {row, deal, plan});
+  std::optional<TubeRhythm> rhythm;
+  Taken taken = advance_contours(parameters.rows, parameters.rhythm, parameters.stitch, at, work,
+                                 {row, deal, plan, rhythm});
   keep(state.fabric, std::move(row));
   keep(state.fabric, std::move(deal));
   if (plan) state.tubes = Shared(std::move(*plan));
+  if (rhythm) state.rhythms.emplace_back(std::move(*rhythm));
   return taken;
 }
 
@@ -103,6 +106,21 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
+// How the row is worked if its count and the one below are of one rhythm. The last plan that has both says so.
+std::optional<RepeatedRound> repeated_round(const State& state, const Row& row) {
+  for (auto i = state.rhythms.size(); i-- > 0;) {
+    const TubeRhythm& rhythm = *state.rhythms[i];
+    if (rhythm.tube != row.tube || row.level < 1 || !rhythm.has(row.level - 1) || !rhythm.has(row.level))
+      continue;
+    const std::int32_t below = row.on.size();
+    const std::int32_t above = size_of(row);
+    if (rhythm.count(row.level - 1) != below || rhythm.count(row.level) != above) return {};
+    return RepeatedRound{below, above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level),
+                         row.id};
+  }
+  return {};
+}
+
 // The join into row state.next.row; where no row is worked on another, there is none to make. What lies below is read
 // until the join is planned; the steps that place label after label go by the plan.
 Taken take_join(const Parameters& parameters, State& state) {
@@ -116,8 +134,16 @@ Taken take_join(const Parameters& parameters, State& state) {
   const std::vector<Stitch> below = fabric.stitches_of(from);
   const BelowJoins joins = joins_below(fabric, from);
   const bool follows = state.tubes && parameters.rows.round_start == RoundStart::follow;
-  const JoinAt at{
-      id, from, below, joins.mains, joins.shaped, joins.cast_on, row, follows, fabric.next_worked(id) == 0};
+  const JoinAt at{id,
+                  from,
+                  below,
+                  joins.mains,
+                  joins.shaped,
+                  joins.cast_on,
+                  row,
+                  follows,
+                  row != nullptr ? repeated_round(state, *row) : std::nullopt,
+                  fabric.next_worked(id) == 0};
   Shared<Join> join;
   Taken taken =
       advance_index(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at, work, join);

@@ -11,6 +11,7 @@
 #include "knit/fabric/fabric.h"
 #include "knit/model/products.h"
 #include "knit/model/stage.h"
+#include "knit/rhythm/tube_rhythm.h"
 #include "knit/rows/cast_on_stage.h"
 #include "knit/rows/contour_stage.h"
 #include "knit/rows/ring_stage.h"
@@ -37,6 +38,7 @@ struct State {
   RowSource rows_from = RowSource::by_itself;  // until the rows are made from something
   Shared<TubeGraph> graph;                     // with contours: of the time, or of the smoothed one
   Shared<TubePlan> tubes;                      // with contours: what is knitted
+  std::vector<Shared<TubeRhythm>> rhythms;     // with contours and counts in rhythm, as they were planned
   std::int32_t last_level = -1;                // the last level that makes a row, once cast on
   Fabric fabric;
   // Where stitches were placed, along the path, once they settle; the fabric has them where they settled to.
@@ -47,8 +49,8 @@ struct State {
   [[nodiscard]] Stage stage() const { return next.stage; }
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
-    return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, last_level, fabric,
-                    lines, work);
+    return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, rhythms, last_level,
+                    fabric, lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };

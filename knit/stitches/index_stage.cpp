@@ -28,6 +28,7 @@ JoinCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& w
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
   const auto carried = static_cast<std::int32_t>(below.mains.size());
+  if (at.repeat) return {below.size, above, above - below.size, at.repeat->sections, carried};
   const bool by_place = placement_of(settings.placement).by_place;
   return {below.size, above, above - below.size, by_place ? carried : mains_wanted(below.size, above),
           carried};
@@ -43,7 +44,7 @@ Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& sti
   std::int32_t mains = 0;
   for (const PlacedLabel& p : planned.placed) mains += p.label == Label::main ? 1 : 0;
   const IndexEvent step =
-      placement_of(settings.placement).by_place
+      !at.repeat && placement_of(settings.placement).by_place
           ? IndexEvent(RowsMatched{static_cast<std::int32_t>(planned.link.size()), std::abs(planned.change()),
                                    planned.sum_of_squares, std::sqrt(planned.longest_square)})
           : IndexEvent(SpacingChosen{planned.rule, planned.tried.value_or(planned.rule),
@@ -72,6 +73,7 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
 }  // namespace
 
 Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
+  if (at.repeat) return plan_repeats(*at.repeat);
   const Placement& placement = placement_of(settings.placement);
   const RowBelow below = row_below(at);
   if (!placement.by_place) return placement.plan({below, size_of(*at.above), at.row});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 
@@ -10,6 +11,7 @@
 #include "knit/model/event.h"
 #include "knit/model/products.h"
 #include "knit/stitches/index_events.h"
+#include "knit/stitches/repeats.h"
 
 namespace knit {
 
@@ -32,6 +34,7 @@ struct JoinAt {
   bool cast_on;                          // all of them were cast on
   const Row* above;                      // null: the cast on is the only row, and there is nothing to do
   bool follows;                          // its round begins where its wales are shortest
+  std::optional<RepeatedRound> repeat;   // how a rhythm has it; none: by the placement
   bool last;                             // no row follows
 };
 // The whole of it at once, as the placement that is set plans it; `from` is left to the caller. Requires a row above.

@@ -96,7 +96,7 @@ Join plan_repeats(const RepeatedRound& round) {
   join.to = round.row;
   join.below = round.below;
   join.above = round.above;
-  join.rule = Rule::even;
+  join.rule = Rule::repeat;
   join.spacing = section;
   join.labels.assign(static_cast<std::size_t>(section * round.sections), Label::knit);
   for (std::int32_t cell = 0; cell < section * round.sections; ++cell) join.partner.push_back(cell);

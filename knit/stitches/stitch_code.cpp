@@ -13,9 +13,12 @@ namespace knit {
 
 namespace {
 
+bool in_rhythm(const Parameters& parameters) {
+  return parameters.rhythm.counts == CountPlanning::rhythm && parameters.rows.source == RowSource::contours;
+}
 template <PlacementPolicy policy>
 bool placed_by(const Parameters& parameters) {
-  return placement_of(parameters.stitches.placement).told_as == policy;
+  return !in_rhythm(parameters) && placement_of(parameters.stitches.placement).told_as == policy;
 }
 
 bool is_line(const AnyEvent& event) { return event.get_if<LineWritten>() != nullptr; }
@@ -161,6 +164,33 @@ constexpr std::array nearest_lines{
         "docs/algorithm.md, Placement nearest",
         lit_by<ShapingPlaced>}};
 
+constexpr std::array repeat_lines{
+    count_change,
+    CodeLine{"if in rhythm: {} equal sections",
+             {&var::mains_set},
+             &var::spacing,
+             "A main begins each, and stays the same wale.",
+             "docs/algorithm.md, Rhythm: Placement",
+             lit_if<&SpacingChosen::rule, Rule::repeat>},
+    CodeLine{
+        "else: as placement has it",
+        {},
+        nullptr,
+        "Rows that the rhythm has no counts for.",
+        "docs/algorithm.md, Rhythm: Placement",
+        lit_or<lit_by<RowsMatched>, lit_if<&SpacingChosen::rule, Rule::from_cast_on, Rule::plain, Rule::equal,
+                                           Rule::follow, Rule::remainder_last, Rule::dense, Rule::even>>,
+        true},
+    place_main,
+    CodeLine{"for each section: its {}",
+             {&var::label},
+             &var::cell,
+             "At the same place in every section, as the style has it: on both sides of the mains, before "
+             "the next "
+             "one, in the middle, or in turn.",
+             "docs/algorithm.md, Rhythm: Placement",
+             lit_by<ShapingPlaced>}};
+
 constexpr std::array face_lines{
     CodeLine{"for each cell b of the larger row",
              {},
@@ -231,6 +261,9 @@ constexpr std::array placing_aside{&var::mains,     &var::rule,  &var::spacing, 
                                    &var::mains_set, &var::label, &var::partner, &var::placed};
 constexpr std::array nearest_aside{&var::links, &var::doubled, &var::longest, &var::wanted,
                                    &var::mains, &var::label,   &var::partner, &var::placed};
+constexpr std::array repeat_aside{&var::mains,   &var::rule,    &var::remainder, &var::tried,
+                                  &var::wanted,  &var::partner, &var::placed,    &var::links,
+                                  &var::doubled, &var::longest, &var::sum};
 constexpr std::array face_aside{&var::of};
 
 }  // namespace
@@ -250,6 +283,8 @@ const PseudoCode nearest_index_code{{Stage::stitches, Stage::stitches},
                                     "Stitch index by nearest stitches",
                                     nearest_lines,
                                     nearest_aside};
+const PseudoCode repeat_index_code{
+    {Stage::stitches, Stage::stitches}, in_rhythm, "Stitch index of a rhythm", repeat_lines, repeat_aside};
 const PseudoCode faces_code{
     {Stage::faces, Stage::faces}, always, "Faces between two rows", face_lines, face_aside};
 const PseudoCode pattern_code{

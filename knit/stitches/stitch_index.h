@@ -13,6 +13,7 @@
 //   remainder_last (R4) P < k: every p / k + 2 cells, what is left over on the last spacing
 //   dense               when sections lack room: a label after each main
 //   nearest             (policy) in nearest.h, from where the stitches stand
+//   repeat              (rhythm) in repeats.h, the same in every section
 //   even                (policy) sections of the smaller row as equal as can be, plus their own shaping
 #pragma once
 
