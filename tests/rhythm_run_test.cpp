@@ -155,3 +155,21 @@ TEST_CASE("edited on the way, what is knitted stays and the rest is planned anew
     CHECK(std::equal(counts.begin() + 5, counts.end(), anew.plan.counts.begin(), anew.plan.counts.end()));
   }
 }
+
+TEST_CASE("the step of a rhythm says what it is and what it costs, never less than that") {
+  const Parameters p = in_rhythm();
+  RhythmPlanned step{0, 8, 4, 4, 18, 58, 31, RhythmStyle::pairs, NoRhythm::no, 3.07F, 2.0F, 5.0F, true};
+  const auto told = [&] { return narrate({{Stage::cast_on, 1, 1}, step}, p); };
+  CHECK(
+      told() ==
+      "Tube A is planned whole: 4 rhythms, 18 of 58 rounds shape, each by 8 at most in 4 equal sections; the "
+      "circumference is never seen more than 3.1 % off.");
+  step.within = false;
+  step.local = 4.15F;
+  CHECK(told().find("No rhythm stays within 3.5 %: this one is off by 4.2 % at row 31.") !=
+        std::string::npos);
+  step.shaping = 0;
+  CHECK(told().find("is knitted plain, 58 rounds") != std::string::npos);
+  step.none = NoRhythm::branches;
+  CHECK(told().find("has no rhythm, as the piece has other tubes") != std::string::npos);
+}

@@ -57,6 +57,11 @@ std::string two_counts(std::int32_t one, std::int32_t two) {
   return std::to_string(one) + " and " + stitch_count_text(two);
 }
 
+// In tenths, rounded up: "3.1 %".
+std::string at_most_percent(double percent) {
+  return short_number(std::ceil(10.0 * percent - 1e-6) / 10.0) + " %";
+}
+
 // "", or with a comma before it.
 std::string waiting_words(std::int32_t held) {
   return held == 0 ? "" : "; " + plural(held, "loop waits on a holder", "loops wait on holders");
@@ -117,7 +122,7 @@ std::string RhythmPlanned::sentence(const Telling& at) const {
     return name +
            " has no rhythm: no number of sections goes with the stitches and changes that were asked "
            "for; its counts are those that its rows hold.";
-  const std::string seen = percent_text(static_cast<double>(std::max(local, belt)) / 100.0);
+  const std::string seen = at_most_percent(static_cast<double>(std::max(local, belt)));
   if (shaping == 0)
     return name + " is knitted plain, " + plural(rounds, "round", "rounds") +
            "; the circumference is never seen more than " + seen + " off.";
