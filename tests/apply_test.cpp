@@ -317,7 +317,7 @@ TEST_CASE("refused parameters leave the session as it was, with a sentence") {
     const auto change = [&](const std::string& key, const std::string& value) {
       return tune ? Action(Tune{with(good, key, value)}) : Action(EditFromHere{with(good, key, value)});
     };
-    check_refused(session, change("epsilon", "0.4"), "epsilon");
+    check_refused(session, change("epsilon", "0.4"), "\xCE\xB5 must be smaller");
     check_refused(session, change("start", "99999"), "--start");
     check_refused(session, change("end", "99999"), "--end");
   }

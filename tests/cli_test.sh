@@ -198,7 +198,8 @@ run_to 0 --headless --save-map -
 ok "any file can go to standard output" cmp out saved/map.txt
 run_to 0 --headless --cast-on 8 --epsilon 0.04 --axis 0,2.5,0 --at cast-on --save-report -
 ok "parameters reach the report" has out '"axis":"0,2.5,0"'
-ok "parameters reach the report" has out '"cast-on":8,"metric":"euclidean","epsilon":0.04'
+ok "parameters reach the report" has out '"cast-on":8,"counts":"whole"'
+ok "parameters reach the report" has out '"metric":"euclidean","epsilon":0.04'
 
 # --- Where to stop --------------------------------------------------------------------------------------------
 

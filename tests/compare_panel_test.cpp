@@ -164,7 +164,7 @@ TEST_CASE("sweep side: a parameter that nothing reads now is not kept in the for
   CHECK_FALSE(fault_of(SweepPlan{desk.ui.own<SweepForm>().axis, std::nullopt}));
 }
 
-TEST_CASE("P lets a pinned run go and says so; one of another mesh gives way to the run that is shown",
+TEST_CASE("P lets a pinned run go and says so, one of another mesh gives way to the run that is shown",
           "[panels]") {
   Desk desk;
   desk.open();

@@ -82,7 +82,7 @@ TEST_CASE("ways on: a stall may be bridged, and nothing is tried that is in forc
 
 TEST_CASE("ways on: a button near the stop and one over the problems begin the run anew, which finishes",
           "[ways-on]") {
-  Desk desk;
+  Desk desk(1280, 1400, 1, KNIT_ASSETS_DIR "/fonts");
   desk.open();
   desk.session.document->timeline = stopped_torus();
   desk.settle();

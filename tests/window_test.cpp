@@ -336,7 +336,7 @@ TEST_CASE(
     "every number of the left panel is typed, and then dragged, within one long frame each, and none is "
     "lost") {
   if (!can_run()) return;
-  constexpr int narrow = 800, tall = 1500, drag_px = 24;  // all of the panel in sight, and little else
+  constexpr int narrow = 800, tall = 2000, drag_px = 24;  // all of the panel in sight, and little else
   const Folder folder;
   test_support::write_text(folder.path() / "ball.obj", corpus::obj_of(knit::sphere(16, 9, false)));
   const std::string direction =
@@ -388,7 +388,7 @@ TEST_CASE(
     CHECK(desk.ui.own<KnobTroubles>().empty());
     const std::string script = "start " + options + " --save-report numbers.json\nat_once" + typing +
                                "\nat_once" + dragging + "\nclose\n";
-    REQUIRE(run_on_screen(folder, script, "screen=800x1500 size=800x1500") == "");
+    REQUIRE(run_on_screen(folder, script, "screen=800x2000 size=800x2000") == "");
     const Json report = Json::parse(read_text(folder.path() / "numbers.json"), nullptr, false);
     REQUIRE(report.is_object());
     CHECK(report["parameters"] == Json(to_json(desk.session.document->timeline.parameters())));

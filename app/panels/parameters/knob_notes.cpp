@@ -28,12 +28,13 @@ std::string shown_value(const knit::ParameterInfo& info, const knit::Parameters&
   return knit::value_text(info, parameters);
 }
 
-void draw_follows(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& parameters) {
+void draw_follows(PanelFrame& frame, const knit::Parameters& parameters) {
   KnobFollow& follow = frame.own<KnobFollow>();
-  if (!follow.before || follow.key != info.key) return;
+  if (!follow.before) return;
+  const knit::ParameterInfo& info = *knit::find_parameter(follow.key);
   const std::string value = knit::value_text(info, parameters);
   if (value != follow.value_after) {
-    if (value != follow.value_before) follow = {};  // set by another door; else it is on its way
+    if (value != follow.value_before) follow.before.reset();  // set by another door; else it is on its way
     return;
   }
   const std::string words = follow_words(info, *follow.before, parameters);
@@ -45,6 +46,7 @@ void draw_follows(PanelFrame& frame, const knit::ParameterInfo& info, const knit
 }
 
 void draw_swatch(PanelFrame& frame, knit::Parameters& parameters) {
+  if (!knit::is_read(*knit::find_parameter(knit::keys::gauge), parameters)) return;
   const knit::Gauge gauge = parameters.stitch.gauge;
   const auto usual = knit::rounds_that_go_with(gauge);
   if (!usual) return;
@@ -89,9 +91,13 @@ void note_change_of(PanelFrame& frame, const knit::ParameterInfo& info, const kn
   follow.value_after = knit::value_text(info, to);
 }
 
-void draw_knob_notes(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters) {
-  draw_follows(frame, info, parameters);
-  if (info.key == knit::keys::gauge) draw_swatch(frame, parameters);
+float height_of_knob_notes(PanelFrame& frame) { return frame.own<KnobFollow>().notes_height; }
+
+void draw_knob_notes(PanelFrame& frame, knit::Parameters& parameters) {
+  const float top = ImGui::GetCursorPosY();
+  draw_follows(frame, parameters);
+  draw_swatch(frame, parameters);
+  frame.own<KnobFollow>().notes_height = ImGui::GetCursorPosY() - top;
 }
 
 }  // namespace app

@@ -1,4 +1,4 @@
-// Under a knob: what follows a change of it, and a gauge that is hardly that of knitted fabric.
+// Below the knobs: what follows a change of it, and a gauge that is hardly that of knitted fabric.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,7 @@ struct KnobFollow {
   std::string key;
   std::string value_before, value_after;   // of the knob, as text
   std::optional<knit::Parameters> before;  // none: nothing was changed
+  float notes_height = 0.0f;               // of what was said in the last frame
 };
 
 // "Follows: w 0.1 -> 0.07576, ε 0.05 -> 0.03788": what reads otherwise now though only `info` was set; empty: nothing.
@@ -24,7 +25,9 @@ std::string follow_words(const knit::ParameterInfo& info, const knit::Parameters
 void note_change_of(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& from,
                     const knit::Parameters& to);
 
+// What they took in the last frame; 0: there were none.
+float height_of_knob_notes(PanelFrame& frame);
 // May change `parameters`: where a person takes the rounds that go with the stitches.
-void draw_knob_notes(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters);
+void draw_knob_notes(PanelFrame& frame, knit::Parameters& parameters);
 
 }  // namespace app

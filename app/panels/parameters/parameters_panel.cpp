@@ -320,7 +320,6 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
   draw_trouble(frame, info, parameters);
-  draw_knob_notes(frame, info, parameters);
   ImGui::PopID();
 }
 
@@ -464,6 +463,14 @@ void draw_edits(PanelFrame& frame) {
   for (std::size_t i = 0; i < timeline.edits().size(); ++i) draw_edit(frame, timeline, i);
 }
 
+// Below the knobs, so that what is said of one moves none of the others.
+void draw_foot(PanelFrame& frame, const knit::Timeline& timeline) {
+  knit::Parameters parameters = timeline.parameters();
+  draw_knob_notes(frame, parameters);
+  if (parameters != timeline.parameters())
+    wish_change(frame, *knit::find_parameter(knit::keys::gauge), parameters);
+}
+
 }  // namespace
 
 void draw_parameters(PanelFrame& frame) {
@@ -471,8 +478,12 @@ void draw_parameters(PanelFrame& frame) {
   draw_cross(frame, Panel::parameters);
   if (const knit::Timeline* timeline = frame.timeline()) {
     draw_mode(frame);
+    const float foot = height_of_knob_notes(frame);
+    ImGui::BeginChild("knobs", ImVec2(0.0f, -foot));
     draw_knobs(frame, *timeline);
     draw_edits(frame);
+    ImGui::EndChild();
+    draw_foot(frame, *timeline);
   } else {
     push_font(frame.fonts.strong);
     faint_text("Parameters");
