@@ -68,7 +68,8 @@ program=$1
 losing_driver=$3
 cd "$2"
 # The server itself takes a free display, so that several tests may run at once; without -noreset it would be away
-# for a moment whenever its last window closes.
+# for a moment whenever its last window closes. What an earlier script in this folder was told is taken away first.
+rm -f display
 Xvfb -displayfd 7 -noreset -screen 0 "${screen:-1280x800}x24" -nolisten tcp 7>display 2>/dev/null &
 server=$!
 trap 'kill $server 2>/dev/null || true' EXIT
