@@ -223,10 +223,11 @@ TEST_CASE("the pattern's own words are folded away, and taken as they are typed"
   CHECK(desk.session.view->pattern.colour == "moss");
   CHECK(desk.ui.own<ChartCache>().pattern().title == "My ball");
   CHECK(desk.ui.own<ChartCache>().pattern().materials.front().find("Wool, in moss") != std::string::npos);
-  for (const char* box : {"pattern/markers", "pattern/stars", "pattern/short"}) desk.act(desk.click(box, 0.1f));
+  for (const char* box : {"pattern/markers", "pattern/stars", "pattern/short"})
+    desk.act(desk.click(box, 0.1f));
   CHECK(desk.session.view->pattern.markers);
   CHECK(desk.session.view->pattern.stars);
-  CHECK(desk.session.view->pattern.short_form);
+  CHECK(desk.session.view->pattern.form == knit::PatternForm::short_form);
 }
 
 TEST_CASE("options that come from elsewhere fill the fields") {

@@ -50,7 +50,7 @@ Session rich_session() {
   options.title = "Ball \"one\" \xC3\xA9";
   options.needle_mm = 3.25;
   options.stars = true;
-  options.short_form = true;
+  options.form = knit::PatternForm::short_form;
   apply(session, SetPatternOptions{options});
   session.document->travel.loop = Stretch{10, 40};
   session.view->slow_motion = true;

@@ -27,7 +27,7 @@ Rounds ball(SectionStyle style) {
 }
 
 std::string short_text(const Rounds& rounds) {
-  return pattern_as_text(write_pattern(rounds, {22.0, 32.0}, {.short_form = true}, "ball"));
+  return pattern_as_text(write_pattern(rounds, {22.0, 32.0}, {.form = PatternForm::short_form}, "ball"));
 }
 
 std::vector<std::string> lines_of(const ShortForm& form) {
@@ -87,12 +87,12 @@ TEST_CASE("short form: what is written leads back to the same stitches") {
     const Rounds rounds = ball(style);
     const std::string text = short_text(rounds);
     check_says_the_same(rounds, text);
-    check_says_the_same(rounds,
-                        pattern_as_markdown(write_pattern(rounds, {22.0, 32.0}, {.short_form = true}, "b")));
+    check_says_the_same(rounds, pattern_as_markdown(write_pattern(rounds, {22.0, 32.0},
+                                                                  {.form = PatternForm::short_form}, "b")));
     CHECK(text.find("Place a marker (m) after every ") != std::string::npos);
     CHECK(text.find("\nm: marker") != std::string::npos);
     const auto instructions = [&](bool is_short) {
-      const PatternOptions options{.short_form = is_short};
+      const PatternOptions options{.form = is_short ? PatternForm::short_form : PatternForm::full};
       std::size_t letters = 0;
       for (const auto& told : write_pattern(rounds, {22.0, 32.0}, options, "ball").instructions)
         letters += (told.round ? told.round->text() : told.remark).size();
@@ -104,7 +104,8 @@ TEST_CASE("short form: what is written leads back to the same stitches") {
 
 TEST_CASE("short form: stuffing is told where it is due, within a rhythm too") {
   const Rounds rounds = ball(SectionStyle::pairs);
-  const WrittenPattern pattern = write_pattern(rounds, {22.0, 32.0}, {.short_form = true}, "ball");
+  const WrittenPattern pattern =
+      write_pattern(rounds, {22.0, 32.0}, {.form = PatternForm::short_form}, "ball");
   const std::vector<std::int32_t> stuffed = stuffed_after(rounds);
   REQUIRE(stuffed.size() == 1);
   std::int32_t last = 0;

@@ -13,6 +13,7 @@
 #include "app/session/outbox.h"
 #include "app/session/pattern_pieces.h"
 #include "app/session/program.h"
+#include "app/session/remarks.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -231,6 +232,17 @@ void add_switch(EntryList& list, const char* words, bool knit::PatternOptions::*
   list.add({words, group::the_pattern, "", SetPatternOptions{std::move(options)}, "", "", true});
 }
 
+void add_short_form(EntryList& list) {
+  knit::PatternOptions options = list.session.view->pattern;
+  const auto& document = list.session.document;
+  const bool is_short =
+      document ? in_form(options, document->timeline.furthest()).form == knit::PatternForm::short_form
+               : options.form == knit::PatternForm::short_form;
+  options.form = is_short ? knit::PatternForm::full : knit::PatternForm::short_form;
+  list.add({"The pattern in its short form: on or off", group::the_pattern, "",
+            SetPatternOptions{std::move(options)}, "", "", true});
+}
+
 Read read_named_piece(const Session& /*session*/, const std::string& typed) {
   auto named = read_piece_name(typed);
   if (auto* fault = std::get_if<std::string>(&named)) return std::move(*fault);
@@ -265,7 +277,7 @@ void add_pattern(EntryList& list) {
             "", "", true});
   add_switch(list, "Markers at main lines: on or off", &knit::PatternOptions::markers);
   add_switch(list, "Repeats with stars: on or off", &knit::PatternOptions::stars);
-  add_switch(list, "The pattern in its short form: on or off", &knit::PatternOptions::short_form);
+  add_short_form(list);
   list.add({"Knit along from round...", group::the_pattern, "One round at a time, large.",
             ActionPrompt{"Round", "1",
                          [](const Session& /*session*/, const std::string& typed) -> Read {

@@ -61,7 +61,8 @@ void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternP
   if (pattern.needle_mm) link.add("--needle-mm", knit::number_text(*pattern.needle_mm));
   if (pattern.markers) link.add("--markers");
   if (pattern.stars) link.add("--stars");
-  if (pattern.short_form) link.add("--pattern-form", "short");
+  if (pattern.form != knit::PatternForm::by_itself)
+    link.add("--pattern-form", pattern.form == knit::PatternForm::short_form ? "short" : "full");
   for (const auto& [letters, word] : pieces.names) {
     std::string named = letters;
     named.append("=").append(word);

@@ -23,7 +23,7 @@ const std::string& mesh_name(const Session& session) { return session.document->
 
 knit::WrittenPattern written(const Session& session, const knit::Rounds& rounds) {
   return knit::write_pattern(rounds, session.document->timeline.parameters().stitch.gauge,
-                             session.view->pattern, mesh_name(session));
+                             in_form(session.view->pattern, state_of(session)), mesh_name(session));
 }
 
 knit::WrittenPattern written(const Session& session, const PlannedPieces& pieces) {
@@ -41,7 +41,7 @@ knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern)
   const knit::StitchSize& stitch = timeline.parameters().stitch;
   if (!coverage)
     coverage = knit::measure_coverage(timeline.input(), timeline.state(), stitch.width, stitch.height);
-  for (std::string& note : notes_of(remarks_of(timeline, coverage ? &*coverage : nullptr)))
+  for (std::string& note : pattern_notes(timeline, coverage ? &*coverage : nullptr))
     pattern.notes.push_back(std::move(note));
   return pattern;
 }

@@ -12,6 +12,9 @@
 #include "knit/insight/narrate.h"
 #include "knit/insight/step_fields.h"
 #include "knit/model/words.h"
+#include "knit/pattern/pattern_words.h"
+#include "knit/pattern/rounds.h"
+#include "knit/pattern/short_form.h"
 #include "knit/quality/measures.h"
 
 namespace app {
@@ -410,6 +413,56 @@ Json settled_json(const knit::Timeline& timeline, const knit::Closeness* closene
           {"settled", positions_json(both->settled, closeness)}};
 }
 
+std::size_t characters_of(const std::vector<knit::RoundLine>& lines) {
+  std::size_t characters = 0;
+  for (const knit::RoundLine& line : lines) characters += line.text().size();
+  return characters;
+}
+
+// How long the rounds are to read, in both forms.
+void add_lengths(const knit::State& state, Json& json) {
+  json["lines"] = nullptr;
+  json["characters"] = {{"short", nullptr}, {"full", nullptr}};
+  if (state.stage() <= knit::Stage::stitches) return;
+  const knit::Rounds rounds = knit::rounds_of(state);
+  json["characters"]["full"] = characters_of(knit::round_lines(rounds, {}));
+  const auto form = knit::short_form(rounds, knit::stuffed_after(rounds));
+  if (!form) return;
+  std::size_t characters = characters_of(form->lines);
+  for (const knit::NamedRound& round : form->named) characters += round.text().size();
+  json["lines"] = form->lines.size() + form->named.size();
+  json["characters"]["short"] = characters;
+}
+
+Json segments_json(const std::vector<knit::RhythmSegment>& segments) {
+  constexpr std::array<std::string_view, 3> kinds{"plain", "change-last", "change-first"};
+  Json all = Json::array();
+  for (const knit::RhythmSegment& segment : segments) {
+    all.push_back({{"kind", kinds.at(static_cast<std::size_t>(segment.kind))},
+                   {"rows", segment.rows},
+                   {"change", segment.change},
+                   {"times", segment.times}});
+  }
+  return all;
+}
+
+Json rhythm_json(const knit::State& state, const knit::Gauge& gauge) {
+  const knit::TubeRhythm* rhythm = rhythm_of_run(state);
+  if (rhythm == nullptr) return nullptr;
+  const knit::RhythmPlan& plan = rhythm->plan;
+  Json json{{"from", rhythm->from + 1},
+            {"first", plan.counts.front()},
+            {"changes", plan.changes},
+            {"sections", plan.sections},
+            {"style", knit::rhythm_style_names.at(static_cast<std::size_t>(rhythm->settings.style))},
+            {"segments", segments_json(plan.segments)},
+            {"seen", {{"local", plan.seen.local}, {"belt", plan.seen.belt}, {"rms", plan.seen.rms}}},
+            {"within", plan.within},
+            {"what", rhythm_sentences_of(state, gauge)}};
+  add_lengths(state, json);
+  return json;
+}
+
 Json edits_json(const knit::Timeline& timeline) {
   Json all = Json::array();
   for (const knit::Edit& edit : timeline.edits()) {
@@ -483,6 +536,7 @@ Json report_json(const Session& session) {
   report["stretched"] = to_json(knit::stretched_rows(state, parameters.stitch.height));
   add_as_asked(timeline, shown, report);
   report["problems"] = problems_json(session);
+  report["rhythm"] = rhythm_json(state, parameters.stitch.gauge);
   report["pattern"] = pattern_instructions(session);
   report["milliseconds"] = {{"load", session.document->load_ms}, {"run", session.document->run_ms}};
   return report;

@@ -54,7 +54,8 @@ Json pattern_json(const knit::PatternOptions& pattern, const PatternPieces& piec
                {"colour", pattern.colour},
                {"markers", pattern.markers},
                {"stars", pattern.stars}};
-  if (pattern.short_form) json["form"] = "short";
+  if (pattern.form != knit::PatternForm::by_itself)
+    json["form"] = pattern.form == knit::PatternForm::short_form ? "short" : "full";
   if (pattern.needle_mm) json["needle-mm"] = *pattern.needle_mm;
   if (!pieces.names.empty()) json["piece-names"] = pieces.names;
   if (!pieces.order.empty()) json["piece-order"] = pieces.order;
@@ -256,7 +257,9 @@ void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
   pattern.markers = fields.flag("markers");
   pattern.stars = fields.flag("stars");
   constexpr std::array<std::string_view, 2> forms{"full", "short"};
-  if (fields.has("form")) pattern.short_form = fields.choice("form", forms) == 1;
+  if (fields.has("form"))
+    pattern.form =
+        fields.choice("form", forms) == 1 ? knit::PatternForm::short_form : knit::PatternForm::full;
   if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
 }
 

@@ -166,8 +166,10 @@ void declare_pattern(CLI::App& app, Words& words) {
       ->group("Pattern");
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
-  app.add_option("--pattern-form", words.pattern_form,
-                 "full, or short: named rounds and [Knit 2 rnds, inc rnd] 3 times, where that says the same")
+  app.add_option(
+         "--pattern-form", words.pattern_form,
+         "full, or short: named rounds and [Knit 2 rnds, inc rnd] 3 times, where that says the same; without "
+         "it, short where counts are in a rhythm")
       ->group("Pattern");
   app.add_option("--piece-name", words.piece_names, "what a piece of the pattern is called: A=Tail")
       ->group("Pattern")
@@ -378,10 +380,12 @@ std::optional<std::string> read_order_words(const Words& words, CommandLine& lin
 
 // The pattern's own words; a sentence where one cannot be.
 std::optional<std::string> read_pattern_words(const Words& words, CommandLine& line) {
-  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, false, {}};
+  line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, {}, {}};
   if (!words.pattern_form.empty() && words.pattern_form != "short" && words.pattern_form != "full")
     return "--pattern-form cannot be " + knit::quoted(words.pattern_form) + "; give short or full.";
-  line.pattern.short_form = words.pattern_form == "short";
+  if (!words.pattern_form.empty())
+    line.pattern.form =
+        words.pattern_form == "short" ? knit::PatternForm::short_form : knit::PatternForm::full;
   if (auto fault = read_piece_names(words, line)) return fault;
   if (auto fault = read_order_words(words, line)) return fault;
   if (words.needle.empty()) return std::nullopt;

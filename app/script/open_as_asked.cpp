@@ -33,7 +33,7 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
   if (given.needle_mm) pattern.needle_mm = given.needle_mm;
   pattern.markers = pattern.markers || given.markers;
   pattern.stars = pattern.stars || given.stars;
-  pattern.short_form = pattern.short_form || given.short_form;
+  if (given.form != knit::PatternForm::by_itself) pattern.form = given.form;
   return pattern;
 }
 

@@ -10,6 +10,7 @@
 #include "knit/limbs/limb_plan.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
+#include "knit/rhythm/rhythm_words.h"
 #include "knit/run/machine.h"
 
 namespace app {
@@ -50,6 +51,39 @@ std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks) {
     of_kind = true;
   }
   return notes;
+}
+
+std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage) {
+  std::vector<std::string> notes =
+      rhythm_sentences_of(timeline.furthest(), timeline.parameters().stitch.gauge);
+  std::vector<std::string> not_as_asked = notes_of(remarks_of(timeline, coverage));
+  std::move(not_as_asked.begin(), not_as_asked.end(), std::back_inserter(notes));
+  return notes;
+}
+
+const knit::TubeRhythm* rhythm_of_run(const knit::State& state) {
+  if (state.rhythms.empty() || state.rhythms.back()->none != knit::NoRhythm::no) return nullptr;
+  const knit::TubeRhythm& rhythm = *state.rhythms.back();
+  const auto keeps = [&](const auto& row) {
+    return row->tube != rhythm.tube || !rhythm.has(row->level) || rhythm.count(row->level) == size_of(*row);
+  };
+  const auto& rows = state.fabric.rows();
+  return std::all_of(rows.begin(), rows.end(), keeps) ? &rhythm : nullptr;
+}
+
+std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::Gauge& gauge) {
+  const knit::TubeRhythm* rhythm = rhythm_of_run(state);
+  if (rhythm == nullptr) return {};
+  const std::vector<double>& lengths = state.tubes->tube(rhythm->tube).lengths;
+  const double longest = *std::max_element(
+      lengths.begin() + std::min<std::ptrdiff_t>(rhythm->from, std::ssize(lengths) - 1), lengths.end());
+  return knit::rhythm_sentences(*rhythm, longest / rhythm->stitch_width, gauge.stitches);
+}
+
+knit::PatternOptions in_form(knit::PatternOptions options, const knit::State& state) {
+  if (options.form == knit::PatternForm::by_itself)
+    options.form = rhythm_of_run(state) != nullptr ? knit::PatternForm::short_form : knit::PatternForm::full;
+  return options;
 }
 
 }  // namespace app

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "knit/insight/as_asked.h"
+#include "knit/pattern/written_pattern.h"
+#include "knit/rhythm/tube_rhythm.h"
 #include "knit/run/timeline.h"
 
 namespace app {
@@ -17,5 +19,14 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
 
 // For the pattern's notes: the first of each kind.
 std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks);
+// All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked.
+std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage);
+
+// The rhythm that the rows from its `from` on have; null: none was planned, or it was given up on the way.
+const knit::TubeRhythm* rhythm_of_run(const knit::State& state);
+// It in sentences (knit/rhythm/rhythm_words.h), at the gauge.
+std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::Gauge& gauge);
+// The options with the form decided: short where the rounds are in a rhythm and nobody said otherwise.
+knit::PatternOptions in_form(knit::PatternOptions options, const knit::State& state);
 
 }  // namespace app

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "knit/pattern/written_pattern.h"
@@ -11,7 +12,9 @@ constexpr std::size_t columns = 100;
 
 // A broken line must not begin like a round, for whoever reads the file by machine.
 bool reads_as_round(const std::string& word) {
-  return word.rfind("Rnd", 0) == 0 || word.rfind("(Rnd", 0) == 0 || word.rfind("Round", 0) == 0;
+  std::string letters;
+  for (const char c : word) letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return letters.starts_with("rnd") || letters.starts_with("(rnd") || letters.starts_with("round");
 }
 
 std::vector<std::string> words_in(const std::string& text) {

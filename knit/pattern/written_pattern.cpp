@@ -102,7 +102,7 @@ WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const Pat
                              const std::string& mesh_name) {
   const PatternSizes sizes = sizes_of(rounds, gauge);
   const std::optional<ShortForm> form =
-      options.short_form ? short_form(rounds, stuffed_after(rounds)) : std::nullopt;
+      options.form == PatternForm::short_form ? short_form(rounds, stuffed_after(rounds)) : std::nullopt;
   std::vector<RoundLine> lines = form ? form->lines : round_lines(rounds, options);
   Used used;
   add_used(rounds, lines, used);

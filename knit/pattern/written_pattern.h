@@ -26,6 +26,9 @@
 
 namespace knit {
 
+// How rounds are told. By itself: shortly where they were planned in a rhythm, written out elsewhere.
+enum class PatternForm : std::uint8_t { by_itself, full, short_form };
+
 struct PatternOptions {
   std::string title;                // empty: the mesh's name
   std::string yarn;                 // what the person calls it; empty: by weight class alone
@@ -35,7 +38,7 @@ struct PatternOptions {
   bool stars = false;               // *...; rep from * to end, where a round is one repeat
   // Told shortly where that says the same (short_form.h): named rounds, [Knit 2 rnds, inc rnd] 3 times. Then the words
   // have neither markers at main lines nor stars.
-  bool short_form = false;
+  PatternForm form = PatternForm::by_itself;
   // What a person calls pieces, by their letters: {"A", "Tail"}. One capitalised word each (is_piece_word).
   std::map<std::string, std::string> piece_names = {};
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;

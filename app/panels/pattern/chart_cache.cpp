@@ -42,7 +42,8 @@ std::uint64_t key_of(std::uint64_t planned, const knit::Parameters& parameters,
     knit::hash_into(hasher, std::string_view(letters));
     knit::hash_into(hasher, std::string_view(word));
   }
-  hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U) + (options.short_form ? 4U : 0U));
+  hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U) +
+             4U * static_cast<unsigned>(options.form));
   return hasher.value();
 }
 
@@ -93,14 +94,15 @@ void ChartCache::refresh(const Session& session) {
   if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
-  pattern_ = knit::write_pattern(rounds, gauge, session.view->pattern, timeline.input().mesh.name);
+  pattern_ =
+      knit::write_pattern(rounds, gauge, in_form(session.view->pattern, state), timeline.input().mesh.name);
   add_notes(session);
 }
 
 void ChartCache::add_notes(const Session& session) {
   const auto& closeness = session.document->closeness;
   const knit::Coverage* coverage = closeness && closeness->coverage ? &*closeness->coverage : nullptr;
-  for (std::string& note : notes_of(remarks_of(session.document->timeline, coverage)))
+  for (std::string& note : pattern_notes(session.document->timeline, coverage))
     pattern_.notes.push_back(std::move(note));
 }
 

@@ -14,6 +14,7 @@
 #include "app/panels/pattern/pattern.h"
 #include "app/panels/pattern/pattern_parts.h"
 #include "app/panels/pattern/piece_list.h"
+#include "app/session/remarks.h"
 #include "app/session/view.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/settings_table.h"
@@ -236,10 +237,18 @@ void draw_style(PanelFrame& frame, knit::PatternOptions options) {
     frame.mark(mark);
     tooltip(frame, help);
   };
-  box("Short form", "pattern/short", options.short_form,
+  bool is_short = in_form(options, frame.timeline()->furthest()).form == knit::PatternForm::short_form;
+  if (ImGui::Checkbox("Short form", &is_short)) {
+    knit::PatternOptions chosen = options;
+    chosen.form = is_short ? knit::PatternForm::short_form : knit::PatternForm::full;
+    wish_options(frame, chosen);
+  }
+  frame.mark("pattern/short");
+  tooltip(
+      frame,
       "Shaping rounds are named once, and what comes again is said once: [Knit 2 rnds, inc rnd] 3 times. "
-      "Where rounds "
-      "have no sections that stay alike, they are written out.");
+      "Where rounds have no sections that stay alike, they are written out. Ticked by itself where counts "
+      "are in a rhythm.");
   box("Markers at main lines", "pattern/markers", options.markers,
       "Says where stitch markers are placed and slipped.");
   box("Repeats with stars", "pattern/stars", options.stars,

@@ -1,0 +1,95 @@
+#include "knit/rhythm/rhythm_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "knit/model/words.h"
+
+namespace knit {
+
+namespace {
+
+std::string every_so_many(std::int32_t rounds) {
+  if (rounds == 1) return "every round";
+  const bool teens = rounds % 100 >= 11 && rounds % 100 <= 13;
+  const std::int32_t last = teens ? 0 : rounds % 10;
+  const char* const ending = last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th";
+  return "every " + std::to_string(rounds) + ending + " round";
+}
+
+std::string times_text(std::int32_t times) {
+  return times == 1 ? "once" : times == 2 ? "twice" : std::to_string(times) + " times";
+}
+
+std::string so_often(const RhythmSegment& segment) {
+  if (segment.times == 1) return "once";
+  return every_so_many(segment.rows) + " " + times_text(segment.times);
+}
+
+// The same change as in the segment before, with another rest between them.
+std::string and_then(const RhythmSegment& before, const RhythmSegment& segment) {
+  if (segment.times == 1) return ", once more";
+  if (segment.rows == before.rows && before.times > 1) return " and again " + times_text(segment.times);
+  return ", " + so_often(segment);
+}
+
+// Of a share in %, to a tenth, never less than it is.
+std::string no_less_percent(double percent) {
+  return short_number(std::ceil(10.0 * percent - 1e-6) / 10.0) + " %";
+}
+
+std::string width_sentence(std::int32_t widest, double widest_ideal, double stitches_in_10_cm) {
+  const auto around = [&](double stitches) {
+    return short_number(std::round(100.0 * stitches / stitches_in_10_cm) / 10.0) + " cm";
+  };
+  const std::string made = around(widest), asked = around(widest_ideal);
+  return "The widest round has " + stitch_count_text(widest) + ", so the piece is " + made + " around" +
+         (made == asked ? ", just as the shape has it." : "; the shape has " + asked + ".");
+}
+
+}  // namespace
+
+std::string segments_sentence(std::span<const RhythmSegment> segments) {
+  std::string words;
+  const RhythmSegment* before = nullptr;
+  for (const RhythmSegment& segment : segments) {
+    if (segment.change == 0) continue;
+    if (before != nullptr && segment.change == before->change) {
+      words += and_then(*before, segment);
+      before = &segment;
+      continue;
+    }
+    const std::int32_t stitches = std::abs(segment.change);
+    words += (words.empty() ? "" : ", then ") +
+             (segment.change > 0 ? plural(stitches, "increase", "increases")
+                                 : plural(stitches, "decrease", "decreases")) +
+             " " + so_often(segment);
+    before = &segment;
+  }
+  return words;
+}
+
+std::vector<std::string> rhythm_sentences(const TubeRhythm& rhythm, double widest_ideal,
+                                          double stitches_in_10_cm) {
+  if (rhythm.none != NoRhythm::no || rhythm.plan.counts.empty()) return {};
+  const RhythmPlan& plan = rhythm.plan;
+  std::vector<std::string> sentences;
+  const std::string shaping = segments_sentence(plan.segments);
+  const std::string from =
+      rhythm.from > 0 ? "From round " + std::to_string(rhythm.from + 1) + " on shaped" : "Shaped";
+  if (!shaping.empty()) sentences.push_back(from + " in a rhythm: " + shaping + ".");
+  const std::string off = no_less_percent(plan.seen.worst());
+  if (plan.within) {
+    sentences.push_back("The circumference is never seen more than " + off + " off the shape's.");
+  } else {
+    sentences.push_back("No rhythm stays within " + short_number(rhythm.settings.tolerance) +
+                        " %: this one is off by " + off + " at round " + std::to_string(plan.seen.row + 1) +
+                        ". Smaller stitches come nearer; a tolerance of " + off + " accepts it.");
+  }
+  const std::int32_t widest = *std::max_element(plan.counts.begin(), plan.counts.end());
+  sentences.push_back(width_sentence(widest, widest_ideal, stitches_in_10_cm));
+  return sentences;
+}
+
+}  // namespace knit

@@ -1,0 +1,119 @@
+// What a knitter is handed of a piece whose counts are in a rhythm: the pattern, its notes, and the report.
+#include <algorithm>
+#include <cmath>
+
+#include "app/files/link.h"
+#include "app/files/pattern_export.h"
+#include "app/files/report.h"
+#include "app/session/presets.h"
+#include "app/session/remarks.h"
+#include "knit/pattern/pattern_words.h"
+#include "knit/pattern/rounds.h"
+#include "knit/pattern/short_form.h"
+#include "knit/quality/quality.h"
+#include "knit/reader/pattern_reader.h"
+#include "tests/support/catch.h"
+#include "tests/support/session.h"
+
+using namespace app;
+using namespace test_support;
+
+namespace {
+
+// The example as the preset makes it, its stitches where they were placed.
+Session by_hand(const std::string& example, knit::RhythmStyle style = knit::RhythmStyle::pairs) {
+  Session session = example_session(example);
+  knit::Parameters parameters = with_preset(*find_preset("hand"), session.document->timeline.parameters());
+  parameters.settle.settling = knit::Settling::off;
+  parameters.rhythm.style = style;
+  apply(session, Tune{parameters});
+  apply(session, ToLast{});
+  REQUIRE(session.document->timeline.state().finished());
+  return session;
+}
+
+std::string text_of_pattern(const Session& session) {
+  return pattern_file_text(session, PatternFormat::text);
+}
+
+bool is_one_repeat(const std::string& words, std::int32_t sections) {
+  const std::string end = "] " + std::to_string(sections) + " times";
+  return words.front() == '[' && words.ends_with(end) && std::count(words.begin(), words.end(), '[') == 1;
+}
+
+}  // namespace
+
+TEST_CASE("round bodies of 12 cm: at most 16 lines, each shaping round one repeat, and every count holds") {
+  for (const char* example : {"sphere", "egg", "vase", "capsule", "stretched-sphere", "cone"}) {
+    for (const knit::RhythmStyle style : {knit::RhythmStyle::pairs, knit::RhythmStyle::lines}) {
+      CAPTURE(example, static_cast<int>(style));
+      const Session session = by_hand(example, style);
+      const knit::State& state = session.document->timeline.state();
+      const knit::TubeRhythm* rhythm = rhythm_of_run(state);
+      REQUIRE(rhythm != nullptr);
+      CHECK(rhythm->plan.within);
+      const knit::Rounds rounds = knit::rounds_of(state);
+      for (const knit::RoundLine& line : knit::round_lines(rounds, {})) {
+        CAPTURE(line.words);
+        CHECK((line.words == "Knit" || is_one_repeat(line.words, rhythm->plan.sections)));
+      }
+      const auto form = knit::short_form(rounds, knit::stuffed_after(rounds));
+      REQUIRE(form);
+      CHECK(form->lines.size() + form->named.size() <= 16);
+      const knit::ReadPattern read = knit::read_pattern(text_of_pattern(session));
+      CHECK(read.mistakes.empty());
+      CHECK(knit::graph_of(read.rounds) == knit::graph_of(state));
+    }
+  }
+}
+
+TEST_CASE("a pattern in a rhythm is short by itself, and written out where that is asked for") {
+  Session session = by_hand("sphere");
+  CHECK(text_of_pattern(session).find("\nInc rnd: ") != std::string::npos);
+  CHECK(link_by_options(session)->find("--pattern-form") == std::string::npos);
+  knit::PatternOptions options;
+  options.form = knit::PatternForm::full;
+  apply(session, SetPatternOptions{options});
+  CHECK(text_of_pattern(session).find("\nInc rnd: ") == std::string::npos);
+  CHECK(link_by_options(session)->find("--pattern-form full") != std::string::npos);
+  apply(session, SetPatternOptions{});
+  knit::Parameters whole = session.document->timeline.parameters();
+  whole.rhythm.counts = knit::CountPlanning::whole;
+  apply(session, Tune{whole});
+  apply(session, ToLast{});
+  CHECK(text_of_pattern(session).find("\nInc rnd: ") == std::string::npos);
+  CHECK(report_json(session)["rhythm"].is_null());
+}
+
+TEST_CASE("report and notes say the rhythm, its cost and the width that it gives") {
+  const Session session = by_hand("sphere");
+  const auto rhythm = report_json(session)["rhythm"];
+  CHECK(rhythm["first"] == 8);
+  CHECK(rhythm["changes"] == 8);
+  CHECK(rhythm["sections"] == 4);
+  CHECK(rhythm["style"] == "pairs");
+  REQUIRE(rhythm["segments"].size() == 5);
+  CHECK(rhythm["segments"][3] ==
+        nlohmann::ordered_json{{"kind", "change-first"}, {"rows", 3}, {"change", -8}, {"times", 3}});
+  CHECK(std::abs(rhythm["seen"]["local"].get<double>() - 3.07) < 0.01);
+  CHECK(rhythm["seen"]["rms"].get<double>() < 2.0);
+  CHECK(rhythm["within"] == true);
+  CHECK(rhythm["lines"] == 10);
+  CHECK(rhythm["characters"]["short"].get<double>() < 0.5 * rhythm["characters"]["full"].get<double>());
+  REQUIRE(rhythm["what"].size() == 3);
+  const std::vector<std::string> notes = pattern_notes(session.document->timeline, nullptr);
+  REQUIRE(notes.size() >= 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(rhythm["what"][i] == notes[i]);
+}
+
+TEST_CASE("a rhythm that is given up on the way is none") {
+  Session session = by_hand("sphere");
+  apply(session, SeekPlace{{knit::Stage::rows, 12, 0}});
+  knit::Parameters whole = session.document->timeline.parameters();
+  whole.rhythm.counts = knit::CountPlanning::whole;
+  apply(session, EditFromHere{whole});
+  apply(session, ToLast{});
+  REQUIRE(session.document->timeline.state().finished());
+  CHECK(rhythm_of_run(session.document->timeline.state()) == nullptr);
+  CHECK(report_json(session)["rhythm"].is_null());
+}
