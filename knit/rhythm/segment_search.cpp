@@ -39,7 +39,10 @@ class SegmentSearch {
       for (std::int32_t level = 0; level < levels_; ++level) {
         for (std::int32_t end = 0; end < ends; ++end) {
           const Place here{row, level, end};
-          if (at(here).cost < never && is_near(row, level)) go_on(here);
+          if (at(here).cost == never) continue;
+          const bool near = is_near(row, level);
+          if (near || end == after_plain) stay(here);
+          if (near) change(here);
         }
       }
     }
@@ -110,8 +113,7 @@ class SegmentSearch {
     there = {cost, number_of(from), times};
   }
 
-  void go_on(const Place& from) {
-    if (from.end != after_plain) stay(from);
+  void change(const Place& from) {
     for (const std::int32_t each : {1, 2}) {
       if (!(each == 1 ? task_.family.one : task_.family.two)) continue;
       for (const std::int32_t step : {each, -each}) {
@@ -123,11 +125,13 @@ class SegmentSearch {
     }
   }
 
+  // One plain row more. Of two plain stretches at one count the cheaper stays the cheaper, so only that one goes on.
   void stay(const Place& from) {
-    const double cost = at(from).cost + twice_ * task_.prices.plain;
-    for (std::int32_t row = from.row + 1; row < rows_; ++row) {
-      reach({row, from.level, after_plain}, cost + stretch(from.level, from.row + 1, row + 1), from, 1);
-    }
+    if (from.row + 1 == rows_) return;
+    const Place begun = from.end == after_plain ? place_of(at(from).from) : from;
+    const double cost = at(begun).cost + twice_ * task_.prices.plain;
+    reach({from.row + 1, from.level, after_plain}, cost + stretch(from.level, begun.row + 1, from.row + 2),
+          begun, 1);
   }
 
   [[nodiscard]] double begun(const Place& from, std::int32_t step) {
