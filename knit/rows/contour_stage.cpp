@@ -363,7 +363,9 @@ RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const
   RoundBegun step{0, 0.0, 0.0, 0.0};
   if (!live.empty() && rows.round_start == RoundStart::follow) {
     const BegunRound begun =
-        follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0, stitch.height);
+        at.links.empty()
+            ? follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0, stitch.height)
+            : follow_links(curve, work.count, at.fabric.stitches_of(live), at.links);
     step = {begun.passes, begun.arc, begun.slid, begun.sum_of_squares / (stitch.height * stitch.height)};
   } else {
     const RowFrame frame = row_frame(at.timing.ends.direction, rows.start_direction);

@@ -57,6 +57,8 @@ struct ContourAt {
   const TubePlan& plan;
   const Fabric& fabric;
   std::span<const Shared<TubeRhythm>> rhythms = {};
+  // How the row in progress will hang, where its rhythm says so: a cell of the larger row each, its stitch in the smaller.
+  std::span<const std::int32_t> links = {};
 };
 // A product, once it has ended.
 struct ContourMade {

@@ -172,6 +172,22 @@ class RowFollower {
     return best.begun;
   }
 
+  // With its first stitch on the first live one, and the others by these links.
+  BegunRound hanging_by(std::span<const std::int32_t> links) {
+    const double scale = curve_.length * curve_.length / count_;
+    const RoundMatch match{0, 0.0, {links.begin(), links.end()}};
+    BegunRound best{0.0, 0.0, unreachable, 0};
+    double start = first_;
+    for (std::int32_t pass = 0; pass < passes; ++pass) {
+      row_ = set_down(curve_, count_, start);
+      const double sum = off_height(live_, row_, match, 0.0);
+      if (!clearly_less(sum, best.sum_of_squares, scale)) break;
+      best = {start, start - first_, sum, pass + 1};
+      start += mean_offset(live_, row_, match);
+    }
+    return best;
+  }
+
  private:
   struct SlidTo {
     BegunRound begun{0.0, 0.0, unreachable, 0};
@@ -203,6 +219,12 @@ class RowFollower {
   std::vector<glm::dvec3> live_, row_;
 };
 
+BegunRound within_curve(BegunRound begun, const Ring& curve) {
+  begun.arc = std::fmod(begun.arc, curve.length);
+  if (begun.arc < 0.0) begun.arc += curve.length;
+  return begun;
+}
+
 }  // namespace
 
 RoundMatch match_round(std::span<const glm::dvec3> below, std::span<const glm::dvec3> above,
@@ -232,10 +254,13 @@ RoundMatch match_round(std::span<const glm::dvec3> below, std::span<const glm::d
 BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free,
                        double height) {
   RowFollower follower(curve, count, below, height);
-  BegunRound best = free ? follower.anywhere() : follower.near_the_first();
-  best.arc = std::fmod(best.arc, curve.length);
-  if (best.arc < 0.0) best.arc += curve.length;
-  return best;
+  return within_curve(free ? follower.anywhere() : follower.near_the_first(), curve);
+}
+
+BegunRound follow_links(const Ring& curve, std::int32_t count, std::span<const Stitch> below,
+                        std::span<const std::int32_t> links) {
+  RowFollower follower(curve, count, below, 0.0);
+  return within_curve(follower.hanging_by(links), curve);
 }
 
 double arc_towards(const Ring& curve, const RowFrame& frame, const std::optional<glm::dvec3>& below) {

@@ -44,6 +44,11 @@ struct BegunRound {
 BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const Stitch> below, bool free,
                        double height);
 
+// The same where it is known how the row will hang, `links` as RoundMatch has them with turn 0: the row slides to where the sum
+// of the squares of these wales is least. Requires links for max(count, below) cells.
+BegunRound follow_links(const Ring& curve, std::int32_t count, std::span<const Stitch> below,
+                        std::span<const std::int32_t> links);
+
 // Where the curve, round its centre, crosses the half-plane towards frame.right: of several places the one nearest to
 // `below`, or without that the outermost; where it does not go round its centre there, the point farthest on that side.
 double arc_towards(const Ring& curve, const RowFrame& frame, const std::optional<glm::dvec3>& below);

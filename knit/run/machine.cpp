@@ -65,8 +65,39 @@ void keep(Fabric& fabric, Shared<Strip>&& made) {
   if (made) fabric.add(std::move(made));
 }
 
+// A row that is made, or in the making, on the live stitches of its tube.
+struct WorkedRow {
+  TubeId tube = 0;
+  std::int32_t level = 0;
+  std::int32_t below = 0, above = 0;  // stitches
+  RowId id = 0;
+};
+
+// How the row is worked if its count and the one below are of one rhythm. The last plan that has both says so.
+std::optional<RepeatedRound> repeated_round(const State& state, const WorkedRow& row) {
+  for (auto i = state.rhythms.size(); i-- > 0;) {
+    const TubeRhythm& rhythm = *state.rhythms[i];
+    if (rhythm.tube != row.tube || row.level < 1 || !rhythm.has(row.level - 1) || !rhythm.has(row.level))
+      continue;
+    if (rhythm.count(row.level - 1) != row.below || rhythm.count(row.level) != row.above) return {};
+    return RepeatedRound{
+        row.below, row.above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level), row.id};
+  }
+  return {};
+}
+
+// How the row hangs that is about to begin, where its rhythm says so; else empty.
+std::vector<std::int32_t> links_to_come(const State& state, const ContourWork& work) {
+  if (work.phase != ContourPhase::begin || state.rhythms.empty()) return {};
+  const TubeId tube = current_tube(*state.tubes, work);
+  const std::int32_t below = state.fabric.live(tube).size();
+  const auto round = repeated_round(state, {tube, work.row, below, work.count, state.fabric.next_row()});
+  return round ? plan_repeats(*round).link : std::vector<std::int32_t>{};
+}
+
 Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
-  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms};
+  const std::vector<std::int32_t> links = links_to_come(state, work);
+  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms, links};
   std::optional<Row> row;
   std::optional<Deal> deal;
   std::optional<TubePlan> plan;
@@ -106,21 +137,6 @@ Taken take_row(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
-// How the row is worked if its count and the one below are of one rhythm. The last plan that has both says so.
-std::optional<RepeatedRound> repeated_round(const State& state, const Row& row) {
-  for (auto i = state.rhythms.size(); i-- > 0;) {
-    const TubeRhythm& rhythm = *state.rhythms[i];
-    if (rhythm.tube != row.tube || row.level < 1 || !rhythm.has(row.level - 1) || !rhythm.has(row.level))
-      continue;
-    const std::int32_t below = row.on.size();
-    const std::int32_t above = size_of(row);
-    if (rhythm.count(row.level - 1) != below || rhythm.count(row.level) != above) return {};
-    return RepeatedRound{below, above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level),
-                         row.id};
-  }
-  return {};
-}
-
 // The join into row state.next.row; where no row is worked on another, there is none to make. What lies below is read
 // until the join is planned; the steps that place label after label go by the plan.
 Taken take_join(const Parameters& parameters, State& state) {
@@ -142,7 +158,9 @@ Taken take_join(const Parameters& parameters, State& state) {
                   joins.cast_on,
                   row,
                   follows,
-                  row != nullptr ? repeated_round(state, *row) : std::nullopt,
+                  row != nullptr
+                      ? repeated_round(state, {row->tube, row->level, row->on.size(), size_of(*row), row->id})
+                      : std::nullopt,
                   fabric.next_worked(id) == 0};
   Shared<Join> join;
   Taken taken =
