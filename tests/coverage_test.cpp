@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
+#include "knit/mesh/outside.h"
 #include "knit/mesh/triangle_tree.h"
 #include "knit/model/stitch_size.h"
 #include "knit/quality/closeness.h"
@@ -135,6 +136,47 @@ TEST_CASE("coverage: linear time leaves flat ends out, geodesic time does not", 
   for (const UncoveredPlace& place : coverage->uncovered.places) CHECK(place.kind == UncoveredKind::flat);
   const State geodesic = finished(input, TimingKind::geodesic, width);
   CHECK(measure_uncovered(*input, geodesic, width, height_of_width * width).share < 0.001);
+}
+
+TEST_CASE("coverage: a run and what it covers do not depend on the way the triangles face", "[coverage]") {
+  const auto input = make_input(test_support::cylinder(24, 1.0, 2.0, 8));
+  const double width = 0.2, height = height_of_width * width;
+  const State state = finished(input, TimingKind::linear, width);
+  const Uncovered agreeing = measure_uncovered(*input, state, width, height);
+  CHECK(agreeing.places.size() == 2);
+  for (const std::size_t every : {1, 3}) {  // inside out; some of them turned
+    CAPTURE(every);
+    Mesh mesh = input->mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += every)
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    const auto turned = make_input(std::move(mesh));
+    const State run = finished(turned, TimingKind::linear, width);
+    const Uncovered found = measure_uncovered(*turned, run, width, height);
+    CHECK(found.share == Approx(agreeing.share));
+    CHECK(found.places.size() == agreeing.places.size());
+    CHECK(measure_turned(*turned, run).faces == measure_turned(*input, state).faces);
+    CHECK(stretched_rows(run, height).size() == stretched_rows(state, height).size());
+  }
+}
+
+TEST_CASE("outside: none is turned in a thin sheet or a flat one, and all of a mesh inside out",
+          "[coverage]") {
+  Mesh flat;
+  flat.positions = {{0, 0, 0.1}, {1, 0, 0.1}, {1, 1, 0.1}, {0, 1, 0.1}};
+  flat.triangles = {{0, 1, 2}, {0, 2, 3}};
+  CHECK(inward_triangles(*make_input(flat)).empty());
+  for (Triangle& triangle : flat.triangles) std::swap(triangle[1], triangle[2]);
+  CHECK(inward_triangles(*make_input(flat)).empty());
+  std::swap(flat.triangles[1][1], flat.triangles[1][2]);
+  CHECK(inward_triangles(*make_input(flat)).size() == 2);
+  Mesh ball = sphere(12, 7);
+  CHECK(inward_triangles(*make_input(ball)).empty());
+  for (Triangle& triangle : ball.triangles) std::swap(triangle[1], triangle[2]);
+  CHECK(inward_triangles(*make_input(ball)) == std::vector<std::uint8_t>(ball.triangles.size(), 1));
+  std::swap(ball.triangles[5][1], ball.triangles[5][2]);
+  std::vector<std::uint8_t> but_one(ball.triangles.size(), 1);
+  but_one[5] = 0;
+  CHECK(inward_triangles(*make_input(ball)) == but_one);
 }
 
 TEST_CASE("coverage: shares stay when everything grows", "[coverage]") {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "knit/mesh/outside.h"
 #include "knit/mesh/triangle_tree.h"
 #include "knit/mesh/union_find.h"
 #include "knit/quality/knit_surface.h"
@@ -24,9 +25,12 @@ glm::dvec3 middle_of(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 std::array<VertexId, 3> corners_of(const Input& input, std::size_t triangle) {
   return input.mesh.triangles[triangle];
 }
-Corners places_of(const Input& input, std::size_t triangle) {
+// Counter-clockwise seen from outside; `inward` as of inward_triangles.
+Corners places_of(const Input& input, const std::vector<std::uint8_t>& inward, std::size_t triangle) {
   const auto [a, b, c] = corners_of(input, triangle);
-  return {input.mesh.positions[a], input.mesh.positions[b], input.mesh.positions[c]};
+  const auto& positions = input.mesh.positions;
+  if (!inward.empty() && inward[triangle] != 0) return {positions[a], positions[c], positions[b]};
+  return {positions[a], positions[b], positions[c]};
 }
 
 // A row's hole, drawn together at its middle. `outward`: the stitches go round counter-clockwise seen from outside.
@@ -261,8 +265,9 @@ void explain(UncoveredPlace& place, const Input& input, const State& state, doub
 Uncovered measure_uncovered(const Input& input, const State& state, double stitch_width,
                             double stitch_height) {
   Uncovered uncovered;
+  const std::vector<std::uint8_t> inward = inward_triangles(input);
   double whole = 0.0;
-  for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) whole += area_of(places_of(input, t));
+  for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) whole += area_of(places_of(input, inward, t));
   if (!(whole > 0.0)) return uncovered;
   const KnitSurface surface = closed_surface(state);
   const double limit = covered_within * stitch_height;
@@ -270,7 +275,7 @@ Uncovered measure_uncovered(const Input& input, const State& state, double stitc
   if (state.placed) placed.emplace(state, limit);
   const TriangleTree knit(surface.positions, surface.triangles);
   Cutter cutter(knit, limit, std::max(stitch_height, std::sqrt(whole / most_cuts)));
-  for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) cutter.cut(places_of(input, t), t);
+  for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) cutter.cut(places_of(input, inward, t), t);
 
   const std::vector<Piece>& pieces = cutter.uncovered();
   for (const Patch& patch : gather(pieces)) {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "knit/mesh/closest_point.h"
+#include "knit/mesh/outside.h"
 
 namespace knit {
 
@@ -25,10 +26,10 @@ glm::dvec3 across(const std::array<glm::dvec3, 3>& corners) {
   return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
-// Whether the outside of the triangle looks away from the one that `normal` shows.
-bool opposed(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal) {
+// Whether the outside of the triangle looks away from the one that `normal` shows. `inward`: its corners go round clockwise.
+bool opposed(const std::array<glm::dvec3, 3>& corners, bool inward, const glm::dvec3& normal) {
   const glm::dvec3 outside = across(corners);
-  const double along = glm::dot(outside, normal);
+  const double along = inward ? -glm::dot(outside, normal) : glm::dot(outside, normal);
   return along < 0.0 && along * along > most_turned * most_turned * squared_length(outside);
 }
 
@@ -69,12 +70,13 @@ bool out_of_reach(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3
 VertexNormals vertex_normals(const Input& input, const Heard& heard) {
   VertexNormals made;
   made.normals.assign(input.mesh.positions.size(), glm::dvec3(0.0));
+  made.inward = inward_triangles(input);
   for (std::uint32_t t = 0; t < input.mesh.triangles.size(); ++t) {
     hear_at(heard, t, input.mesh.triangles.size());
     const auto& [a, b, c] = input.mesh.triangles[t];
     const glm::dvec3& corner = input.mesh.positions[a];
     const glm::dvec3 outside = glm::cross(input.mesh.positions[b] - corner, input.mesh.positions[c] - corner);
-    for (const VertexId v : {a, b, c}) made.normals[input.twin[v]] += outside;
+    for (const VertexId v : {a, b, c}) made.normals[input.twin[v]] += made.faces_in(t) ? -outside : outside;
   }
   for (std::size_t v = 0; v < made.normals.size(); ++v) {
     if (v % 8192 == 0) hear(heard, 1.0);
@@ -127,7 +129,7 @@ OnSurface SurfaceWalk::nearest(const OnSurface& from, const glm::dvec3& to) {
     const std::array<glm::dvec3, 3> corners{positions[a], positions[b], positions[c]};
     const glm::dvec3 place = nearest_on(corners, to);
     const double square = squared_length(place - to);
-    if (next > 0 && (square > ball || opposed(corners, from.normal))) continue;
+    if (next > 0 && (square > ball || opposed(corners, normals_->faces_in(triangle), from.normal))) continue;
     if (square < least) {
       least = square;
       best.triangle = triangle;

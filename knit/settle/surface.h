@@ -16,10 +16,15 @@
 
 namespace knit {
 
-// Per vertex of the mesh, that of its twin; of length 1, or 0 where no triangle with an area is.
+// Outwards, whatever way the triangles face [knit/mesh/outside.h]. Per vertex of the mesh, that of its twin; of length 1, or 0
+// where no triangle with an area is.
 struct VertexNormals {
   std::vector<glm::dvec3> normals;
-  [[nodiscard]] auto fields() const { return std::tie(normals); }
+  std::vector<std::uint8_t> inward;  // per triangle, as inward_triangles gives them
+  [[nodiscard]] bool faces_in(std::uint32_t triangle) const {
+    return !inward.empty() && inward[triangle] != 0;
+  }
+  [[nodiscard]] auto fields() const { return std::tie(normals, inward); }
   friend bool operator==(const VertexNormals&, const VertexNormals&) = default;
 };
 VertexNormals vertex_normals(const Input& input, const Heard& heard = {});
