@@ -3,10 +3,25 @@
 
 #include "app/render/headless_gl.h"
 #include "app/session/program.h"
+#include "app/window/turn.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
 using namespace app;
+
+TEST_CASE("what the last of the work beside brings is drawn until all has its size") {
+  Pace pace;
+  pace.frames_due = 0;
+  pace.look_at(false);
+  CHECK(pace.frames_due == 0);
+  pace.look_at(true);
+  CHECK(pace.frames_due == 0);
+  pace.look_at(false);
+  CHECK(pace.frames_due == frames_after_event);
+  pace.frames_due = 0;
+  pace.look_at(false);
+  CHECK(pace.frames_due == 0);
+}
 
 TEST_CASE("the view is drawn again only where it shows something else, so that typing does not wait for it") {
   HeadlessGl gl = std::get<HeadlessGl>(HeadlessGl::open());

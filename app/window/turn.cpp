@@ -77,6 +77,11 @@ std::string title_of(const Session& session) {
 
 }  // namespace
 
+void Pace::look_at(bool panels_wait) {
+  if (panels_waited && !panels_wait) frames_due = frames_after_event;
+  panels_waited = panels_wait;
+}
+
 double Pace::tick() {
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - last).count();
@@ -98,9 +103,10 @@ FrameShape shape_of(const Window& window, double seconds, int samples) {
 }
 
 double turn(Session& session, Window& window, FrameDrawer& drawer, Pace& pace) {
-  const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
   // What panels wait for is looked at twenty times a second, and drawn then.
   const bool panels_wait = drawer.waits_for_panels();
+  pace.look_at(panels_wait);
+  const bool idle = pace.frames_due == 0 && window.input().empty() && !drawer.busy() && !working(session);
   if (idle) {
     window.wait(panels_wait ? 0.05 : 0.5);
     if (panels_wait) pace.frames_due = 1;
