@@ -86,6 +86,21 @@ void make_cursors(std::array<GLFWcursor*, 10>& cursors) {
   glfwGetError(nullptr);  // a theme may lack a shape: then the arrow serves
 }
 
+// A window larger than the screen would hide panels beyond its edges, and without a frame nobody could pull it smaller.
+void fit_to_screen(GLFWwindow* window) {
+  GLFWmonitor* screen = glfwGetPrimaryMonitor();
+  if (screen == nullptr) return;
+  int x = 0;
+  int y = 0;
+  Window::Size room;
+  Window::Size size;
+  glfwGetMonitorWorkarea(screen, &x, &y, &room.width, &room.height);
+  glfwGetWindowSize(window, &size.width, &size.height);
+  if (room.width <= 0 || room.height <= 0) return;
+  if (size.width > room.width || size.height > room.height)
+    glfwSetWindowSize(window, std::min(size.width, room.width), std::min(size.height, room.height));
+}
+
 template <class Inside>
 Inside& inside_of(GLFWwindow* window) {
   return *static_cast<Inside*>(glfwGetWindowUserPointer(window));
@@ -149,6 +164,7 @@ std::variant<Window, std::string> Window::open(const std::string& title, int wid
     return "No window with OpenGL 3.3 can be opened: " + last_error() +
            ". Update the graphics driver, or run with --headless.";
   }
+  fit_to_screen(inside->window);
   glfwMakeContextCurrent(inside->window);
   if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
     return "The window's OpenGL is older than 3.3. Update the graphics driver, or run with --headless.";

@@ -14,7 +14,7 @@ namespace app {
 class Window {
  public:
   // Or a sentence that says why there is none and what to do. Width and height are in window units; a screen
-  // of high density gets a window of the same apparent size.
+  // of high density gets a window of the same apparent size. No larger than the screen has room for.
   static std::variant<Window, std::string> open(const std::string& title, int width, int height);
 
   Window(Window&&) noexcept;
