@@ -71,8 +71,8 @@ TEST_CASE("where stalls end has a mark and a sentence of its own, if that is els
   const auto stalls = quiet_stretch(work, cache, SweepFigure::stalls);
   const auto problems = quiet_stretch(work, cache, SweepFigure::problems);
   REQUIRE((stalls && problems));
-  CHECK(words_of(*stalls, SweepFigure::stalls) == "No stall from 0.02 on.");
-  CHECK(words_of(*problems, SweepFigure::problems) == "No problem from 0.035 on.");
+  CHECK(words_of(*stalls, SweepFigure::stalls) == "No stall from 0.02 on, at 0.015 not yet.");
+  CHECK(words_of(*problems, SweepFigure::problems) == "No problem from 0.035 on, at 0.03 not yet.");
   CHECK(only<Tune>(desk.click("curve-mark/epsilon")).parameters.epsilon() == problems->from);
   CHECK(only<Tune>(desk.click("curve-mark/epsilon/stalls")).parameters.epsilon() == stalls->from);
 }

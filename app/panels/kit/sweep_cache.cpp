@@ -186,14 +186,16 @@ std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCach
   }
   if (best == 0) return std::nullopt;
   const std::size_t end = begin + best - 1;
-  return QuietStretch{values[begin], values[end], begin == 0, end + 1 == values.size()};
+  return QuietStretch{values[begin], values[end], begin == 0, end + 1 == values.size(),
+                      begin == 0 ? std::nullopt : std::optional(values[begin - 1])};
 }
 
 std::string words_of(const QuietStretch& quiet, SweepFigure figure) {
   const std::string none(none_of(figure));
   if (quiet.from_first && quiet.to_last)
     return none + " from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
-  if (quiet.to_last) return none + " from " + shown_number(quiet.from) + " on.";
+  const std::string before = quiet.not_yet ? ", at " + shown_number(*quiet.not_yet) + " not yet" : "";
+  if (quiet.to_last) return none + " from " + shown_number(quiet.from) + " on" + before + ".";
   if (quiet.from_first) return none + " up to " + shown_number(quiet.to) + ".";
   return none + " from " + shown_number(quiet.from) + " to " + shown_number(quiet.to) + ".";
 }
