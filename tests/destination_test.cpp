@@ -9,6 +9,7 @@
 #include "app/session/outbox.h"
 #include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
+#include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -176,6 +177,21 @@ TEST_CASE("widest, longest and a change of counts are those of the rows themselv
   CHECK_FALSE(wale.position);  // it is seen already
   apply(session, ToFirst{});
   CHECK(there(session, "longest wale").position);
+}
+
+TEST_CASE("a widest round that is far from what the mesh has around says so") {
+  Session session = test_support::example_session("thesis-sphere");
+  session.document->timeline.extend_to_end();
+  const std::string near = there(session, "widest round").words;
+  CHECK(says(near, "65 stitches, 39 cm around"));
+  CHECK_FALSE(says(near, "The mesh is"));
+  knit::Parameters parameters = session.document->timeline.parameters();
+  knit::give_gauge(parameters, {22.0, 32.0});
+  apply(session, Tune{parameters});
+  session.document->timeline.extend_to_end();
+  CHECK(says(there(session, "widest round").words,
+             "129 stitches, 58.64 cm around at 22 stitches in 10 cm. 27 more rows have as "
+             "many. The mesh is 37.68 cm around at its widest."));
 }
 
 TEST_CASE("operations count as hands work them, and next and previous go by the steps") {

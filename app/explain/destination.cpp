@@ -17,6 +17,7 @@
 #include "app/session/document.h"
 #include "app/session/planned_pieces.h"
 #include "app/session/view.h"
+#include "knit/insight/as_asked.h"
 #include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/insight/problems.h"
@@ -223,6 +224,13 @@ class Finder {
     return std::pair(of.rows[static_cast<std::size_t>(round) - 1], pieces->name_of(piece));
   }
 
+  // Where a round of so many centimetres is far from what the mesh has around.
+  [[nodiscard]] std::string girth_words(double around_cm) const {
+    const double mesh_cm = knit::size_asked(run_, timeline_.parameters()).around_cm;
+    if (std::abs(around_cm - mesh_cm) <= knit::size_off * mesh_cm) return "";
+    return " The mesh is " + knit::short_number(mesh_cm) + " cm around at its widest.";
+  }
+
   [[nodiscard]] Found find_extreme_row() const {
     const auto& rows = run_.fabric.rows();
     if (rows.empty()) return nowhere("There is no row yet.");
@@ -233,13 +241,13 @@ class Finder {
     const std::int32_t count = knit::size_of(**best);
     const auto alike = std::count_if(rows.begin(), rows.end(),
                                      [&](const auto& row) { return knit::size_of(*row) == count; });
-    const knit::Gauge gauge = timeline_.parameters().stitch.gauge;
-    const std::string so_far = timeline_.complete() ? "" : " so far";
-    std::string words = "The " + std::string(widest ? "widest" : "narrowest") + " row" + so_far + " is row " +
-                        digits((*best)->id) + ": " + knit::stitch_count_text(count) + ", " +
-                        knit::short_number(count * 10.0 / gauge.stitches) + " cm around at " +
-                        knit::short_number(gauge.stitches) + " stitches in 10 cm.";
+    const double sts = timeline_.parameters().stitch.gauge.stitches, around_cm = count * 10.0 / sts;
+    std::string words = "The " + std::string(widest ? "widest" : "narrowest") + " row" +
+                        (timeline_.complete() ? "" : " so far") + " is row " + digits((*best)->id) + ": " +
+                        knit::stitch_count_text(count) + ", " + knit::short_number(around_cm) +
+                        " cm around at " + knit::short_number(sts) + " stitches in 10 cm.";
     if (alike > 1) words += " " + knit::plural(alike - 1, "more row has", "more rows have") + " as many.";
+    if (widest && timeline_.complete()) words += girth_words(around_cm);
     return Destination{words, {}, {}, end_of((*best)->id), false};
   }
 
