@@ -169,6 +169,11 @@ TEST_CASE("both runs are seen at the same place, and what differs is named") {
   const BesideWords words = beside_words(session);
   CHECK(words.pinned == "Stitch width w 0.45");
   CHECK(words.here == "Stitch width w 0.5");
+  knit::Parameters by_gauge = knobs_of(here).base;
+  REQUIRE_FALSE(knit::set_value(*knit::find_parameter(knit::keys::gauge), by_gauge,
+                                "13.888888888888889,19.29012345679"));
+  apply(session, Tune{by_gauge});
+  CHECK(beside_words(session).here.find("Gauge 13.889 x 19.29") != std::string::npos);
   apply(session, Unpin{});
   CHECK(pinned.refresh(session) == nullptr);
 }

@@ -99,6 +99,7 @@ TEST_CASE("the help shows every key at 1280 x 720, without scrolling") {
   desk.open();
   desk.session.view->dialogs.help_open = true;
   desk.settle();
+  CHECK(desk.ui.controls.at("help").y >= desk.layout.menu.bottom());
   for (const CommandInfo& info : command_table()) {
     const std::string name = "help/" + words_of(info);
     INFO(name);

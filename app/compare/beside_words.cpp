@@ -16,8 +16,10 @@ namespace {
 
 constexpr std::size_t most_named = 2;
 
-// A number of many digits has five; other words stay.
+// A number of many digits has five, each of several with commas between too; other words stay.
 std::string shortened(const std::string& text) {
+  if (const std::size_t comma = text.find(','); comma != std::string::npos)
+    return shortened(text.substr(0, comma)) + " x " + shortened(text.substr(comma + 1));
   constexpr std::size_t short_enough = 7;
   constexpr int digits = 5;
   double value = 0.0;

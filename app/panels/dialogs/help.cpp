@@ -172,7 +172,8 @@ void draw_help(PanelFrame& frame) {
   HelpColumns columns = columns_of(setting, groups);
   // Title, the ways on, and the window's edges.
   const float around = 2.0f * ImGui::GetFrameHeightWithSpacing() + 2.0f * look.WindowPadding.y;
-  const float room = 0.98f * window.height;
+  const float below = frame.layout.menu.bottom();  // the menu bar stays in sight
+  const float room = 0.99f * (window.height - below);
   if (columns.height + around > room) {
     setting.words_font = frame.fonts.small;
     setting.gap = 0.0f;
@@ -183,7 +184,8 @@ void draw_help(PanelFrame& frame) {
     columns = columns_of(setting, groups);
   }
   const float height = std::min(columns.height + around, room);
-  const Box box{0.5f * (window.width - width), 0.5f * (window.height - height), width, height};
+  const Box box{0.5f * (window.width - width), below + 0.5f * (window.height - below - height), width,
+                height};
   ImGui::SetNextWindowPos(ImVec2(box.x, box.y));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   push_raised_look(frame);

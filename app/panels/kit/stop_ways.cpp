@@ -84,9 +84,14 @@ void draw_tried_ways(PanelFrame& frame, const std::string& mark) {
 }
 
 bool StopWays::was_at_it() {
-  const bool before = at_it_;
-  at_it_ = work_ != nullptr && work_->running();
-  return before || at_it_;
+  constexpr int after_the_end = 2;
+  if (work_ != nullptr && work_->running()) {
+    frames_due_ = after_the_end;
+    return true;
+  }
+  if (frames_due_ == 0) return false;
+  --frames_due_;
+  return true;
 }
 
 bool ways_are_tried(PanelMemory& memory) { return memory.own<StopWays>().was_at_it(); }

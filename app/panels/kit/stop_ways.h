@@ -15,12 +15,13 @@ class StopWays {
  public:
   void refresh(const knit::Timeline& timeline);
   [[nodiscard]] const WaysOnWork* work() const { return work_.get(); }  // null: the run did not stop
-  // Since it was last asked, once more after the end: what was found last is still to be drawn.
+  // Since it was last asked, and twice more after the end: what was found last is still to be drawn, and a window becomes as high
+  // as what it holds a frame later.
   bool was_at_it();
 
  private:
   RunKey key_;
-  bool at_it_ = false;
+  int frames_due_ = 0;
   std::shared_ptr<WaysOnWork> work_;
 };
 

@@ -217,6 +217,22 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   list.AddText(ImVec2(left.x - width - frame.units(6.0f), left.y + down), colour, count.c_str());
 }
 
+// Over the numbers: of what they are.
+void draw_heads(const PanelFrame& frame, const Sheet& sheet) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = style::packed(theme().faint_text);
+  const std::size_t top = sheet.bands.rows - 1;
+  const float up = ImGui::GetTextLineHeight() + frame.units(3.0f);
+  for (std::size_t band = 0; band < sheet.bands.count; ++band) {
+    const ImVec2 right = sheet.at(top, sheet.first_of(band));
+    list.AddText(ImVec2(right.x + sheet.side() + frame.units(6.0f), right.y - up), colour, "Rnd");
+  }
+  const char* counts = "Sts";
+  const float width = ImGui::CalcTextSize(counts).x;
+  const ImVec2 left = sheet.at(top, sheet.bands.columns - 1);
+  list.AddText(ImVec2(left.x - width - frame.units(6.0f), left.y - up), colour, counts);
+}
+
 // "Columns 1 to 70 of 127", above each band; nothing where the chart is whole, or so small that it has no room. `more`: not all
 // bands are in sight.
 void draw_band_words(const Sheet& sheet, bool more) {
@@ -420,6 +436,7 @@ void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceCh
   sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - sheet.bands.width()) + view.move.x),
                      std::floor(room.y + 0.5f * (room.height - sheet.bands.height()) + lower + view.move.y));
   draw_squares(frame, sheet, room, frame.session.view->gaze.hovered_stitch);
+  draw_heads(frame, sheet);
   draw_band_words(sheet, sheet.bands.height() > room.height);
   draw_hovered_rounds(frame, sheet);
   handle_pointer(frame, sheet);

@@ -204,27 +204,38 @@ void draw_way(const PanelFrame& frame, const TubesDrawing& drawing, const ShownT
                               frame.units(2.0f));
 }
 
-void dashed_across(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown) {
+// Across a tube on a holder, where its knitting waits.
+Box bar_of_holder(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown) {
   const float y = whole(y_of_row(shown, drawing.tube(shown.id), shown.knitted));
   const float half = shown.half + frame.units(8.0f);
-  const float dash = whole(frame.units(4.0f));
   const float thick = std::max(2.0f, whole(frame.units(2.0f)));
-  for (float x = shown.x - half; x < shown.x + half; x += 1.75f * dash) {
-    drawing.list.AddRectFilled(ImVec2(x, y - 0.5f * thick),
-                               ImVec2(std::min(x + dash, shown.x + half), y + 0.5f * thick),
+  return {shown.x - half, y - 0.5f * thick, 2.0f * half, thick};
+}
+
+void dashed_across(const PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& shown) {
+  const Box bar = bar_of_holder(frame, drawing, shown);
+  const float dash = whole(frame.units(4.0f));
+  for (float x = bar.x; x < bar.right(); x += 1.75f * dash) {
+    drawing.list.AddRectFilled(ImVec2(x, bar.y), ImVec2(std::min(x + dash, bar.right()), bar.bottom()),
                                style::packed(theme().warning));
   }
 }
 
-void draw_current_row(const PanelFrame& frame, const TubesDrawing& drawing) {
-  if (drawing.current < 0) return;
+// Requires a current tube.
+Box bar_of_current_row(const PanelFrame& frame, const TubesDrawing& drawing) {
   const ShownTube& shown = drawing.tubes[static_cast<std::size_t>(drawing.current)];
   const double row = drawing.row - drawing.place(drawing.current).first_row + 0.5;
   const float y = whole(y_of_row(shown, drawing.tube(drawing.current), row));
   const float half = shown.half + frame.units(6.0f);
   const float thick = std::max(2.0f, whole(frame.units(2.0f)));
-  drawing.list.AddRectFilled(ImVec2(shown.x - half, y - 0.5f * thick),
-                             ImVec2(shown.x + half, y + 0.5f * thick), style::packed(theme().anchor));
+  return {shown.x - half, y - 0.5f * thick, 2.0f * half, thick};
+}
+
+void draw_current_row(const PanelFrame& frame, const TubesDrawing& drawing) {
+  if (drawing.current < 0) return;
+  const Box bar = bar_of_current_row(frame, drawing);
+  drawing.list.AddRectFilled(ImVec2(bar.x, bar.y), ImVec2(bar.right(), bar.bottom()),
+                             style::packed(theme().anchor));
 }
 
 // Rows that are meant elsewhere: by a line of the pattern, a stitch, a place on the timeline.
@@ -331,7 +342,7 @@ std::vector<Box> places_of_name(const PanelFrame& frame, const TubesDrawing& dra
   return places;
 }
 
-// Where no name is to stand: symbols, bands, and the ways between them.
+// Where no name is to stand: symbols, bands, the bars of the current row and of holders, and the ways between them.
 std::vector<Box> taken_by_lines(const PanelFrame& frame, const TubesDrawing& drawing) {
   const float r = frame.units(symbol_room), thick = frame.units(1.5f);
   std::vector<Box> taken;
@@ -339,9 +350,11 @@ std::vector<Box> taken_by_lines(const PanelFrame& frame, const TubesDrawing& dra
     taken.push_back({at.x - half, at.y - half, 2.0f * half, 2.0f * half});
   };
   for (std::size_t i = 0; i < drawing.plan.events.size(); ++i) around(event_at(drawing, i), r);
+  if (drawing.current >= 0) taken.push_back(bar_of_current_row(frame, drawing));
   for (const ShownTube& shown : drawing.tubes) {
     const float half = drawing.tube(shown.id).rows() > 0 ? shown.half : thick;
     taken.push_back({shown.x - half, shown.top, 2.0f * half, shown.bottom - shown.top});
+    if (shown.held) taken.push_back(bar_of_holder(frame, drawing, shown));
     for (const bool at_bottom : {true, false}) {
       const auto [p0, p1, p2, p3] = way_of(drawing, shown, at_bottom);
       constexpr int parts = 16;
