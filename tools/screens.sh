@@ -122,6 +122,7 @@ await() { # tries COMMAND...: a tenth of a second each
 is_drawn() { [ "$(tail -c $((wide * 80)) "$aside/Xvfb_screen0" | tr -d '\0' | head -c 1 | wc -c)" = 1 ]; }
 is_displayed() { [ -s "$aside/display" ]; }
 has_window() { window=$(xdotool search --onlyvisible --name '(^| - )knit-mesh$' 2>/dev/null | head -n 1) && [ -n "$window" ]; }
+has_no_window() { ! has_window; }
 has_keyboard() {
   xdotool windowfocus "$window" 2>/dev/null || true
   [ "$(xdotool getwindowfocus 2>/dev/null)" = "$window" ]
@@ -176,6 +177,7 @@ take() { # name, options, hands, theme
   kill -KILL "$pid" 2>/dev/null || true
   wait "$pid" 2>/dev/null || true
   pid=
+  await 100 has_no_window || true  # or the next would take this one's for its own
 }
 
 for size in $sizes; do

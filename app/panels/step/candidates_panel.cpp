@@ -328,7 +328,13 @@ void draw_header(PanelFrame& frame) {
   push_font(frame.fonts.small);  // with the mark of the order a word must fit in a narrow panel
   for (int column = 0; column < 5; ++column) {
     ImGui::TableSetColumnIndex(column);
-    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    const char* name = ImGui::TableGetColumnName(column);
+    if (column == 1 || column == 2 || column == 4) {  // numbers end at the right
+      const float arrow = ImGui::GetFontSize() + ImGui::GetStyle().FramePadding.x;
+      const float spare = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name).x - arrow;
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
+    }
+    ImGui::TableHeader(name);
     frame.mark("candidates/sort/" + std::to_string(column));
     tooltip(frame, "Click: sort by this, and the other way round.");
   }
