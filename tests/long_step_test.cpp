@@ -103,6 +103,30 @@ TEST_CASE("settling is heard, and broken off without a trace") {
   CHECK(timeline.furthest().placed);
 }
 
+TEST_CASE("the rhythm of a large piece is planned elsewhere, heard, and broken off without a trace") {
+  Parameters parameters;
+  parameters.timing.kind = TimingKind::arc_length;
+  parameters.rows.source = RowSource::contours;
+  parameters.rhythm.counts = CountPlanning::rhythm;
+  parameters.rhythm.changes = 8;
+  parameters.rhythm.dial = 1.0;
+  for (const bool large : {false, true}) {
+    give_width(parameters, large ? 0.03 : 0.1);
+    Timeline timeline(make_input(sphere(24, 12)), parameters);
+    bool planned = false;
+    while (!planned) {
+      const Timeline::Job job = timeline.next_job();
+      const Timeline::Outcome whole = Timeline::work(job);
+      planned = get_if<RhythmPlanned>(whole.step) != nullptr;
+      if (planned) {
+        CHECK(timeline.next_is_long() == large);
+        CHECK(times_heard(job, whole) >= 8);
+      }
+      timeline.accept(job, whole);
+    }
+  }
+}
+
 TEST_CASE("what is solved for on a large mesh is heard, and broken off without a trace") {
   const TimingKind timing = GENERATE(TimingKind::geodesic, TimingKind::harmonic);
   Timeline timeline = large_run(timing);

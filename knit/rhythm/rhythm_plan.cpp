@@ -56,6 +56,11 @@ std::vector<double> sizes_for(const RhythmFamily& family, double belt, bool may_
   return sizes;
 }
 
+struct SizedFamily {
+  RhythmFamily family;
+  double size = 1.0;
+};
+
 double preference(std::int32_t changes) {
   switch (changes) {
     case 4:
@@ -165,7 +170,7 @@ bool is_mirrored(std::span<const double> ideals) {
 }
 
 std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const RhythmFamily& family, double dial,
-                                      const RhythmStart& start) {
+                                      const RhythmStart& start, const Heard& heard) {
   RhythmPlan plan;
   plan.sections = family.sections;
   plan.changes = family.changes();
@@ -174,7 +179,8 @@ std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const Rhyt
   const RhythmPrices prices = rhythm_prices(family, dial, ideals);
   const std::vector<double> half = plan.mirrored ? opening_half(ideals) : std::vector<double>{};
   const std::span<const double> planned = plan.mirrored ? std::span<const double>(half) : ideals;
-  std::optional<FoundSegments> found = find_segments({planned, family, prices, start, plan.mirrored});
+  std::optional<FoundSegments> found =
+      find_segments({planned, family, prices, start, plan.mirrored, 0, heard});
   if (!found) return {};
   plan.cost = found->cost;
   plan.segments = plan.mirrored
@@ -188,26 +194,36 @@ std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const Rhyt
   return plan;
 }
 
+double microseconds_to_plan(double rows, double belt) {
+  constexpr double of_a_row_and_two_counts = 0.1;
+  return of_a_row_and_two_counts * rows * belt * belt;
+}
+
 std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettings& settings,
-                                      const RhythmStart& start) {
+                                      const RhythmStart& start, const Heard& heard) {
   const std::vector<double> asked = ideals(1.0);
   const double belt = belt_of(asked);
-  std::vector<RhythmPlan> plans;
+  const std::span<const double> tried =
+      settings.dial > 0.0 ? std::span(&settings.dial, 1) : std::span<const double>(dials);
+  const bool may_change_size = settings.fit_size == FitSize::on && start == RhythmStart{};
+  std::vector<SizedFamily> all;
   for (const RhythmFamily& family : families_for(settings, belt)) {
-    const bool may_change_size = settings.fit_size == FitSize::on && start == RhythmStart{};
-    for (const double size : sizes_for(family, belt, may_change_size)) {
-      const std::vector<double> sized = size == 1.0 ? asked : ideals(size);
-      for (const double dial : dials) {
-        std::optional<RhythmPlan> plan =
-            plan_family(sized, family, settings.dial > 0.0 ? settings.dial : dial, start);
-        if (plan) {
-          plan->size = size;
-          plan->score = score_of(*plan);
-          plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
-          plans.push_back(*std::move(plan));
-        }
-        if (settings.dial > 0.0) break;
-      }
+    for (const double size : sizes_for(family, belt, may_change_size)) all.push_back({family, size});
+  }
+  std::vector<RhythmPlan> plans;
+  const double searches = static_cast<double>(all.size() * tried.size());
+  double searched = 0.0;
+  for (const auto& [family, size] : all) {
+    const std::vector<double> sized = size == 1.0 ? asked : ideals(size);
+    for (const double dial : tried) {
+      const Heard part = part_of(heard, searched / searches, (searched + 1.0) / searches);
+      searched += 1.0;
+      std::optional<RhythmPlan> plan = plan_family(sized, family, dial, start, part);
+      if (!plan) continue;
+      plan->size = size;
+      plan->score = score_of(*plan);
+      plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
+      plans.push_back(*std::move(plan));
     }
   }
   // A rhythm that never comes near the widest row is none, as long as there is another.

@@ -36,6 +36,7 @@ class SegmentSearch {
   std::optional<FoundSegments> found() {
     begin();
     for (std::int32_t row = task_.start.row; row < rows_; ++row) {
+      hear(task_.heard, static_cast<double>(row) / rows_);
       for (std::int32_t level = 0; level < levels_; ++level) {
         for (std::int32_t end = 0; end < ends; ++end) {
           const Place here{row, level, end};

@@ -8,8 +8,8 @@
 //   F(r + L, n, plain)    <- F(r, n, t) + S_n[r + 1 + L] - S_n[r + 1] + price        unless t is plain
 //   F(r + pq, n + qd, .)  <- F(r, n, t) + the q turns, each at two counts + price    p <= 12, q <= 40
 // A segment is given up where its count is far from the ideal: more than max(1.6 k, belt / 10) + 2.
-// Cost: rows x counts x 4 x the segments that stay near; a plain one goes on row by row. Among equal costs (knit/model/ties.h: the same
-// counts in other words) the first found: segments by where they begin, plain ones first, then + before -, by p, pre before
+// Cost: rows x counts x 4 x the segments that stay near; a plain one goes on row by row. Among equal costs
+// (knit/model/ties.h: the same counts in other words) the first found: segments by where they begin, plain ones first, then + before -, by p, pre before
 // post, by q.
 #pragma once
 
@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "knit/model/heard.h"
 #include "knit/rhythm/segments.h"
 
 namespace knit {
@@ -60,6 +61,7 @@ struct SegmentTask {
   bool half = false;  // the opening half of a piece that mirrors: all costs twice, any count at its end
   std::int32_t last =
       0;  // the count of the last row; 0: any of at most max(12, 2.6 c), or any at all if there is none
+  Heard heard = {};
 };
 
 struct FoundSegments {

@@ -210,6 +210,7 @@ struct RowWish {
   const RowsSettings& rows;
   const RhythmSettings& rhythm;
   const StitchSize& stitch;
+  const Heard& heard;
 };
 
 RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourWork& work,
@@ -225,7 +226,8 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
     for (const double length : tube.lengths) ideals.push_back(length / wish.stitch.width);
     RhythmSettings as_it_is = wish.rhythm;
     as_it_is.fit_size = FitSize::off;
-    std::optional<RhythmPlan> plan = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start);
+    std::optional<RhythmPlan> plan =
+        plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard);
     if (plan)
       made->plan = *std::move(plan);
     else
@@ -244,8 +246,9 @@ CutFound find_cut(const ContourAt& at, ContourWork& work) {
 Advanced<ContourEvent> begin_row(const RowWish& wish, const ContourAt& at, ContourWork& work,
                                  std::optional<TubeRhythm>& rhythm) {
   if (!rhythm_is_due(wish.rhythm, wish.stitch, at, work)) return find_cut(at, work);
+  const RhythmPlanned planned = plan_rows(wish, at, work, rhythm);
   work.phase = ContourPhase::cut;
-  return plan_rows(wish, at, work, rhythm);
+  return planned;
 }
 
 Rowless why_rowless(const TubePlan& plan, const Tube& tube) {
@@ -418,14 +421,20 @@ const Ring& current_curve(const TubePlan& plan, const ContourWork& work) {
   return *plan.tube(current_tube(plan, work)).curves[static_cast<std::size_t>(work.row)];
 }
 
+bool next_plans_rhythm(const RhythmSettings& rhythm, const StitchSize& stitch, const ContourAt& at,
+                       const ContourWork& work) {
+  const bool between = work.phase == ContourPhase::take || work.phase == ContourPhase::cut;
+  return between && work.taken > 0 && at.plan.tubes.size() == 1 && rhythm_is_due(rhythm, stitch, at, work);
+}
+
 Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const RhythmSettings& rhythm,
                                         const StitchSize& stitch, const ContourAt& at, ContourWork& work,
-                                        ContourMade made) {
+                                        ContourMade made, const Heard& heard) {
   switch (work.phase) {
     case ContourPhase::take:
-      return go_on({rows, rhythm, stitch}, at, work, made);
+      return go_on({rows, rhythm, stitch, heard}, at, work, made);
     case ContourPhase::cut:
-      return begin_row({rows, rhythm, stitch}, at, work, made.rhythm);
+      return begin_row({rows, rhythm, stitch, heard}, at, work, made.rhythm);
     case ContourPhase::loop:
       return close_loop(at, work);
     case ContourPhase::measure:

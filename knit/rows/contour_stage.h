@@ -14,6 +14,7 @@
 #include "knit/fabric/fabric.h"
 #include "knit/mesh/mesh.h"
 #include "knit/model/event.h"
+#include "knit/model/heard.h"
 #include "knit/model/products.h"
 #include "knit/rhythm/tube_rhythm.h"
 #include "knit/rows/contour_events.h"
@@ -69,6 +70,9 @@ struct ContourMade {
 };
 Advanced<ContourEvent> advance_contours(const RowsSettings& rows, const RhythmSettings& rhythm,
                                         const StitchSize& stitch, const ContourAt& at, ContourWork& work,
-                                        ContourMade made);
+                                        ContourMade made, const Heard& heard = {});
+// Whether the next step plans the counts of all rows to come; `heard` hears of it.
+bool next_plans_rhythm(const RhythmSettings& rhythm, const StitchSize& stitch, const ContourAt& at,
+                       const ContourWork& work);
 
 }  // namespace knit

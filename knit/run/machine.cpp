@@ -5,6 +5,7 @@
 
 #include "knit/model/bug.h"
 #include "knit/model/settings_table.h"
+#include "knit/rhythm/rhythm_plan.h"
 #include "knit/run/knitters_order.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/below_joins.h"
@@ -95,7 +96,8 @@ std::vector<std::int32_t> links_to_come(const State& state, const ContourWork& w
   return round ? plan_repeats(*round).link : std::vector<std::int32_t>{};
 }
 
-Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work) {
+Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work,
+                    const Heard& heard) {
   const std::vector<std::int32_t> links = links_to_come(state, work);
   const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms, links};
   std::optional<Row> row;
@@ -103,7 +105,7 @@ Taken take_contours(const Input& input, const Parameters& parameters, State& sta
   std::optional<TubePlan> plan;
   std::optional<TubeRhythm> rhythm;
   Taken taken = advance_contours(parameters.rows, parameters.rhythm, parameters.stitch, at, work,
-                                 {row, deal, plan, rhythm});
+                                 {row, deal, plan, rhythm}, heard);
   keep(state.fabric, std::move(row));
   keep(state.fabric, std::move(deal));
   if (plan) state.tubes = Shared(std::move(*plan));
@@ -119,15 +121,15 @@ Taken take_cast_on(const Input& input, const Parameters& parameters, State& stat
   return taken;
 }
 
-Taken take_first_row(const Input& input, const Parameters& parameters, State& state) {
+Taken take_first_row(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   if (auto* rings = std::get_if<CastOnWork>(&state.work))
     return take_cast_on(input, parameters, state, *rings);
-  return take_contours(input, parameters, state, std::get<ContourWork>(state.work));
+  return take_contours(input, parameters, state, std::get<ContourWork>(state.work), heard);
 }
 
-Taken take_row(const Input& input, const Parameters& parameters, State& state) {
+Taken take_row(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   if (auto* contours = std::get_if<ContourWork>(&state.work)) {
-    return take_contours(input, parameters, state, *contours);
+    return take_contours(input, parameters, state, *contours, heard);
   }
   const RingRow at{*state.timing, state.last_level, state.next.row, state.fabric};
   std::optional<Row> row;
@@ -222,9 +224,9 @@ Taken take(const Input& input, const Parameters& parameters, State& state, const
     case Stage::tubes:
       return take_tubes(input, parameters, state, heard);
     case Stage::cast_on:
-      return take_first_row(input, parameters, state);
+      return take_first_row(input, parameters, state, heard);
     case Stage::rows:
-      return take_row(input, parameters, state);
+      return take_row(input, parameters, state, heard);
     case Stage::stitches:
       return take_join(parameters, state);
     case Stage::faces:
@@ -334,12 +336,29 @@ bool step_sweeps(const Input& input, const Parameters& parameters, const State& 
   return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);
 }
 
+namespace {
+
+// Whether the next step plans a rhythm of many rows and stitches.
+bool plans_long(const Input& input, const Parameters& parameters, const State& state) {
+  const auto* work = std::get_if<ContourWork>(&state.work);
+  if (work == nullptr || parameters.rhythm.counts == CountPlanning::whole) return false;
+  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms};
+  if (!next_plans_rhythm(parameters.rhythm, parameters.stitch, at, *work)) return false;
+  const std::vector<double>& lengths = state.tubes->tube(current_tube(*state.tubes, *work)).lengths;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  return microseconds_to_plan(static_cast<double>(lengths.size()), longest / parameters.stitch.width) >
+         a_blink;
+}
+
+}  // namespace
+
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
   const auto* tubes = std::get_if<TubesWork>(&state.work);
   if (tubes != nullptr && tubes->phase == TubesPhase::plan && !tubes->plan &&
       microseconds_to_order(*tubes->graph, parameters.stitch) > a_frame)
     return true;
+  if (plans_long(input, parameters, state)) return true;
   return input.mesh.triangles.size() >= many_triangles && step_sweeps(input, parameters, state);
 }
 
