@@ -6,6 +6,7 @@
 
 #include "knit/insight/cause_parts.h"
 #include "knit/model/ties.h"
+#include "knit/rows/lasting_counts.h"
 
 namespace knit {
 
@@ -81,6 +82,28 @@ std::string ahead_text(const std::vector<double>& ideals, std::int32_t row, cons
          " here all of them together come nearest to what they hold.";
 }
 
+// "Rounds 26 to 34 hold 80.2 to 82.9 and have 82 all of them: ...": those around the row that have its count.
+std::string lasting_text(const State& run, std::int32_t row, const CountRead& read) {
+  if (!run.tubes || read.cut == nullptr) return "";
+  std::vector<double> ideals;
+  for (const double length : run.tubes->tube(read.cut->tube).lengths) ideals.push_back(length / read.width);
+  const std::vector<std::int32_t> counts = lasting_counts(ideals);
+  const auto at = static_cast<std::size_t>(read.cut->level);
+  std::size_t first = at, end = at + 1;
+  while (first > 0 && counts[first - 1] == counts[at]) --first;
+  while (end < counts.size() && counts[end] == counts[at]) ++end;
+  const auto [low, high] = std::minmax_element(ideals.begin() + static_cast<std::ptrdiff_t>(first),
+                                               ideals.begin() + static_cast<std::ptrdiff_t>(end));
+  const auto named = [&](std::size_t level) {
+    return whole_text(row + static_cast<std::int32_t>(level) - static_cast<std::int32_t>(at));
+  };
+  const std::string undone = "a change would be undone within " + whole_text(lasting_rounds) + " rounds.";
+  if (end - first == 1) return "With what each row hereabouts holds, " + undone;
+  return "Rows " + named(first) + " to " + named(end - 1) + " hold " + short_number(*low) + " to " +
+         short_number(*high) + " and all have " + whole_text(counts[at]) + ": with what each holds, " +
+         undone;
+}
+
 std::string reason_text(const State& run, std::int32_t row, const CountRead& read) {
   const CountChosen& chosen = *read.chosen;
   const std::string holds = holds_text(read);
@@ -101,6 +124,12 @@ std::string reason_text(const State& run, std::int32_t row, const CountRead& rea
     case CountReason::room_ahead:
       return holds + (limits.empty() ? "" : "; " + limits) + ". " +
              ahead_text(ideals_above(run, read), row, chosen);
+    case CountReason::would_be_undone:
+      return holds + (limits.empty() ? "" : "; " + limits) + ". " + lasting_text(run, row, read);
+    case CountReason::undone:
+      return holds + ", rounded; that changes the other way within " + whole_text(lasting_rounds) +
+             " rounds, but the loops there grow and shrink too fast for a count that lasts and is at most " +
+             short_number(100.0 * lasting_tolerance) + " % off.";
     case CountReason::rhythm_change:
       if (chosen.below == 0) return "its rhythm begins with so many; " + holds + ".";
       return "its rhythm changes here, by " + whole_text(chosen.count - chosen.below) + "; " + holds + ".";

@@ -66,14 +66,16 @@ struct LengthMeasured {
 };
 
 enum class CountReason : std::uint8_t {
-  ideal,           // the length in stitch widths, rounded
-  as_cast_on,      // the person said how many
-  at_least_three,  // a round needs three
-  at_most_double,  // of the row below
-  at_least_half,   // of the row below
-  room_ahead,      // so that the rows above come nearer to what they hold
-  rhythm_change,   // where the rhythm begins or changes
-  rhythm_rest,     // as many as below, as the rhythm has it
+  ideal,            // the length in stitch widths, rounded
+  as_cast_on,       // the person said how many
+  at_least_three,   // a round needs three
+  at_most_double,   // of the row below
+  at_least_half,    // of the row below
+  room_ahead,       // so that the rows above come nearer to what they hold
+  would_be_undone,  // not the one that it holds, which a row within eight rounds would undo
+  undone,           // what it holds, although a row within eight rounds undoes the change
+  rhythm_change,    // where the rhythm begins or changes
+  rhythm_rest,      // as many as below, as the rhythm has it
 };
 
 // The counts of all the tube's rows that are still to come.

@@ -1,7 +1,7 @@
 // Stages 2 and 3 with contours: how many stitches a curve carries.
 //
-// A row holds round(L / w) stitches, at least 3, at most twice and at least half of what it is worked on; where that limit
-// binds, the counts of a few rows together come as near to L / w as they can.
+// A row holds round(L / w) stitches, or what lasts (lasting_counts); at least 3, at most twice and at least half of what it is
+// worked on; where that limit binds, the counts of a few rows together come as near to that as they can.
 #pragma once
 
 #include <span>
@@ -16,9 +16,9 @@ struct ChosenCount {
   CountReason reason = CountReason::ideal;
   double ideal = 0.0;  // length / w
 };
-// Of the row with the first of `lengths`; the others are those of the rows above it, as far as its tube goes. `below`: the
-// stitches that it is worked on, 0: it is cast on. `cast_on`: what a person asked for there; 0: nothing.
-ChosenCount choose_count(std::span<const double> lengths, std::int32_t below, double stitch_width,
-                         std::int32_t cast_on);
+// Of a row of a tube whose rows have these lengths. `below`: the stitches that it is worked on, 0: it is cast on. `cast_on`: what
+// a person asked for there; 0: nothing.
+ChosenCount choose_count(std::span<const double> lengths, std::size_t row, std::int32_t below,
+                         double stitch_width, std::int32_t cast_on);
 
 }  // namespace knit

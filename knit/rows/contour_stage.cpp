@@ -348,11 +348,11 @@ CountChosen count(const RowsSettings& rows, const RhythmSettings& rhythm, const 
   std::int32_t below = at.fabric.live(id).size();
   if (below == 0) below = across_the_ring(at, id);
   const bool first = at.fabric.empty();
-  const auto lengths = std::span(tube.lengths).subspan(static_cast<std::size_t>(work.row));
+  const auto row = static_cast<std::size_t>(work.row);
   const std::optional<ChosenCount> in_rhythm =
-      count_of_rhythm(rhythm, at, work, lengths.front() / stitch.width);
+      count_of_rhythm(rhythm, at, work, tube.lengths[row] / stitch.width);
   const ChosenCount chosen =
-      in_rhythm ? *in_rhythm : choose_count(lengths, below, stitch.width, first ? rows.cast_on : 0);
+      in_rhythm ? *in_rhythm : choose_count(tube.lengths, row, below, stitch.width, first ? rows.cast_on : 0);
   work.count = chosen.count;
   work.phase = ContourPhase::begin;
   return {chosen.count, below, chosen.reason, chosen.ideal,

@@ -6,6 +6,7 @@
 
 #include "knit/model/measured.h"
 #include "knit/model/words.h"
+#include "knit/rows/lasting_counts.h"
 #include "knit/rows/row_variables.h"
 #include "knit/timing/timing_variables.h"
 
@@ -27,6 +28,10 @@ std::string_view word_of(CountReason reason) {
       return "at least half";
     case CountReason::room_ahead:
       return "room ahead";
+    case CountReason::would_be_undone:
+      return "would be undone";
+    case CountReason::undone:
+      return "undone";
     case CountReason::rhythm_change:
       return "rhythm: change";
     case CountReason::rhythm_rest:
@@ -173,6 +178,7 @@ std::string CountChosen::sentence(const Telling& at) const {
   std::string head = at.row() + ": " + stitch_count_text(count);
   const std::string tail = ", each " + short_number(course) + " wide.";
   const std::string instead = ", not the " + short_number(std::round(ideal)) + " that its length holds";
+  const std::string rounds = std::to_string(lasting_rounds) + " rounds";
   switch (reason) {
     case CountReason::ideal:
       return head + ", as many as its length holds" + tail;
@@ -186,6 +192,11 @@ std::string CountChosen::sentence(const Telling& at) const {
       return head + ", half of the " + std::to_string(below) + " below" + instead + tail;
     case CountReason::room_ahead:
       return head + instead + ", so that the rows above come nearer to what theirs hold" + tail;
+    case CountReason::would_be_undone:
+      return head + instead + ", so that no change is undone within " + rounds + tail;
+    case CountReason::undone:
+      return head + ", as many as its length holds, although that is undone within " + rounds +
+             ": any that lasts would be seen to be off" + tail;
     case CountReason::rhythm_change:
       if (below == 0) return head + ", with which its rhythm begins" + tail;
       return head + ", " + std::to_string(std::abs(count - below)) + (count > below ? " more" : " fewer") +
