@@ -116,3 +116,30 @@ TEST_CASE("a wrong ending and a missing run are said in a sentence") {
   CHECK_FALSE(export_to_file(session, {"plots", folder.path() / "p.CSV"}).has_value());
   CHECK(folder.files() == 2);
 }
+
+TEST_CASE("a rhythm's plan against its ideals is a plot of its own") {
+  CHECK(read_csv(plots_file_text(test_support::finished_small_session(), PlotsFormat::csv))
+            .count("rhythm/planned") == 0);
+  Session session = test_support::finished_small_session();
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.timing.kind = knit::TimingKind::arc_length;
+  parameters.rows.source = knit::RowSource::contours;
+  parameters.stitches.placement = knit::PlacementPolicy::nearest;
+  parameters.rhythm.counts = knit::CountPlanning::rhythm;
+  session.document->timeline =
+      knit::Timeline(knit::make_input(session.document->timeline.input().mesh), parameters);
+  session.document->timeline.extend_to_end();
+  session.document->timeline.seek(session.document->timeline.known());
+  const auto& state = session.document->timeline.furthest();
+  REQUIRE(state.rhythms.size() == 1);
+  Series series = read_csv(plots_file_text(session, PlotsFormat::csv));
+  const auto& planned = series["rhythm/planned"];
+  const auto& counts = state.rhythms.front()->plan.counts;
+  REQUIRE(planned.size() == counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) CHECK(planned[i].value == counts[i]);
+  CHECK(series["rhythm/ideal"].size() == counts.size());
+  const std::string svg = plots_file_text(session, PlotsFormat::svg);
+  CHECK(svg.find("class=\"rhythm\"") != std::string::npos);
+  CHECK(svg.find("as the rhythm has them, at most ") != std::string::npos);
+  CHECK(test_support::xml_fault(svg).empty());
+}

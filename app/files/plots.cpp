@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/base/text.h"
+#include "app/explain/rhythm_figures.h"
 #include "app/session/document.h"
 #include "app/session/run_figures.h"
 #include "app/session/shown.h"
@@ -32,7 +33,8 @@ struct RowsFigure {
   std::string value;  // the axis's title
   std::vector<std::int32_t> rows;
   std::vector<double> made, ideal;
-  std::vector<TubeStart> tubes;  // where there are several
+  std::vector<TubeStart> tubes;     // where there are several
+  std::string made_words = "made";  // what the values are
   [[nodiscard]] bool begins_tube(std::int32_t row) const {
     return std::any_of(tubes.begin(), tubes.end(), [&](const TubeStart& tube) { return tube.row == row; });
   }
@@ -186,7 +188,7 @@ std::string rows_svg(const RowsFigure& plot, double top) {
   ground.low = plot.rows.front() - 0.5;
   ground.high = plot.rows.back() + 0.5;
   std::string out = "<g" + attribute("class", plot.key) + ">\n" + heading(ground, plot.title) +
-                    axes(ground, plot.value, plot.key == "stitches") + tube_marks(ground, plot);
+                    axes(ground, plot.value, plot.value == "stitches") + tube_marks(ground, plot);
   const std::string floor = millimetres(ground.bottom);
   const std::string steps = steps_path(ground, plot);
   out += "<path d=\"" + steps + "V" + floor + "H" + millimetres(ground.left) + "Z\"" +
@@ -202,7 +204,8 @@ std::string rows_svg(const RowsFigure& plot, double top) {
     out += mark_below(ground, row, std::to_string(row));
   out += words_at(0.5 * (ground.left + ground.right), ground.bottom + 9.0, "middle", "row",
                   attribute("fill", grey));
-  out += key_entry(ground.right - 31.0, ground.top - 4.0, made_colour, "made");
+  const double key = ground.right - 25.0 - 1.5 * static_cast<double>(plot.made_words.size());
+  out += key_entry(key, ground.top - 4.0, made_colour, plot.made_words);
   return out + key_entry(ground.right - 13.0, ground.top - 4.0, ideal_colour, "ideal") + "</g>\n";
 }
 
@@ -299,6 +302,26 @@ std::vector<TubeStart> tube_starts(const knit::Fabric& fabric) {
   return starts.size() > 1 ? starts : std::vector<TubeStart>();
 }
 
+// The counts of rhythms against what their rows hold; nothing where counts are planned row by row.
+std::optional<RowsFigure> rhythm_figure(const knit::State& state) {
+  const std::vector<RhythmFigures> all = rhythm_figures_of(state);
+  if (all.empty()) return std::nullopt;
+  double worst = 0.0;
+  RowsFigure figure{"rhythm", {}, "stitches", {}, {}, {}};
+  for (const RhythmFigures& rhythm : all) {
+    worst = std::max(worst, rhythm.rhythm->plan.seen.worst());
+    if (all.size() > 1) figure.tubes.push_back({rhythm.first_row, knit::tube_name(rhythm.rhythm->tube)});
+    for (std::size_t i = 0; i < rhythm.planned.size(); ++i) {
+      figure.rows.push_back(rhythm.first_row + static_cast<std::int32_t>(i));
+      figure.made.push_back(rhythm.planned[i]);
+      figure.ideal.push_back(rhythm.ideal[i]);
+    }
+  }
+  figure.title = "Stitches a row as the rhythm has them, at most " + fixed_text(worst, 1) + " % off";
+  figure.made_words = "planned";
+  return figure;
+}
+
 PlotFigures figures_of(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
@@ -319,6 +342,7 @@ PlotFigures figures_of(const Session& session) {
   course.ideal.assign(rows.course.size(), 1.0);
   stitches.tubes = course.tubes = tube_starts(timeline.state().fabric);
   figures.rows = {std::move(stitches), std::move(course)};
+  if (auto rhythm = rhythm_figure(state)) figures.rows.push_back(std::move(*rhythm));
   figures.histograms = {histogram_of("course", "Course lengths", "length / w", 1.0, quality.course),
                         histogram_of("wale", "Wale lengths", "length / h", 1.0, quality.wale),
                         histogram_of("corner", "Corner angles", "degrees", 90.0, quality.corner)};
@@ -336,7 +360,7 @@ std::string csv_text(const PlotFigures& figures) {
   std::string text = "plot,series,from,to,value\n";
   for (const RowsFigure& plot : figures.rows) {
     for (std::size_t i = 0; i < plot.rows.size(); ++i)
-      text += csv_line(plot.key, "made", plot.rows[i], plot.rows[i], plot.made[i]);
+      text += csv_line(plot.key, plot.made_words, plot.rows[i], plot.rows[i], plot.made[i]);
     for (std::size_t i = 0; i < plot.rows.size(); ++i)
       text += csv_line(plot.key, "ideal", plot.rows[i], plot.rows[i], plot.ideal[i]);
   }

@@ -1,6 +1,6 @@
 // The plots of the panels as a file, for paper and for other programs.
 //
-// SVG: stitches a row with their ideal, the mean course length of each row, and how course edges, wale edges
+// SVG: stitches a row with their ideal, those that a rhythm plans (where there is one), the mean course length of each row, and how course edges, wale edges
 // and corner angles are spread; black on white, in millimetres, with axes. CSV: the same numbers, a header
 // line and one value a line: plot,series,from,to,value. Of a plot by rows `from` and `to` are both the row's
 // number; of a histogram they are the ends of a bin and the value is a count.

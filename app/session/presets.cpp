@@ -53,7 +53,7 @@ constexpr std::array table{
            "As best rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a height of 12 cm.",
            gauge_settings},
     Preset{
-        "hand", "For hands",
+        "hand", "For taking home",
         "As knitter's gauge, with counts in a rhythm: few and regular repeats, shaped in pairs beside mains.",
         hand_settings},
 };
