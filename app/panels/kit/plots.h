@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imgui.h>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,7 +37,7 @@ std::pair<double, double> span_of_bin(const HistogramPlot& plot, std::size_t bin
 // The bin that was clicked, if it counts anything.
 std::optional<std::size_t> draw_histogram(PanelFrame& frame, const HistogramPlot& plot, ImVec2 size);
 
-// Two values a row: as it is (steps) and as it should be (a line). Rows are counted from 1 in words.
+// Two values a row: as it is (steps) and as it should be (a line). Rows are counted from `first` in words.
 struct RowPlot {
   std::string name;
   std::string title;
@@ -49,6 +50,10 @@ struct RowPlot {
   double highest = 0.0;                    // likewise
   std::optional<std::size_t> current;      // index of the current row; may be one that is not there yet
   std::string missing;
+  std::size_t first = 1;  // number of the first row
+  bool gaps = false;      // what lies between steps and line is filled
+  std::function<std::string(std::size_t)> words =
+      {};  // for the tip of a row, by its index; empty: its two values
 };
 // The index of the row that was clicked.
 std::optional<std::size_t> draw_row_plot(PanelFrame& frame, const RowPlot& plot, ImVec2 size);

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "app/panels/kit/number_field.h"
+#include "app/panels/parameters/rhythm_dial.h"
 #include "knit/insight/as_asked.h"
 #include "knit/model/words.h"
 
@@ -19,7 +20,7 @@ std::string short_label(const knit::ParameterInfo& info) {
 }
 
 std::string shown_value(const knit::ParameterInfo& info, const knit::Parameters& parameters) {
-  if (const auto* number = std::get_if<knit::Number>(&info.kind))
+  if (const auto* number = std::get_if<knit::Number>(&info.kind); number != nullptr && !is_rhythm_dial(info))
     return shown_number(knit::effective_value(*number, parameters));
   if (const auto* gauge = std::get_if<knit::GaugeChoice>(&info.kind)) {
     const knit::Gauge now = gauge->get(parameters);

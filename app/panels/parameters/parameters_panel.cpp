@@ -17,6 +17,7 @@
 #include "app/panels/parameters/knob_curve.h"
 #include "app/panels/parameters/knob_notes.h"
 #include "app/panels/parameters/parameters.h"
+#include "app/panels/parameters/rhythm_dial.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
@@ -93,7 +94,8 @@ struct Control {
   // Lengths are dragged in proportion to themselves: they have no end.
   void operator()(const knit::Number& number) const {
     const bool is_length = number.high >= knit::no_limit;
-    const double value = knit::effective_value(number, parameters);
+    const bool dial = is_rhythm_dial(info);
+    const double value = dial ? rhythm_dial_in_force(frame) : knit::effective_value(number, parameters);
     const std::string words = shown_number(value);
     const double high = is_length ? frame.timeline()->input().bounds.diagonal() : number.high;
     const bool from_zero = number.low > 0.0 || number.zero == knit::Zero::allowed;
@@ -106,7 +108,7 @@ struct Control {
         value,
         from_zero ? number.low : high * 1e-7,
         high,
-        is_length ? DragPace::ratio : DragPace::linear,
+        is_length || dial ? DragPace::ratio : DragPace::linear,
         teaches ? [&] { draw_curve(frame, info); } : std::function<void()>()};
     const auto marked = teaches ? curve_marks(frame, info, room) : std::nullopt;
     const NumberChange change = number_field(frame, "##value", shape, room);
@@ -239,10 +241,11 @@ void Control::operator()(const knit::PickedVertex& /*picked*/) const {
 }
 
 // All digits, where the field does not show them.
-std::string exact_value_words(const PanelFrame& frame, const knit::ParameterInfo& info) {
+std::string exact_value_words(PanelFrame& frame, const knit::ParameterInfo& info) {
   const knit::Parameters& now = frame.timeline()->parameters();
   if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
-    const double value = knit::effective_value(*number, now);
+    const double value =
+        is_rhythm_dial(info) ? rhythm_dial_in_force(frame) : knit::effective_value(*number, now);
     return exact_words(shown_number(value), knit::number_text(value));
   }
   const bool several = std::holds_alternative<knit::GaugeChoice>(info.kind) ||
@@ -394,8 +397,8 @@ void draw_mode(PanelFrame& frame) {
 }
 
 // What a change asks for. What is read before the run begins can only count from the start.
-void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed) {
-  const bool held = number_dragged(frame);  // a click is over, and so is what was typed
+void wish_change(PanelFrame& frame, const knit::ParameterInfo& info, const knit::Parameters& changed,
+                 bool held) {
   const bool from_start_only = !knit::can_change_at(info, knit::Place{});
   if (frame.own<ChangeMode>().from_here && !from_start_only) {
     frame.wish(EditFromHere{changed, held});
@@ -450,9 +453,11 @@ void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
     // Each knob starts from what is in force, so that one frame wishes at most what one hand did.
     knit::Parameters parameters = timeline.parameters();
     draw_knob(frame, info, parameters);
+    bool held = number_dragged(frame);  // a click is over, and so is what was typed
+    if (is_rhythm_dial(info)) held = draw_rhythm_dial(frame, info, parameters) || held;
     if (parameters == timeline.parameters()) continue;
     note_change_of(frame, info, timeline.parameters(), parameters);
-    wish_change(frame, info, parameters);
+    wish_change(frame, info, parameters, held);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "knit/limbs/limb_plan.h"
 #include "knit/model/hash.h"
 #include "knit/pattern/limb_words.h"
+#include "knit/pattern/pattern_words.h"
 
 namespace app {
 
@@ -16,6 +17,7 @@ std::uint64_t key_of(const knit::State& state) {
   hasher.add(state.fabric.empty() ? 0 : state.fabric.rows().front().content_hash());
   for (const auto& join : state.fabric.joins()) hasher.add(join.content_hash());
   hasher.add(state.fabric.rows().size());
+  for (const auto& rhythm : state.rhythms) hasher.add(rhythm.content_hash());
   for (const auto& deal : state.fabric.deals()) hasher.add(deal.content_hash());
   return hasher.value();
 }
@@ -83,6 +85,8 @@ void ChartCache::refresh(const Session& session) {
   key_ = key;
   chart_ = {};
   pattern_ = {};
+  written_out_.clear();
+  rhythms_ = rhythm_figures_of(state);
   in_pieces_ = knit::has_limbs(state);
   if (in_pieces_ && knit::limbs_are_known(state)) {
     make_pieces(session, planned);
@@ -94,8 +98,9 @@ void ChartCache::refresh(const Session& session) {
   if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
-  pattern_ =
-      knit::write_pattern(rounds, gauge, in_form(session.view->pattern, state), timeline.input().mesh.name);
+  const knit::PatternOptions options = in_form(session.view->pattern, state);
+  pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);
+  if (options.form == knit::PatternForm::short_form) written_out_ = knit::round_lines(rounds, options);
   add_notes(session);
 }
 
@@ -106,11 +111,30 @@ void ChartCache::add_notes(const Session& session) {
     pattern_.notes.push_back(std::move(note));
 }
 
+namespace {
+
+bool says(const knit::RoundLine& line, std::int32_t round) {
+  return line.first <= round && round <= line.last;
+}
+
+}  // namespace
+
 std::string ChartCache::line_of(std::int32_t round) const {
   if (round == 1) return pattern_.start;
+  for (const knit::RoundLine& line : written_out_) {
+    if (says(line, round)) return line.text();
+  }
+  return line_in_pattern(round);
+}
+
+std::string ChartCache::short_line_of(std::int32_t round) const {
+  const std::string line = written_out_.empty() || round == 1 ? "" : line_in_pattern(round);
+  return line == line_of(round) ? "" : line;
+}
+
+std::string ChartCache::line_in_pattern(std::int32_t round) const {
   for (const auto& instruction : pattern_.instructions) {
-    if (instruction.round && instruction.round->first <= round && round <= instruction.round->last)
-      return instruction.round->text();
+    if (instruction.round && says(*instruction.round, round)) return instruction.round->text();
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/explain/rhythm_figures.h"
 #include "app/session/planned_pieces.h"
 #include "app/session/session.h"
 #include "knit/pattern/chart.h"
@@ -31,8 +32,15 @@ class ChartCache {
   [[nodiscard]] const std::vector<knit::PieceChart>& piece_charts() const { return piece_charts_; }
   // Another whenever the chart or the pattern is.
   [[nodiscard]] std::uint64_t key() const { return key_; }
-  // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round.
+  // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round. Written out, where the pattern
+  // is told in its short form.
   [[nodiscard]] std::string line_of(std::int32_t round) const;
+  // "Rnds 2-13: [Knit 1 rnd, inc rnd] 6 times. (16, 24 sts)" of a pattern in its short form; empty: it says the same as line_of.
+  [[nodiscard]] std::string short_line_of(std::int32_t round) const;
+  // Where the round stands in its rhythm; empty: there is none.
+  [[nodiscard]] std::string rhythm_of(std::int32_t round) const {
+    return rhythm_place_words(rhythms_, round);
+  }
   // The cast on is the first; the chart's last row, the bind off, is none.
   [[nodiscard]] std::int32_t rounds() const {
     return std::max(0, static_cast<std::int32_t>(chart_.rows.size()) - 1);
@@ -40,6 +48,7 @@ class ChartCache {
 
  private:
   void add_notes(const Session& session);  // what is not as asked
+  [[nodiscard]] std::string line_in_pattern(std::int32_t round) const;
   void make_pieces(const Session& session, std::uint64_t planned);
 
   std::uint64_t key_ = 0;
@@ -47,6 +56,8 @@ class ChartCache {
   bool in_pieces_ = false;
   knit::Chart chart_;
   knit::WrittenPattern pattern_;
+  std::vector<knit::RoundLine> written_out_;  // of a pattern in its short form
+  std::vector<RhythmFigures> rhythms_;
   PlannedPieces pieces_;
   std::vector<knit::PieceChart> piece_charts_;
   std::map<std::string, std::string> names_charted_;  // pieces that are called alike may be charted once

@@ -272,16 +272,14 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
   }
 }
 
-// The rounds of the text's line under the pointer, framed as one.
-void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
-  auto rounds = frame.session.view->gaze.hovered_rounds;
-  if (!rounds) return;
-  rounds = RoundSpan{sheet.own_row(rounds->first), sheet.own_row(rounds->last)};
+// Framed as one.
+void draw_span(const PanelFrame& frame, const Sheet& sheet, const RoundSpan& span) {
+  const RoundSpan rounds{sheet.own_row(span.first), sheet.own_row(span.last)};
   const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
-  auto first = static_cast<std::size_t>(std::clamp(rounds->first, 1, rows) - 1);
-  auto last = static_cast<std::size_t>(std::clamp(rounds->last, 1, rows) - 1);
+  auto first = static_cast<std::size_t>(std::clamp(rounds.first, 1, rows) - 1);
+  auto last = static_cast<std::size_t>(std::clamp(rounds.last, 1, rows) - 1);
   if (sheet.piece != nullptr) {
-    const auto in_span = [&](std::int32_t row) { return row > 0 && rounds->holds(row); };
+    const auto in_span = [&](std::int32_t row) { return row > 0 && rounds.holds(row); };
     const std::vector<std::int32_t>& all = sheet.piece->rows;
     const auto begin = std::find_if(all.begin(), all.end(), in_span);
     if (begin == all.end()) return;
@@ -296,6 +294,15 @@ void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
     list.AddRectFilled(low, end, style::packed(theme().accent, 50));
     list.AddRect(low, end, style::packed(theme().accent), frame.units(2.0f), 0, frame.units(2.0f));
   }
+}
+
+// The rounds of the text's line under the pointer. Of twins the chart has the first's rows.
+void draw_hovered_rounds(const PanelFrame& frame, const Sheet& sheet) {
+  const Gaze& gaze = frame.session.view->gaze;
+  if (!gaze.hovered_rounds) return;
+  draw_span(frame, sheet, *gaze.hovered_rounds);
+  if (sheet.piece != nullptr) return;
+  for (const RoundSpan& span : gaze.hovered_twins) draw_span(frame, sheet, span);
 }
 
 // What a square stands for: the label that shaped it, else its stitch.
@@ -342,7 +349,10 @@ void handle_pointer(PanelFrame& frame, const Sheet& sheet) {
     if (const auto place = square_under(sheet, ImGui::GetIO().MousePos)) {
       under = sheet.stitch_at(place->row, sheet.chart.rows[place->row].squares[place->column]);
       const ImVec2 low = sheet.at(place->row, place->column);
-      tooltip_about(frame, {low.x, low.y, sheet.side(), sheet.side()}, words_for(sheet, *place));
+      std::string words = words_for(sheet, *place);
+      const std::string rhythm = frame.own<ChartCache>().rhythm_of(sheet.round_of(place->row));
+      if (!rhythm.empty()) words += ".\n" + rhythm;
+      tooltip_about(frame, {low.x, low.y, sheet.side(), sheet.side()}, words);
       const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
       const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                            std::hypot(dragged.x, dragged.y) <= frame.units(4.0f);

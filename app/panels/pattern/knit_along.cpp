@@ -84,6 +84,23 @@ void draw_round_line(PanelFrame& frame, const std::string& words) {
   frame.mark("knit-along/line");
 }
 
+// A label in a column of its own, and words beside it.
+void draw_labelled(PanelFrame& frame, const char* label, const std::string& words, const char* mark) {
+  const float left = ImGui::GetCursorPosX();
+  faint_text(label);
+  ImGui::SameLine(left + frame.units(78.0f));
+  wrapped_text(words);
+  frame.mark(mark);
+}
+
+// Where the round stands in its rhythm, and the line of the short form that it is of.
+void draw_rhythm(PanelFrame& frame, const ChartCache& cache, std::int32_t round) {
+  const std::string place = cache.rhythm_of(round);
+  if (!place.empty()) draw_labelled(frame, "Rhythm", place, "knit-along/rhythm");
+  const std::string line = cache.short_line_of(round);
+  if (!line.empty()) draw_labelled(frame, "Of", line, "knit-along/short-line");
+}
+
 // --- through pieces ----------------------------------------------------------------------------------------------
 
 void draw_turning_of_pieces(PanelFrame& frame, const ChartCache& cache, const std::vector<PieceStop>& stops,
@@ -110,15 +127,6 @@ std::string holders_text(const Holding& holding) {
   return words;
 }
 
-// A label in a column of its own, and words beside it.
-void draw_labelled(PanelFrame& frame, const char* label, const std::string& words, const char* mark) {
-  const float left = ImGui::GetCursorPosX();
-  faint_text(label);
-  ImGui::SameLine(left + frame.units(78.0f));
-  wrapped_text(words);
-  frame.mark(mark);
-}
-
 const knit::ChartRow* chart_row_of(const ChartCache& cache, const PieceStop& stop) {
   if (stop.deal != 0) return nullptr;
   const knit::LimbPiece& piece = cache.pieces().plan.piece(stop.piece);
@@ -140,6 +148,8 @@ void draw_pieces_along(PanelFrame& frame, const ChartCache& cache, std::int32_t 
   draw_turning_of_pieces(frame, cache, stops, at);
   draw_round_line(frame, words_of(pieces, stop));
   if (const knit::ChartRow* squares = chart_row_of(cache, stop)) draw_strip(frame, *squares);
+  const std::string rhythm = stop.deal == 0 ? cache.rhythm_of(stop.row) : "";
+  if (!rhythm.empty()) draw_labelled(frame, "Rhythm", rhythm, "knit-along/rhythm");
   const std::string end = end_words(pieces, stop);
   if (!end.empty()) draw_labelled(frame, "Then", end, "knit-along/end");
   const std::string seam = seam_words(pieces, stop);
@@ -196,6 +206,7 @@ void draw_knit_along(PanelFrame& frame) {
     draw_turning(frame, round, last);
     draw_round_line(frame, cache.line_of(round));
     draw_strip(frame, cache.chart().rows[static_cast<std::size_t>(round) - 1]);
+    draw_rhythm(frame, cache, round);
   }
   ImGui::End();
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -42,6 +44,59 @@ PatternLine line_of_round(const knit::RoundLine& round) {
   return line;
 }
 
+std::string in_lower_case(std::string words) {
+  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return words;
+}
+
+// "knit 2 rnds": 2; a name: 1.
+std::int32_t rounds_of_part(std::string_view part) {
+  constexpr std::string_view knits = "knit ";
+  std::int32_t rounds = 1;
+  if (part.starts_with(knits)) std::from_chars(part.data() + knits.size(), part.data() + part.size(), rounds);
+  return std::max(1, rounds);
+}
+
+// The rounds of a line of the short form that are worked as `name` says: of "[Knit 2 rnds, inc rnd] 3 times" every third.
+// The words in brackets are a turn: rounds to knit, and names of one round each.
+std::vector<std::int32_t> rounds_named(const knit::RoundLine& line, std::string_view name) {
+  const std::size_t open = line.words.starts_with('[') ? 1 : 0;
+  const std::string turn =
+      in_lower_case(line.words.substr(open, open > 0 ? line.words.find(']') - 1 : std::string::npos));
+  std::vector<std::int32_t> found;
+  std::int32_t round = line.first;
+  while (round <= line.last) {
+    const std::int32_t begun = round;
+    for (std::size_t at = 0; at < turn.size();) {
+      const std::size_t end = std::min(turn.find(", ", at), turn.size());
+      const std::string part = turn.substr(at, end - at);
+      if (part == name) found.push_back(round);
+      round += rounds_of_part(part);
+      at = end + 2;
+    }
+    if (round == begun || open == 0) break;
+  }
+  return found;
+}
+
+// "Inc rnd: [K1, m1l, k to next m, m1r] 4 times. (+8 sts)", of the rounds that are worked so.
+PatternLine line_of_named(const std::string& text, const knit::WrittenPattern& pattern) {
+  const std::size_t colon = std::min(text.find(": "), text.size());
+  const std::string name = text.substr(0, colon);
+  PatternLine line{Kind::named, name + ":", unbroken(text.substr(std::min(colon + 2, text.size()))), {}};
+  for (const auto& instruction : pattern.instructions) {
+    if (!instruction.round || instruction.round->counts.empty()) continue;
+    for (const std::int32_t round : rounds_named(*instruction.round, in_lower_case(name))) {
+      const RoundSpan span{round, round};
+      if (line.rounds)
+        line.twins.push_back(span);
+      else
+        line.rounds = span;
+    }
+  }
+  return line;
+}
+
 // A long deal is read item by item.
 std::string one_item_a_line(std::string words) {
   constexpr std::size_t is_long = 200;
@@ -66,6 +121,8 @@ class PieceLines {
     }
     PatternLine line{Kind::remark, {}, instruction.remark, {}};
     if (instruction.kind == Words::remark) return line;
+    if (instruction.kind == Words::step && !pattern_.in_pieces)
+      return line_of_named(instruction.remark, pattern_);
     line.kind = instruction.kind == Words::heading ? Kind::piece : Kind::round;
     line.words = unbroken(instruction.remark);
     if (instruction.kind == Words::heading) begin_piece();
@@ -122,6 +179,7 @@ float space_before(Kind kind) {
     case Kind::item:
     case Kind::entry:
     case Kind::round:
+    case Kind::named:
       break;
   }
   return 0.0f;
@@ -136,7 +194,7 @@ float width_of(const std::string& words, ImFont* font) {
 
 // Labels of a kind stand in one column; a label that would leave the words too little room does not widen it.
 struct LabelColumns {
-  std::array<float, 9> widths{};
+  std::array<float, 10> widths{};
   [[nodiscard]] float& of(Kind kind) { return widths[static_cast<std::size_t>(kind)]; }
 };
 
@@ -165,6 +223,7 @@ ImFont* font_of(PatternLine::Kind kind, const Fonts& fonts) {
     case Kind::entry:
     case Kind::round:
     case Kind::remark:
+    case Kind::named:
       break;
   }
   return fonts.text;

@@ -16,14 +16,16 @@
 namespace app {
 
 struct PatternLine {
-  enum class Kind : std::uint8_t { title, faint, heading, piece, plain, item, entry, round, remark };
+  // named: what a named round is ("Inc rnd:"); its rounds are all those that are worked so
+  enum class Kind : std::uint8_t { title, faint, heading, piece, plain, item, entry, round, remark, named };
   Kind kind = Kind::plain;
   std::string label;  // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
   std::string words;  // wrapped
   // That it says, as the fabric's rows are numbered. Of a deal the first round after it, of a heading all of its piece.
   std::optional<RoundSpan> rounds;
-  std::vector<RoundSpan> twins = {};  // the same of twins that are made by the same words
-  std::int16_t deal = 0;              // before its piece's first round, from 1; 0: none
+  // The same of twins that are made by the same words, and of a named round all but the first.
+  std::vector<RoundSpan> twins = {};
+  std::int16_t deal = 0;  // before its piece's first round, from 1; 0: none
 
   // The round, or one of a twin.
   [[nodiscard]] bool says(std::int32_t round) const;

@@ -112,6 +112,7 @@ void draw_words(const PanelFrame& frame, const PatternLayout::Placed& placed, Im
 
 std::string mark_of(const PatternLine& line) {
   const std::string row = std::to_string(line.rounds->first);
+  if (line.kind == Kind::named) return "pattern/named/" + row;
   if (line.kind == Kind::piece) return "pattern/piece/" + row;
   if (line.deal != 0) return "pattern/deal/" + row + "/" + std::to_string(line.deal);
   return (line.label.empty() && line.rounds->first > 1 ? "pattern/end/" : "pattern/round/") + row;

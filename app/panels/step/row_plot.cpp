@@ -67,6 +67,18 @@ void draw_value_axis(const PanelFrame& frame, const Stand& stand, const RowScale
   pop_font();
 }
 
+// Row by row, from the step to the line.
+void draw_gaps(const RowPlot& plot, const Stand& stand, const RowScale& scale) {
+  const std::size_t count = std::min(plot.values.size(), plot.ideals.size());
+  for (std::size_t i = 0; i < count; i += scale.stride()) {
+    const float step = scale.y_of(plot.values[i]);
+    const float line = scale.y_of(plot.ideals[i]);
+    fill(stand, whole(scale.x_of(i)), std::min(step, line),
+         whole(scale.x_of(std::min(i + scale.stride(), count))), std::max(step, line),
+         style::packed(theme().warning, 110));
+  }
+}
+
 void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
   const float thick = whole(std::max(1.0f, frame.units(1.6f)));
   const std::size_t count = plot.values.size();
@@ -82,6 +94,7 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
     fill(stand, x0, y, x1, y + thick, style::packed(bar()));
     line.emplace_back(x0, y);
   }
+  if (plot.gaps) draw_gaps(plot, stand, scale);
   line.clear();
   for (std::size_t i = 0; i < plot.ideals.size(); i += scale.stride()) {
     line.emplace_back(scale.middle_of(i), scale.y_of(plot.ideals[i]));
@@ -132,10 +145,11 @@ void draw_dots(const PanelFrame& frame, const RowPlot& plot, const Stand& stand,
 void draw_row_axis(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
   std::vector<AxisWord> words;
   if (plot.current) {
-    words.push_back({scale.middle_of(*plot.current), 0.5f, std::to_string(*plot.current + 1), theme().text});
+    words.push_back(
+        {scale.middle_of(*plot.current), 0.5f, std::to_string(*plot.current + plot.first), theme().text});
   }
-  words.push_back({stand.ground.x, 0.0f, "row 1"});
-  words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.rows)});
+  words.push_back({stand.ground.x, 0.0f, "row " + std::to_string(plot.first)});
+  words.push_back({stand.ground.right(), 1.0f, std::to_string(scale.rows - 1 + plot.first)});
   draw_axis_words(frame, stand, words);
 }
 
@@ -155,11 +169,13 @@ void draw_keys(const PanelFrame& frame, const RowPlot& plot, const Stand& stand)
 }
 
 std::string row_words(const RowPlot& plot, std::size_t row) {
-  std::string words = "Row " + std::to_string(row + 1) + ": " + fixed_text(plot.values[row], plot.decimals) +
-                      " " + plot.value_words;
+  const std::string tail = "\nLit in the view. Click: to the end of this row.";
+  if (plot.words) return plot.words(row) + tail;
+  std::string words = "Row " + std::to_string(row + plot.first) + ": " +
+                      fixed_text(plot.values[row], plot.decimals) + " " + plot.value_words;
   if (row < plot.ideals.size()) words += ", " + fixed_text(plot.ideals[row], 1) + " " + plot.ideal_words;
   if (row < plot.ghosts.size()) words += ", " + fixed_text(plot.ghosts[row], plot.decimals) + " pinned";
-  return words + ".\nLit in the view. Click: to the end of this row.";
+  return words + "." + tail;
 }
 
 }  // namespace
@@ -185,9 +201,10 @@ std::optional<std::size_t> draw_row_plot(PanelFrame& frame, const RowPlot& plot,
   draw_foot(stand);
   draw_row_axis(frame, plot, stand, scale);
   draw_keys(frame, plot, stand);
-  if (pointed)
-    frame.rounds_under =
-        RoundSpan{static_cast<std::int32_t>(*pointed) + 1, static_cast<std::int32_t>(*pointed) + 1};
+  if (pointed) {
+    const auto row = static_cast<std::int32_t>(*pointed + plot.first);
+    frame.rounds_under = RoundSpan{row, row};
+  }
   if (stand.hovered && pointed) tooltip(frame, row_words(plot, *pointed));
   if (stand.hovered && !stand.inside) tooltip(frame, plot.help);
   return stand.clicked ? pointed : std::nullopt;
