@@ -180,7 +180,7 @@ TEST_CASE("knitting along says where the round stands, and writes out what the s
   desk.open(in_rhythm());
   desk.act({ShowSide{SidePanel::pattern}});
   knit::PatternOptions options;
-  options.short_form = true;
+  options.form = knit::PatternForm::short_form;
   desk.act({SetPatternOptions{options}});
   const auto& roles = plan_of(desk).roles;
   const auto shaping = static_cast<std::int32_t>(
@@ -195,7 +195,7 @@ TEST_CASE("knitting along says where the round stands, and writes out what the s
   CHECK(test_support::contains(cache.line_of(shaping), "m1l"));
   CHECK(test_support::contains(cache.short_line_of(shaping), "nc rnd"));
   CHECK_FALSE(test_support::contains(cache.line_of(shaping), "nc rnd"));
-  options.short_form = false;
+  options.form = knit::PatternForm::full;
   desk.act({SetPatternOptions{options}});
   desk.settle();
   CHECK(desk.ui.controls.count("knit-along/short-line") == 0);
@@ -206,7 +206,7 @@ TEST_CASE("lines of the short form light their rounds, and a named round all tha
   desk.open(in_rhythm());
   desk.act({ShowSide{SidePanel::pattern}});
   knit::PatternOptions options;
-  options.short_form = true;
+  options.form = knit::PatternForm::short_form;
   desk.act({SetPatternOptions{options}});
   desk.settle();
   const std::vector<PatternLine> lines = lines_of(desk.ui.own<ChartCache>().pattern());

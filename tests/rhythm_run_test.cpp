@@ -101,23 +101,6 @@ TEST_CASE("the first count that a person asks for is kept in a rhythm, or there 
   CHECK(planned.front().unusual(p));
 }
 
-TEST_CASE("a piece that branches keeps whole counts, and says so for each tube") {
-  Parameters p = in_rhythm();
-  p.timing.axis.kind = AxisKind::x;
-  const auto standing = make_input(torus(48, 24, 1.0, 0.4));
-  Timeline timeline(standing, p);
-  timeline.extend_to_end();
-  REQUIRE(timeline.furthest().finished());
-  const auto planned = all_steps<RhythmPlanned>(timeline);
-  CHECK(planned.size() > 1);
-  for (const RhythmPlanned& step : planned) CHECK(step.none == NoRhythm::branches);
-  Parameters whole = p;
-  whole.rhythm.counts = CountPlanning::whole;
-  Timeline plain(standing, whole);
-  plain.extend_to_end();
-  CHECK(counts_made(plain.furthest()) == counts_made(timeline.furthest()));
-}
-
 TEST_CASE("a run in rhythm rewinds, and tuned it is a fresh one") {
   Timeline timeline = whole_run(in_rhythm());
   const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
@@ -170,6 +153,6 @@ TEST_CASE("the step of a rhythm says what it is and what it costs, never less th
         std::string::npos);
   step.shaping = 0;
   CHECK(told().find("is knitted plain, 58 rounds") != std::string::npos);
-  step.none = NoRhythm::branches;
-  CHECK(told().find("has no rhythm, as the piece has other tubes") != std::string::npos);
+  step.none = NoRhythm::few_rows;
+  CHECK(told().find("has no rhythm, as it is worked on live stitches") != std::string::npos);
 }

@@ -135,6 +135,9 @@ std::string reason_text(const State& run, std::int32_t row, const CountRead& rea
       return "its rhythm changes here, by " + whole_text(chosen.count - chosen.below) + "; " + holds + ".";
     case CountReason::rhythm_rest:
       return "its rhythm rests here, as many as below; " + holds + ".";
+    case CountReason::rhythm_begins:
+      return "its rhythm begins here, with " + whole_text(chosen.count) + ", which one round makes of the " +
+             whole_text(chosen.below) + " below; " + holds + ".";
   }
   return holds + ".";
 }

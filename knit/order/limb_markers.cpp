@@ -6,7 +6,8 @@ namespace knit {
 
 namespace {
 
-constexpr double cost_of_move = 6.0, cost_of_late_start = 2.0, cost_of_late_entry = 1.5, cost_of_slip = 1.0;
+constexpr double cost_of_move = 6.0, cost_of_cut_repeats = 4.0, cost_of_late_start = 2.0,
+                 cost_of_late_entry = 1.5, cost_of_slip = 1.0;
 
 // A step of a piece, or, with step -1, its rounds.
 struct Happening {
@@ -191,6 +192,7 @@ class Climber {
       first = hands.up[static_cast<std::size_t>(way.gap)];
     }
     way.noted.push_back({&found_.first, number, first});
+    if (tube.section > 0 && first % tube.section != 0) way.cost += cost_of_cut_repeats;
     way.slips += tube.slips_of_first[static_cast<std::size_t>(first)];
     way.gap = tube.last_of_first[static_cast<std::size_t>(first)];
     way.noted.push_back({&found_.last, number, way.gap});

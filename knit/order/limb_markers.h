@@ -3,6 +3,7 @@
 //
 // For each such start of a yarn the gap is climbed (limb_tubes.h) through all rows and deals that it is worked in, and summed:
 //   6    a split leaves it with the child that is held: the yarn is broken and rejoined
+//   4    a tube in rhythm begins elsewhere than at a main: its repeats are cut in two
 //   2    a rejoin elsewhere than at the first held stitch, or at the marker of a held piece
 //   1.5  the loop waits for a join and is entered elsewhere than at its marker
 //   1    a decrease across the marker: the last stitch is slipped back

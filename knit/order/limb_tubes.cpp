@@ -138,6 +138,8 @@ void LimbTubes::add_row(const Fabric& fabric, const Row& row) {
   tube.places.push_back(live);
   const Join* join = fabric.join_into(row.id);
   tube.hands.push_back(join != nullptr ? hands_of(*join) : HandsRow{});
+  if (tube.section == 0 && join != nullptr && join->rule == Rule::repeat && !join->mains.empty())
+    tube.section = size_of(tube.places.front()) / static_cast<std::int32_t>(join->mains.size());
 }
 
 namespace {

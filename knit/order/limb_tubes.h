@@ -37,6 +37,7 @@ struct LimbTube {
   std::int32_t bottom = -1, top = -1;  // deals; -1: an end
   // From a gap in the base, or in the first row: the gap in the last row, and how often a stitch is slipped back.
   std::vector<std::int32_t> last_of_base, slips_of_base, last_of_first, slips_of_first;
+  std::int32_t section = 0;  // stitches of the first row from main to main, where a rhythm repeats; 0: none
   std::vector<std::int32_t> twins;  // tubes here, itself too
   bool inner = false;
   [[nodiscard]] bool has_rows() const { return !rows.empty(); }

@@ -7,7 +7,7 @@ namespace knit {
 
 enum class NoRhythm : std::uint8_t {
   no,         // it has one
-  branches,   // the piece has other tubes
+  few_rows,   // it is worked on live stitches and soon ends
   fits_none,  // no number of sections goes with the stitches that are there
 };
 

@@ -80,8 +80,9 @@ double preference(std::int32_t changes) {
   }
 }
 
-double score_of(const RhythmPlan& plan) {
-  double lines = 0.0;
+double score_of(const RhythmPlan& plan, const RhythmStart& start) {
+  // A round from the live stitches to a count of the rhythm is no repeat: a line of its own.
+  double lines = start.live > 0 && plan.counts.front() != start.live ? 1.0 : 0.0;
   std::set<std::int32_t> steps;
   for (const RhythmSegment& segment : plan.segments) {
     lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;
@@ -190,7 +191,7 @@ std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const Rhyt
   plan.roles = roles_of(plan.segments);
   plan.seen = seen_deviation(plan.counts, ideals.subspan(static_cast<std::size_t>(start.row)));
   plan.seen.row += start.row;
-  plan.score = score_of(plan);
+  plan.score = score_of(plan, start);
   return plan;
 }
 
@@ -221,7 +222,7 @@ std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettin
       std::optional<RhythmPlan> plan = plan_family(sized, family, dial, start, part);
       if (!plan) continue;
       plan->size = size;
-      plan->score = score_of(*plan);
+      plan->score = score_of(*plan, start);
       plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
       plans.push_back(*std::move(plan));
     }

@@ -27,7 +27,7 @@ class SegmentSearch {
       : task_(task), rows_(static_cast<std::int32_t>(task.ideals.size())), twice_(task.half ? 2.0 : 1.0) {
     const double belt = *std::max_element(task.ideals.begin(), task.ideals.end());
     levels_ = static_cast<std::int32_t>(std::ceil(1.12 * belt / sections())) + 1;
-    levels_ = std::max(levels_, std::max(task.start.count, task.last) / sections());
+    levels_ = std::max(levels_, std::max({task.start.count, task.start.live, task.last}) / sections());
     band_ = std::max(1.6 * task.family.changes(), 0.1 * belt) + 2.0;
     sum_stretches();
     tie_scale_ = std::max(1.0, belt * belt);
@@ -96,15 +96,21 @@ class SegmentSearch {
     reached_.resize(static_cast<std::size_t>(rows_ * levels_ * ends));
   }
 
+  [[nodiscard]] bool may_begin(std::int32_t count) const {
+    const RhythmStart& start = task_.start;
+    if (start.count > 0) return count == start.count;
+    if (start.live > 0) return count >= 3 && 2 * count >= start.live && count <= 2 * start.live;
+    return count >= 3 && count <= highest_first(ideal(0));
+  }
+
   void begin() {
     const RhythmStart& start = task_.start;
     for (std::int32_t level = 0; level < levels_; ++level) {
       const std::int32_t count = count_at(level);
-      const bool begins =
-          start.count > 0 ? count == start.count : count >= 3 && count <= highest_first(ideal(0));
-      if (!begins) continue;
+      if (!may_begin(count)) continue;
       Reached& first = at({start.row, level, static_cast<std::int32_t>(start.ended)});
       first.cost = start.row == 0 ? stretch(level, 0, 1) : 0.0;
+      if (start.live > 0 && count != start.live) first.cost += task_.prices.rhythm;
     }
   }
 

@@ -45,11 +45,13 @@ RhythmPrices rhythm_prices(const RhythmFamily& family, double dial, std::span<co
 enum class SegmentEnd : std::uint8_t { start, plain, changed, rested };
 
 // Where a plan begins: at the first row with any count of at most max(12, 2.6 c), or `count` if it is not 0; or after a row
-// that is made.
+// that is made. On live stitches the first row may have any count that one round makes of them; another than theirs costs a
+// rhythm more, as that round is no repeat.
 struct RhythmStart {
   std::int32_t row = 0;    // from 0
   std::int32_t count = 0;  // after row 0 it is needed
   SegmentEnd ended = SegmentEnd::start;
+  std::int32_t live = 0;  // that row 0 is worked on with any count; 0: it is cast on
   friend bool operator==(const RhythmStart&, const RhythmStart&) = default;
 };
 

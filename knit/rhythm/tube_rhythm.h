@@ -34,8 +34,9 @@ struct RhythmPlan {
 
 struct TubeRhythm {
   std::int32_t tube = 0;
-  std::int32_t from =
-      0;  // row of the tube, from 0: the first that was planned, or the one that was there already
+  // Row of the tube, from 0: the first that was planned, or the one that was there already; -1: the live stitches that the tube
+  // begins on.
+  std::int32_t from = 0;
   RhythmSettings settings;
   double stitch_width = 0.0, stitch_height = 0.0;  // that it was planned for
   NoRhythm none = NoRhythm::no;

@@ -76,6 +76,7 @@ enum class CountReason : std::uint8_t {
   undone,           // what it holds, although a row within eight rounds undoes the change
   rhythm_change,    // where the rhythm begins or changes
   rhythm_rest,      // as many as below, as the rhythm has it
+  rhythm_begins,    // of the live stitches so many that a rhythm can go on from there
 };
 
 // The counts of all the tube's rows that are still to come.

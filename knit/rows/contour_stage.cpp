@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "knit/model/bug.h"
+#include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/rows/contour_rows.h"
 #include "knit/rows/dealing.h"
@@ -90,9 +91,19 @@ DealTubes tubes_dealt(const Deal& deal) {
   return {name(pair[0]), name(pair[1]), whole.empty() ? std::int16_t{-1} : name(whole.front())};
 }
 
-Advanced<ContourEvent> find_gaps(const ContourAt& at, const StitchSize& stitch, std::int32_t event,
+// What a row is made by.
+struct RowWish {
+  const RowsSettings& rows;
+  const RhythmSettings& rhythm;
+  const StitchSize& stitch;
+  const Heard& heard;
+};
+
+Advanced<ContourEvent> find_gaps(const RowWish& wish, const ContourAt& at, std::int32_t event,
                                  ContourWork& work) {
-  const DealAt deal_at{at.input, at.plan, at.fabric, event, stitch.width};
+  const StitchSize& stitch = wish.stitch;
+  const bool in_rhythm = wish.rhythm.counts == CountPlanning::rhythm;
+  const DealAt deal_at{at.input, at.plan, at.fabric, event, stitch.width, in_rhythm};
   const TubeEvent& what = at.plan.event(event);
   std::int64_t tried = 0;
   Deal deal;
@@ -173,10 +184,23 @@ bool rhythm_is_due(const RhythmSettings& rhythm, const StitchSize& stitch, const
          planned->stitch_height != stitch.height;
 }
 
+// What the first row of a ring's second tube stands against.
+std::int32_t across_the_ring(const ContourAt& at, TubeId tube) {
+  const TubeEvent& bottom = at.plan.event(at.plan.tube(tube).bottom);
+  if (bottom.kind != EventKind::ring_cast_on) return 0;
+  for (const auto& row : at.fabric.rows()) {
+    const bool other = row->tube != tube &&
+                       std::find(bottom.above.begin(), bottom.above.end(), row->tube) != bottom.above.end();
+    if (other) return size_of(*row);
+  }
+  return 0;
+}
+
 // Where the plan begins: at the tube's first row, or on the last that is made.
 RhythmStart rhythm_start(const RowsSettings& rows, const ContourAt& at, const ContourWork& work) {
-  if (work.row == 0) return {0, at.fabric.empty() ? rows.cast_on : 0};
   const TubeId id = current_tube(at.plan, work);
+  if (work.row == 0)
+    return {0, at.fabric.empty() ? rows.cast_on : 0, SegmentEnd::start, across_the_ring(at, id)};
   const std::int32_t made = work.row;
   const std::int32_t last = made - 1;
   const TubeRhythm* before = rhythm_of(at.rhythms, id);
@@ -205,13 +229,25 @@ RhythmPlanned planned_words(const TubeRhythm& made) {
           plan.within};
 }
 
-// What a row is made by.
-struct RowWish {
-  const RowsSettings& rows;
-  const RhythmSettings& rhythm;
-  const StitchSize& stitch;
-  const Heard& heard;
-};
+// Stitches that the tube's first row is worked on, or stands against at the edge of a ring; 0: it is cast on.
+std::int32_t stitches_below(const ContourAt& at, TubeId tube) {
+  const std::int32_t live = at.fabric.live(tube).size();
+  return live > 0 ? live : across_the_ring(at, tube);
+}
+
+// That a twin was given before it, if it has the same rows and was planned for the same.
+const TubeRhythm* rhythm_of_twin(const RowWish& wish, const ContourAt& at, TubeId id) {
+  const Tube& tube = at.plan.tube(id);
+  for (const TubeId twin : tube.twins) {
+    const TubeRhythm* rhythm = twin != id ? rhythm_of(at.rhythms, twin) : nullptr;
+    const bool same = rhythm != nullptr && rhythm->from == 0 && rhythm->none == NoRhythm::no &&
+                      rhythm->settings == wish.rhythm && rhythm->stitch_width == wish.stitch.width &&
+                      rhythm->stitch_height == wish.stitch.height &&
+                      at.plan.tube(twin).lengths == tube.lengths;
+    if (same && may_begin_on(rhythm->plan, stitches_below(at, id))) return rhythm;
+  }
+  return nullptr;
+}
 
 RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourWork& work,
                         std::optional<TubeRhythm>& made) {
@@ -219,19 +255,30 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
   const Tube& tube = at.plan.tube(id);
   const RhythmStart start = rhythm_start(wish.rows, at, work);
   made = TubeRhythm{id, start.row, wish.rhythm, wish.stitch.width, wish.stitch.height};
-  if (at.plan.tubes.size() > 1) {
-    made->none = NoRhythm::branches;
+  const TubeRhythm* twin = work.row == 0 ? rhythm_of_twin(wish, at, id) : nullptr;
+  if (twin != nullptr) {
+    made->plan = twin->plan;
+    return planned_words(*made);
+  }
+  std::vector<double> ideals;
+  for (const double length : tube.lengths) ideals.push_back(length / wish.stitch.width);
+  RhythmSettings as_it_is = wish.rhythm;
+  as_it_is.fit_size = FitSize::off;
+  const std::int32_t live = work.row == 0 ? at.fabric.live(id).size() : 0;
+  std::optional<LiveRhythm> plan;
+  if (live == 0) {
+    if (auto alone = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard))
+      plan = LiveRhythm{start.row, *std::move(alone)};
+  } else if (tube.rows() < fewest_rows_in_rhythm) {
+    made->none = NoRhythm::few_rows;
   } else {
-    std::vector<double> ideals;
-    for (const double length : tube.lengths) ideals.push_back(length / wish.stitch.width);
-    RhythmSettings as_it_is = wish.rhythm;
-    as_it_is.fit_size = FitSize::off;
-    std::optional<RhythmPlan> plan =
-        plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard);
-    if (plan)
-      made->plan = *std::move(plan);
-    else
-      made->none = NoRhythm::fits_none;
+    plan = plan_rhythm_on(ideals, as_it_is, {live, tube.twins.size() > 1}, wish.heard);
+  }
+  if (plan) {
+    made->from = plan->from;
+    made->plan = std::move(plan->plan);
+  } else if (made->none == NoRhythm::no) {
+    made->none = NoRhythm::fits_none;
   }
   return planned_words(*made);
 }
@@ -300,7 +347,7 @@ Advanced<ContourEvent> go_on(const RowWish& wish, const ContourAt& at, ContourWo
   const StitchSize& stitch = wish.stitch;
   if (at.plan.stitch_width != stitch.width || at.plan.stitch_height != stitch.height)
     return replan(stitch, at, work, made.plan);
-  if (const std::int32_t event = next_deal(at, work); event >= 0) return find_gaps(at, stitch, event, work);
+  if (const std::int32_t event = next_deal(at, work); event >= 0) return find_gaps(wish, at, event, work);
   if (work.taken > 0 && work.row < tube_in_work(at, work).rows())
     return begin_row(wish, at, work, made.rhythm);
   return take_tube(at, work);
@@ -317,18 +364,6 @@ LengthMeasured measure(const StitchSize& stitch, const ContourAt& at, ContourWor
   return {length, length / stitch.width};
 }
 
-// What the first row of a ring's second tube stands against.
-std::int32_t across_the_ring(const ContourAt& at, TubeId tube) {
-  const TubeEvent& bottom = at.plan.event(at.plan.tube(tube).bottom);
-  if (bottom.kind != EventKind::ring_cast_on) return 0;
-  for (const auto& row : at.fabric.rows()) {
-    const bool other = row->tube != tube &&
-                       std::find(bottom.above.begin(), bottom.above.end(), row->tube) != bottom.above.end();
-    if (other) return size_of(*row);
-  }
-  return 0;
-}
-
 // What the tube's rhythm says of the row.
 std::optional<ChosenCount> count_of_rhythm(const RhythmSettings& rhythm, const ContourAt& at,
                                            const ContourWork& work, double ideal) {
@@ -336,9 +371,12 @@ std::optional<ChosenCount> count_of_rhythm(const RhythmSettings& rhythm, const C
   const TubeRhythm* planned = rhythm_of(at.rhythms, current_tube(at.plan, work));
   if (planned == nullptr || !planned->has(work.row)) return {};
   const RowRole role = planned->role(work.row);
+  const std::int32_t count = planned->count(work.row);
+  const std::int32_t live = at.fabric.live(planned->tube).size();
+  if (role == RowRole::first && live > 0)
+    return ChosenCount{count, count == live ? CountReason::rhythm_rest : CountReason::rhythm_begins, ideal};
   const bool changes = role == RowRole::change || role == RowRole::first;
-  return ChosenCount{planned->count(work.row),
-                     changes ? CountReason::rhythm_change : CountReason::rhythm_rest, ideal};
+  return ChosenCount{count, changes ? CountReason::rhythm_change : CountReason::rhythm_rest, ideal};
 }
 
 CountChosen count(const RowsSettings& rows, const RhythmSettings& rhythm, const StitchSize& stitch,

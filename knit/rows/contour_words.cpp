@@ -36,6 +36,8 @@ std::string_view word_of(CountReason reason) {
       return "rhythm: change";
     case CountReason::rhythm_rest:
       return "rhythm: rest";
+    case CountReason::rhythm_begins:
+      return "rhythm: begins";
   }
   return "";
 }
@@ -121,8 +123,11 @@ StepFields RowsReplanned::numbers() const {
 
 std::string RhythmPlanned::sentence(const Telling& at) const {
   const std::string name = "Tube " + tube_name(tube);
-  if (none == NoRhythm::branches)
-    return name + " has no rhythm, as the piece has other tubes; its counts are those that its rows hold.";
+  if (none == NoRhythm::few_rows)
+    return name +
+           " has no rhythm, as it is worked on live stitches and has only a few rounds; its counts are those "
+           "that "
+           "its rows hold.";
   if (none == NoRhythm::fits_none)
     return name +
            " has no rhythm: no number of sections goes with the stitches and changes that were asked "
@@ -203,6 +208,9 @@ std::string CountChosen::sentence(const Telling& at) const {
              " than below, as its rhythm has it; its length holds " + short_number(ideal) + tail;
     case CountReason::rhythm_rest:
       return head + ", as below, where its rhythm rests; its length holds " + short_number(ideal) + tail;
+    case CountReason::rhythm_begins:
+      return head + ", with which its rhythm can begin on the " + std::to_string(below) +
+             " below; its length holds " + short_number(ideal) + tail;
   }
   return head;
 }

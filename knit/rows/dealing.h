@@ -9,8 +9,8 @@
 // more where a child would have under three stitches, or an edge would be there twice.
 // The beginning of the round stays where it is: of a split, the child that has it goes on with it; of a join it is that of the
 // loop that brings the yarn. The other child of a split begins a quarter along its arc, beside the saddle: decreases gather
-// at the saddle, where wales are longest, and opposite it, and none may lie across the beginning. Where rounds begin in a
-// written pattern is decided apart (knit/limbs/limb_markers.h).
+// at the saddle, where wales are longest, and opposite it, and none may lie across the beginning. In a rhythm shaping stands
+// beside mains, and it begins where its yarn is rejoined, at the saddle. Where rounds begin in a written pattern is decided apart (knit/limbs/limb_markers.h).
 #pragma once
 
 #include <array>
@@ -39,6 +39,7 @@ struct DealAt {
   const Fabric& fabric;
   std::int32_t event = 0;
   double stitch_width = 0.1;
+  bool from_pinch = false;  // the other child of a split begins at its arc's first stitch
 };
 Deal deal_split(const DealAt& at, const ArcFound& arc);
 // Which of a join's two loops was worked last in this order; of a tube without rows those that it was dealt from.

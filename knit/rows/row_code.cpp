@@ -195,7 +195,7 @@ constexpr std::array contour_lines{
              "As many as shall be cast on, in the first row; as many as the rhythm has planned.",
              "docs/algorithm.md, Rows from contours: Count",
              lit_if<&CountChosen::reason, CountReason::as_cast_on, CountReason::rhythm_change,
-                    CountReason::rhythm_rest>},
+                    CountReason::rhythm_rest, CountReason::rhythm_begins>},
     CodeLine{
         "    else {} \xE2\x86\x90 round({} / {})",
         {&var::n, &var::length, &var::width},

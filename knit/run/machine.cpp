@@ -78,8 +78,7 @@ struct WorkedRow {
 std::optional<RepeatedRound> repeated_round(const State& state, const WorkedRow& row) {
   for (auto i = state.rhythms.size(); i-- > 0;) {
     const TubeRhythm& rhythm = *state.rhythms[i];
-    if (rhythm.tube != row.tube || row.level < 1 || !rhythm.has(row.level - 1) || !rhythm.has(row.level))
-      continue;
+    if (rhythm.tube != row.tube || !rhythm.has(row.level - 1) || !rhythm.has(row.level)) continue;
     if (rhythm.count(row.level - 1) != row.below || rhythm.count(row.level) != row.above) return {};
     return RepeatedRound{
         row.below, row.above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level), row.id};
