@@ -44,7 +44,7 @@ TEST_CASE("a rhythm outside the tolerance says by how much, where, and what come
         "tolerance of 4.2 % accepts it.");
   rhythm.from = 12;
   CHECK(rhythm_sentences(rhythm, 80.0, 22.0).front().starts_with("From round 13 on shaped in a rhythm: "));
-  rhythm.none = NoRhythm::branches;
+  rhythm.none = NoRhythm::few_rows;
   CHECK(rhythm_sentences(rhythm, 80.0, 22.0).empty());
 }
 

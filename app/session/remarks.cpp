@@ -62,6 +62,7 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
 }
 
 const knit::TubeRhythm* rhythm_of_run(const knit::State& state) {
+  if (!state.tubes || state.tubes->tubes.size() != 1) return nullptr;
   if (state.rhythms.empty() || state.rhythms.back()->none != knit::NoRhythm::no) return nullptr;
   const knit::TubeRhythm& rhythm = *state.rhythms.back();
   const auto keeps = [&](const auto& row) {

@@ -22,7 +22,8 @@ std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks);
 // All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked.
 std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage);
 
-// The rhythm that the rows from its `from` on have; null: none was planned, or it was given up on the way.
+// The rhythm that the rows of the one tube have from its `from` on; null: none was planned, it was given up on the way, or there are
+// several tubes.
 const knit::TubeRhythm* rhythm_of_run(const knit::State& state);
 // It in sentences (knit/rhythm/rhythm_words.h), at the gauge.
 std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::Gauge& gauge);

@@ -473,7 +473,7 @@ void draw_foot(PanelFrame& frame, const knit::Timeline& timeline) {
   knit::Parameters parameters = timeline.parameters();
   draw_knob_notes(frame, parameters);
   if (parameters != timeline.parameters())
-    wish_change(frame, *knit::find_parameter(knit::keys::gauge), parameters);
+    wish_change(frame, *knit::find_parameter(knit::keys::gauge), parameters, false);
 }
 
 }  // namespace
