@@ -144,7 +144,7 @@ TEST_CASE("coverage: a run and what it covers do not depend on the way the trian
   const State state = finished(input, TimingKind::linear, width);
   const Uncovered agreeing = measure_uncovered(*input, state, width, height);
   CHECK(agreeing.places.size() == 2);
-  for (const std::size_t every : {1, 3}) {  // inside out; some of them turned
+  for (const std::size_t every : {std::size_t{1}, std::size_t{3}}) {  // inside out; some of them turned
     CAPTURE(every);
     Mesh mesh = input->mesh;
     for (std::size_t t = 0; t < mesh.triangles.size(); t += every)

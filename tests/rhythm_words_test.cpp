@@ -24,7 +24,7 @@ TubeRhythm ball() {
 
 }  // namespace
 
-TEST_CASE("a rhythm is one sentence; its cost and its width are two more") {
+TEST_CASE("a rhythm is one sentence, its cost and its width are two more") {
   CHECK(rhythm_sentences(ball(), 82.94, 22.0) ==
         std::vector<std::string>{
             "Shaped in a rhythm: 8 increases every 2nd round 6 times, every 3rd round 3 times, then 8 "

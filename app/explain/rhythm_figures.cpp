@@ -123,7 +123,7 @@ std::string rhythm_place_words(const std::vector<RhythmFigures>& all, std::int32
     words = std::string(place.change > 0 ? "Increase" : "Decrease") + " round " + std::to_string(place.turn) +
             " of " + std::to_string(place.turns) + ", " + stitches_more(place.change);
   else if (i == 0)
-    words = figures->rhythm->from == 0 ? "The rhythm begins" : "The rhythm is planned anew from here";
+    words = figures->rhythm->from == 0 ? "The rhythm begins" : "The rhythm is planned again from here";
   else
     words = "Knit round " + std::to_string(place.rest) + " of " + std::to_string(place.rests);
   if (!place.to_next) return words + "; nothing is shaped any more.";

@@ -194,8 +194,8 @@ void draw_help(PanelFrame& frame) {
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);
   frame.memory.controls.insert_or_assign("help", box);
+  draw_ways_on(frame);  // first, so that they are in sight in the smallest window
   draw_columns(frame, setting, groups, columns, gap);
-  draw_ways_on(frame);
   ImGui::End();
   pop_raised_look();
   if (!open) frame.wish(ShowHelp{false});
