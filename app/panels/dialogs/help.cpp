@@ -50,6 +50,7 @@ struct HelpSetting {
   float keys_width;  // within it
   float gap;         // between lines
   float between;     // groups
+  float ways;        // what leads on, below the last column
 };
 
 float height_of(const std::string& words, float width) {
@@ -82,12 +83,12 @@ struct HelpColumns {
 HelpColumns columns_of(const HelpSetting& setting, const std::vector<HelpGroup>& groups) {
   std::vector<float> below(groups.size() + 1, 0.0f);  // heights summed
   for (std::size_t i = 0; i < groups.size(); ++i) below[i + 1] = below[i] + height_of(setting, groups[i]);
-  HelpColumns best{{groups.size(), groups.size(), groups.size()}, below.back()};
+  HelpColumns best{{groups.size(), groups.size(), groups.size()}, below.back() + setting.ways};
   static_assert(column_count == 3);
   for (std::size_t first = 0; first <= groups.size(); ++first) {
     for (std::size_t second = first; second <= groups.size(); ++second) {
       const float height =
-          std::max({below[first], below[second] - below[first], below.back() - below[second]});
+          std::max({below[first], below[second] - below[first], below.back() - below[second] + setting.ways});
       if (height < best.height) best = {{first, second, groups.size()}, height};
     }
   }
@@ -124,18 +125,6 @@ void draw_group(PanelFrame& frame, const HelpSetting& setting, const HelpGroup& 
   ImGui::SetCursorPosY(y + setting.between);
 }
 
-void draw_columns(PanelFrame& frame, const HelpSetting& setting, const std::vector<HelpGroup>& groups,
-                  const HelpColumns& columns, float gap) {
-  const ImVec2 origin = ImGui::GetCursorPos();
-  std::size_t next = 0;
-  for (std::size_t column = 0; column < column_count; ++column) {
-    const float left = origin.x + static_cast<float>(column) * (setting.width + gap);
-    ImGui::SetCursorPosY(origin.y);
-    for (; next < columns.ends[column]; ++next) draw_group(frame, setting, groups[next], left);
-  }
-  ImGui::SetCursorPos(ImVec2(origin.x, origin.y + columns.height));
-}
-
 // What explains more than keys.
 void draw_ways_on(PanelFrame& frame) {
   const auto way = [&](const char* words, const char* mark, const char* help) {
@@ -156,6 +145,20 @@ void draw_ways_on(PanelFrame& frame) {
   ImGui::NewLine();
 }
 
+void draw_columns(PanelFrame& frame, const HelpSetting& setting, const std::vector<HelpGroup>& groups,
+                  const HelpColumns& columns, float gap) {
+  const ImVec2 origin = ImGui::GetCursorPos();
+  std::size_t next = 0;
+  for (std::size_t column = 0; column < column_count; ++column) {
+    const float left = origin.x + static_cast<float>(column) * (setting.width + gap);
+    ImGui::SetCursorPosY(origin.y);
+    for (; next < columns.ends[column]; ++next) draw_group(frame, setting, groups[next], left);
+    ImGui::SetCursorPosX(left);
+  }
+  draw_ways_on(frame);
+  ImGui::SetCursorPos(ImVec2(origin.x, origin.y + columns.height));
+}
+
 }  // namespace
 
 void draw_help(PanelFrame& frame) {
@@ -166,12 +169,16 @@ void draw_help(PanelFrame& frame) {
   const float gap = frame.units(22.0f);
   const float column = (width - 2.0f * look.WindowPadding.x - 2.0f * gap) / static_cast<float>(column_count);
   const auto groups = help_groups();
-  HelpSetting setting{
-      frame.fonts.mono,  frame.fonts.text, column, std::min(frame.units(132.0f), 0.4f * column),
-      frame.units(2.0f), frame.units(8.0f)};
+  HelpSetting setting{frame.fonts.mono,
+                      frame.fonts.text,
+                      column,
+                      std::min(frame.units(132.0f), 0.4f * column),
+                      frame.units(2.0f),
+                      frame.units(8.0f),
+                      ImGui::GetFrameHeightWithSpacing()};
   HelpColumns columns = columns_of(setting, groups);
-  // Title, the ways on, and the window's edges.
-  const float around = 2.0f * ImGui::GetFrameHeightWithSpacing() + 2.0f * look.WindowPadding.y;
+  // The title and the window's edges.
+  const float around = ImGui::GetFrameHeightWithSpacing() + 2.0f * look.WindowPadding.y;
   const float below = frame.layout.menu.bottom();  // the menu bar stays in sight
   const float room = 0.99f * (window.height - below);
   if (columns.height + around > room) {
@@ -181,6 +188,7 @@ void draw_help(PanelFrame& frame) {
   }
   if (columns.height + around > room) {
     setting.keys_font = frame.fonts.small;
+    setting.between = frame.units(1.0f);
     columns = columns_of(setting, groups);
   }
   const float height = std::min(columns.height + around, room);
@@ -194,7 +202,6 @@ void draw_help(PanelFrame& frame) {
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                    ImGuiWindowFlags_NoSavedSettings);
   frame.memory.controls.insert_or_assign("help", box);
-  draw_ways_on(frame);  // first, so that they are in sight in the smallest window
   draw_columns(frame, setting, groups, columns, gap);
   ImGui::End();
   pop_raised_look();
