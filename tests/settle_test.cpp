@@ -159,7 +159,7 @@ TEST_CASE("settle: the nearest place of a surface and its triangle are those tha
   const TriangleTree tree(mesh.positions, mesh.triangles);
   test_support::Dice dice(3);
   for (int i = 0; i < 200; ++i) {
-    const glm::dvec3 point(dice.between(-2, 2), dice.between(-1, 2), dice.between(-1, 1));
+    const glm::dvec3 point{dice.between(-2, 2), dice.between(-1, 2), dice.between(-1, 1)};
     const SurfacePlace found = tree.nearest(point);
     double least = 1e300;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -187,7 +187,7 @@ TEST_CASE("settle: a walk finds the nearest place, but not through a thin sheet"
                          normal_at(*input, normals, start.triangle, start.point, {0, 0, 1})};
     REQUIRE(from.normal.z > 0.9);
     // As deep as the other side: trying all would go there.
-    const glm::dvec3 to = start.point + glm::dvec3(dice.between(-0.1, 0.1), dice.between(-0.1, 0.1), -0.03);
+    const glm::dvec3 to = start.point + glm::dvec3{dice.between(-0.1, 0.1), dice.between(-0.1, 0.1), -0.03};
     CHECK(tree.nearest(to).point.z < 0.0);
     const OnSurface there = walk.nearest(from, to);
     CHECK(there.point.z > 0.0);

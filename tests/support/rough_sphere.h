@@ -63,15 +63,17 @@ inline knit::Mesh rough_sphere(unsigned subdivisions, unsigned seed) {
   const double slide =
       0.4 * glm::distance(mesh.positions[mesh.triangles[0][0]], mesh.positions[mesh.triangles[0][1]]);
   for (glm::dvec3& p : mesh.positions) {
-    const glm::dvec3 by(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
+    const glm::dvec3 by{dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1)};
     p = glm::normalize(p + slide * by);
   }
   std::map<std::array<knit::VertexId, 2>, std::size_t> triangle_at;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       triangle_at[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = t;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    turn_over(mesh, triangle_at, dice.below(mesh.triangles.size()), dice.below(3));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::size_t triangle = dice.below(mesh.triangles.size());  // before the edge, whatever the compiler
+    turn_over(mesh, triangle_at, triangle, dice.below(3));
+  }
   return mesh;
 }
 
