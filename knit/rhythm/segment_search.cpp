@@ -135,7 +135,9 @@ class SegmentSearch {
   // One plain row more. Of two plain stretches at one count the cheaper stays the cheaper, so only that one goes on.
   void stay(const Place& from) {
     if (from.row + 1 == rows_) return;
-    const Place begun = from.end == after_plain ? place_of(at(from).from) : from;
+    // Where the plan begins behind plain rows that are made, no stretch of its own goes on.
+    const bool goes_on = from.end == after_plain && at(from).from >= 0;
+    const Place begun = goes_on ? place_of(at(from).from) : from;
     const double cost = at(begun).cost + twice_ * task_.prices.plain;
     reach({from.row + 1, from.level, after_plain}, cost + stretch(from.level, begun.row + 1, from.row + 2),
           begun, 1);
