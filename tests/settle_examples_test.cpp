@@ -16,6 +16,7 @@
 #include "knit/run/timeline.h"
 #include "tests/stress/settling.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 
 using namespace knit;
 
@@ -75,7 +76,9 @@ void check_settling(const std::shared_ptr<const Input>& input, const Parameters&
 }  // namespace
 
 TEST_CASE("settle examples: only positions change") {
+  std::size_t number = 0;
   for (const std::string& name : app::list_examples(KNIT_ASSETS_DIR)) {
+    if (!test_support::is_tried(number++)) continue;
     CAPTURE(name);
     auto loaded = app::load_example(KNIT_ASSETS_DIR, name);
     REQUIRE(std::holds_alternative<app::Loaded>(loaded));
@@ -93,7 +96,9 @@ TEST_CASE("settle examples: only positions change on meshes by others") {
     if (entry.path().extension() == ".obj") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
+  std::size_t number = 0;
   for (const std::filesystem::path& file : files) {
+    if (!test_support::is_tried(number++)) continue;
     CAPTURE(file.filename().string());
     auto read = read_obj_file(file);
     if (!std::holds_alternative<Mesh>(read) || !check(std::get<Mesh>(read)).fit()) continue;

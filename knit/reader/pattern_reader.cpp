@@ -61,7 +61,7 @@ class Reader {
 
   void prose(const Tokens& tokens) {
     if (is_glossary(tokens)) return;
-    if (auto named = named_words_in(tokens)) return name_round(std::move(*named));
+    if (const auto named = named_words_in(tokens)) return name_round(*named);
     if (const auto number = cast_on_in(tokens)) {
       if (read_.rounds_read > 0)
         second_piece();
@@ -75,9 +75,9 @@ class Reader {
     if (const auto closing = closing_in(tokens)) close(*closing);
   }
 
-  void name_round(NamedWords named) {
+  void name_round(const NamedWords& named) {
     if (!named.words.mistake.empty()) blame("the " + named.name + named.words.mistake);
-    if (!named_.try_emplace(named.name, std::move(named.words)).second)
+    if (!named_.try_emplace(named.name, named.words).second)
       blame("the " + named.name + " is told twice; give each way to shape a name of its own.");
   }
 

@@ -3,6 +3,7 @@
 // KNIT_WHOLE set all of them there too (tools/thorough.sh).
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 
 namespace test_support {
@@ -27,5 +28,8 @@ template <class Number>
 Number repeated(Number all) {
   return whole() ? all : (all + 9) / 10;
 }
+
+// Whether this build tries number `i` of a list of real shapes, which are dear: the sanitizers every fourth.
+inline bool is_tried(std::size_t i) { return whole() || i % 4 == 0; }
 
 }  // namespace test_support

@@ -231,13 +231,14 @@ bool is_offered(SweepFigure figure, Offered offered) {
 // `mark`: "sweep/figure".
 void draw_figure_choice(PanelFrame& frame, const std::string& mark, SweepFigure& chosen, Offered offered) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const std::string stem = mark + "/";
   if (begin_list(frame, ("##" + mark).c_str(), std::string(name_of(chosen)))) {
     for (std::size_t f = 0; f < sweep_figures; ++f) {
       const auto figure = static_cast<SweepFigure>(f);
       if (!is_offered(figure, offered)) continue;
       const std::string name(name_of(figure));
       if (ImGui::Selectable(name.c_str(), figure == chosen)) chosen = figure;
-      frame.mark(mark + "/" + name);
+      frame.mark(stem + name);
     }
     ImGui::EndCombo();
   }

@@ -57,20 +57,20 @@ std::vector<std::string> even_lines(std::string_view words, std::size_t most_let
   return lines;
 }
 
-LargeWords large_words(ImFont* font, std::string_view said, float wanted, float width, float height) {
-  const std::string words = in_window_words(said);
+LargeWords large_words(ImFont* font, std::string_view words, float wanted, float width, float height) {
+  const std::string shown = in_window_words(words);
   constexpr std::size_t fewer = 5;
   constexpr float smaller = 0.94f;
   constexpr float least_share = 0.2f;  // of what is wanted; there are no sentences as long as that
   for (float size = wanted; size > least_share * wanted; size *= smaller) {
     for (std::size_t letters = longest_large_line; letters >= shortest_large_line; letters -= fewer) {
-      std::vector<std::string> lines = even_lines(words, letters);
+      std::vector<std::string> lines = even_lines(shown, letters);
       const bool fits = static_cast<float>(lines.size()) * large_line_height * size <= height &&
                         widest(font, size, lines) <= width;
       if (fits) return {std::move(lines), size};
     }
   }
-  return {even_lines(words, longest_large_line), least_share * wanted};
+  return {even_lines(shown, longest_large_line), least_share * wanted};
 }
 
 }  // namespace app

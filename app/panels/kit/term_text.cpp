@@ -112,17 +112,17 @@ void glossary_wrapped_text(PanelFrame& frame, std::string_view words) {
   glossary_wrapped_text(frame, words, theme().text);
 }
 
-void glossary_wrapped_text(PanelFrame& frame, std::string_view said, Colour colour) {
-  const std::string words = in_window_words(said);
-  const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), words);
+void glossary_wrapped_text(PanelFrame& frame, std::string_view words, Colour colour) {
+  const std::string shown = in_window_words(words);
+  const std::vector<TermAt>& terms = terms_of(frame.own<TermCache>(), shown);
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<Piece> pieces;
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0.0f));
-  for (std::size_t begin = 0; begin < words.size();) {
-    const LineBreak line = break_line(words, begin, width);
-    draw_line(words, begin, line.end, terms, pieces);
+  for (std::size_t begin = 0; begin < shown.size();) {
+    const LineBreak line = break_line(shown, begin, width);
+    draw_line(shown, begin, line.end, terms, pieces);
     begin = line.next;
   }
   ImGui::PopStyleVar();

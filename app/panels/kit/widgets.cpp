@@ -180,28 +180,28 @@ void tooltip_about(const PanelFrame& frame, const Box& item, std::string_view wo
   ImGui::EndTooltip();
 }
 
-std::string wrapped_at_blanks(std::string_view said, float width) {
-  const std::string words_here = in_window_words(said);
-  const std::string_view words = words_here;
+std::string wrapped_at_blanks(std::string_view words, float width) {
+  const std::string shown_here = in_window_words(words);
+  const std::string_view shown = shown_here;
   const auto wide = [](std::string_view part) {
     return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
   };
   std::string lines;
-  for (std::size_t begin = 0; begin <= words.size();) {
-    const std::size_t feed = std::min(words.find('\n', begin), words.size());
+  for (std::size_t begin = 0; begin <= shown.size();) {
+    const std::size_t feed = std::min(shown.find('\n', begin), shown.size());
     float x = 0.0f;
     for (std::size_t at = begin; at < feed;) {
       // A word goes with the blanks before it, unless it begins a line.
-      const std::size_t first = std::min(words.find_first_not_of(' ', at), feed);
-      const std::size_t end = std::min(words.find(' ', first), feed);
-      const float more = wide(words.substr(at, end - at));
+      const std::size_t first = std::min(shown.find_first_not_of(' ', at), feed);
+      const std::size_t end = std::min(shown.find(' ', first), feed);
+      const float more = wide(shown.substr(at, end - at));
       const bool breaks = x > 0.0f && x + more > width;
       if (breaks) lines += '\n';
-      lines.append(words.substr(breaks ? first : at, end - (breaks ? first : at)));
-      x = breaks ? wide(words.substr(first, end - first)) : x + more;
+      lines.append(shown.substr(breaks ? first : at, end - (breaks ? first : at)));
+      x = breaks ? wide(shown.substr(first, end - first)) : x + more;
       at = end;
     }
-    if (feed < words.size()) lines += '\n';
+    if (feed < shown.size()) lines += '\n';
     begin = feed + 1;
   }
   return lines;
@@ -234,28 +234,28 @@ void text_at(ImVec2 at, float align, Colour colour, const std::string& words) {
                                       style::packed(colour), words.c_str());
 }
 
-std::string cut_to_width(std::string_view said, float width) {
-  const std::string words_here = in_window_words(said);
-  const std::string_view words = words_here;
+std::string cut_to_width(std::string_view words, float width) {
+  const std::string shown_here = in_window_words(words);
+  const std::string_view shown = shown_here;
   const auto wide = [](std::string_view part) {
     return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
   };
-  if (wide(words) <= width) return std::string(words);
+  if (wide(shown) <= width) return std::string(shown);
   const std::string_view ellipsis = "...";
   const float room = width - wide(ellipsis);
   std::size_t low = 0;
-  std::size_t high = words.size();
+  std::size_t high = shown.size();
   while (low < high) {
     const std::size_t middle = (low + high + 1) / 2;
-    if (wide(words.substr(0, middle)) <= room) {
+    if (wide(shown.substr(0, middle)) <= room) {
       low = middle;
     } else {
       high = middle - 1;
     }
   }
   // Never through the middle of a character.
-  while (low > 0 && (static_cast<unsigned char>(words[low]) & 0xC0U) == 0x80U) --low;
-  return std::string(words.substr(0, low)) + std::string(ellipsis);
+  while (low > 0 && (static_cast<unsigned char>(shown[low]) & 0xC0U) == 0x80U) --low;
+  return std::string(shown.substr(0, low)) + std::string(ellipsis);
 }
 
 std::string with_commas(std::size_t number) {

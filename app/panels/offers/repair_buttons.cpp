@@ -34,8 +34,9 @@ bool draw_repair_buttons(PanelFrame& frame, const std::string& mark) {
     if (!kind) continue;
     any = true;
     const bool faces = kind == knit::RepairKind::reorient;
-    const std::string words = faces ? "Repair: turn faces round" : "Repair: drop stray vertices";
-    if (ImGui::SmallButton((words + "##" + mark).c_str())) {
+    std::string button = faces ? "Repair: turn faces round##" : "Repair: drop stray vertices##";
+    button += mark;
+    if (ImGui::SmallButton(button.c_str())) {
       knit::RepairWish wish{false, source.repairs};
       wish.kinds.push_back(*kind);
       frame.wish(OpenFile{source.file, std::move(wish)});

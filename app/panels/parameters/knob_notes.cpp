@@ -76,7 +76,7 @@ std::string follow_words(const knit::ParameterInfo& info, const knit::Parameters
     const std::string is = shown_value(other, now);
     if (was == is) continue;
     words += words.empty() ? "Follows: " : ", ";
-    words += short_label(other) + " " + was + " \xE2\x86\x92 " + is;
+    words.append(short_label(other)).append(" ").append(was).append(" \xE2\x86\x92 ").append(is);
   }
   return words;
 }
