@@ -27,7 +27,17 @@ EdgeEnds ends_of(VertexId a, VertexId b) { return std::minmax(a, b); }
 class FlatFlips {
  public:
   FlatFlips(std::span<Triangle> triangles, const std::vector<glm::dvec3>& positions)
-      : triangles_(triangles), positions_(positions), across_(3 * triangles.size(), no_half_edge) {
+      : triangles_(triangles), positions_(positions), across_(3 * triangles.size(), no_half_edge) {}
+
+  // Whether an edge may want it, `across` being known. Most meshes have none: told without sorting their edges.
+  [[nodiscard]] bool any_wanted(const std::vector<HalfEdge>& across) const {
+    for (HalfEdge h = 0; h < across.size(); ++h) {
+      if (across[h] != no_half_edge && h < across[h] && shape_wants_flip(h, across[h])) return true;
+    }
+    return false;
+  }
+
+  void find_neighbours() {
     std::vector<std::pair<EdgeEnds, HalfEdge>> uses;
     uses.reserve(across_.size());
     for (HalfEdge h = 0; h < across_.size(); ++h) uses.emplace_back(ends_of(origin(h), end(h)), h);
@@ -84,7 +94,11 @@ class FlatFlips {
 
   [[nodiscard]] bool wants_flip(HalfEdge h) const {
     const HalfEdge g = across_[h];
-    if (g == no_half_edge || h / 3 == g / 3) return false;
+    return g != no_half_edge && shape_wants_flip(h, g) && !is_edge(ends_of(apex(h), apex(g)));
+  }
+
+  [[nodiscard]] bool shape_wants_flip(HalfEdge h, HalfEdge g) const {
+    if (h / 3 == g / 3) return false;
     const VertexId a = origin(h), b = end(h), c = apex(h), d = apex(g);
     if (c == d) return false;
     const glm::dvec3 here = normal(a, b, c), there = normal(b, a, d);
@@ -94,8 +108,7 @@ class FlatFlips {
     if (one + other > -clearly_not_delaunay * std::max({1.0, std::abs(one), std::abs(other)})) return false;
     const glm::dvec3 up = here + there;
     const double least = least_share * glm::dot(up, up);
-    return glm::dot(normal(c, a, d), up) > least && glm::dot(normal(d, b, c), up) > least &&
-           !is_edge(ends_of(c, d));
+    return glm::dot(normal(c, a, d), up) > least && glm::dot(normal(d, b, c), up) > least;
   }
 
   // The triangles a, b, c and b, a, d become c, a, d and d, b, c. The four edges around come back.
@@ -135,8 +148,12 @@ class FlatFlips {
 
 }  // namespace
 
-std::size_t flip_flat_edges(std::span<Triangle> triangles, const std::vector<glm::dvec3>& positions) {
-  return FlatFlips(triangles, positions).run();
+std::size_t flip_flat_edges(std::span<Triangle> triangles, const std::vector<glm::dvec3>& positions,
+                            const std::vector<HalfEdge>& across) {
+  FlatFlips flips(triangles, positions);
+  if (across.size() == 3 * triangles.size() && !flips.any_wanted(across)) return 0;
+  flips.find_neighbours();
+  return flips.run();
 }
 
 }  // namespace knit

@@ -16,6 +16,8 @@
 namespace knit {
 
 // Only edges that two of these triangles pass, in opposite directions, are looked at. The flips made come back.
-std::size_t flip_flat_edges(std::span<Triangle> triangles, const std::vector<glm::dvec3>& positions);
+// `across`: each half-edge's other side, where somebody knows it already; then a mesh that wants no flip is soon told.
+std::size_t flip_flat_edges(std::span<Triangle> triangles, const std::vector<glm::dvec3>& positions,
+                            const std::vector<HalfEdge>& across = {});
 
 }  // namespace knit

@@ -239,7 +239,7 @@ MorseSurface make_morse(const Input& input, std::span<const double> field, const
   MorseSurface surface;
   take_triangles(input, surface, part_of(heard, 0.0, 0.2));
   hear(heard, 0.2);
-  if (flip_flat_edges(surface.triangles, input.mesh.positions) > 0) surface.across.clear();
+  if (flip_flat_edges(surface.triangles, input.mesh.positions, surface.across) > 0) surface.across.clear();
   std::vector<std::uint8_t> used(input.twin.size(), 0);
   for (const Triangle& t : surface.triangles)
     for (const VertexId v : t) used[v] = 1;
