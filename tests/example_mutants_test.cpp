@@ -25,6 +25,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/repeated.h"
+#include "tests/support/standing_run.h"
 
 using namespace knit;
 
@@ -192,20 +193,6 @@ struct MutantShape {
   double width_share;
 };
 
-State run_of(const MutantShape& example) {
-  const auto input = make_input(example.mesh());
-  Parameters parameters = default_parameters(input->bounds);
-  give_width(parameters, example.width_share * input->bounds.diagonal());
-  parameters.rows.source = RowSource::contours;
-  parameters.stitches.placement = PlacementPolicy::nearest;
-  parameters = resolved(parameters, *input);
-  parameters.timing.axis.kind = AxisKind::y;
-  Timeline run(input, parameters);
-  run.extend_to_end();
-  REQUIRE(run.complete());
-  return run.furthest();
-}
-
 constexpr std::size_t wanted = 30;
 
 struct MutantTally {
@@ -213,7 +200,7 @@ struct MutantTally {
 };
 
 MutantTally check_example(const MutantShape& example) {
-  const State state = run_of(example);
+  const State state = test_support::standing_run(example.mesh(), example.width_share);
   const bool limbs = has_limbs(state);
   const WrittenPattern words = limbs ? write_pattern(plan_limbs(state), {22.0, 32.0}, {}, example.name)
                                      : write_pattern(rounds_of(state), {22.0, 32.0}, {}, example.name);

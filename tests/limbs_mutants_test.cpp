@@ -14,6 +14,7 @@
 #include "tests/support/random_fabric.h"
 #include "tests/support/repeated.h"
 #include "tests/support/ringed_fabric.h"
+#include "tests/support/standing_run.h"
 
 using namespace knit;
 
@@ -138,20 +139,6 @@ std::size_t check_mutants(const State& state, const LimbOptions& options = {}) {
   return mutants.size();
 }
 
-State run_of(const Mesh& mesh, double width_share) {
-  const auto input = make_input(mesh);
-  Parameters parameters = default_parameters(input->bounds);
-  give_width(parameters, width_share * input->bounds.diagonal());
-  parameters.rows.source = RowSource::contours;
-  parameters.stitches.placement = PlacementPolicy::nearest;
-  parameters = resolved(parameters, *input);
-  parameters.timing.axis.kind = AxisKind::y;
-  Timeline run(input, parameters);
-  run.extend_to_end();
-  REQUIRE(run.complete());
-  return run.furthest();
-}
-
 Mesh standing_torus() {
   Mesh mesh = torus(32, 16, 1.0, 0.4);
   for (glm::dvec3& p : mesh.positions) p = {p.x, -p.z, p.y};
@@ -186,9 +173,9 @@ std::string with(const std::string& from, const std::string& to) {
 }  // namespace
 
 TEST_CASE("limbs mutants: one wrong number, name or line is refused") {
-  std::size_t mutants = check_mutants(run_of(standing_torus(), 0.05));
-  mutants += check_mutants(run_of(torus(48, 24, 1.0, 0.4), 0.06));
-  mutants += check_mutants(run_of(test_support::arch(), 0.06));
+  std::size_t mutants = check_mutants(test_support::standing_run(standing_torus(), 0.05));
+  mutants += check_mutants(test_support::standing_run(torus(48, 24, 1.0, 0.4), 0.06));
+  mutants += check_mutants(test_support::standing_run(test_support::arch(), 0.06));
   CHECK(mutants > 700);
 }
 

@@ -16,6 +16,7 @@
 #include "tests/support/hand_rounds.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/random_fabric.h"
+#include "tests/support/standing_run.h"
 
 using namespace knit;
 using nlohmann::json;
@@ -212,20 +213,6 @@ std::string said_with(const char* place, const json& other) {
 
 json written(const State& state) { return json::parse(app::pattern_json(plan_limbs(state))); }
 
-State run_of(const Mesh& mesh, double width_share) {
-  const auto input = make_input(mesh);
-  Parameters parameters = default_parameters(input->bounds);
-  give_width(parameters, width_share * input->bounds.diagonal());
-  parameters.rows.source = RowSource::contours;
-  parameters.stitches.placement = PlacementPolicy::nearest;
-  parameters = resolved(parameters, *input);
-  parameters.timing.axis.kind = AxisKind::y;
-  Timeline run(input, parameters);
-  run.extend_to_end();
-  REQUIRE(run.complete());
-  return run.furthest();
-}
-
 }  // namespace
 
 TEST_CASE("json reader: pieces written by hand become stitches") {
@@ -284,8 +271,8 @@ TEST_CASE("json reader: what is wrong is said with its place") {
 
 TEST_CASE("json reader: every value that is changed or dropped is refused") {
   std::size_t mutants = check_json_mutants(two_legs(), 1);
-  mutants += check_json_mutants(written(run_of(torus(32, 16, 1.0, 0.4), 0.12)), 211);
-  mutants += check_json_mutants(written(run_of(test_support::arch(), 0.1)), 211);
+  mutants += check_json_mutants(written(test_support::standing_run(torus(32, 16, 1.0, 0.4), 0.12)), 211);
+  mutants += check_json_mutants(written(test_support::standing_run(test_support::arch(), 0.1)), 211);
   CHECK(mutants > 700);
 }
 
