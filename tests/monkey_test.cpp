@@ -293,7 +293,7 @@ constexpr int actions_between_looks = 250;
 // KNIT_MONKEY_ACTIONS says how many; tools/thorough.sh asks for many more.
 int actions_in_all() {
   if (const char* wish = std::getenv("KNIT_MONKEY_ACTIONS")) return std::atoi(wish);
-  return test_support::repeated(4000);
+  return test_support::repeated(1500);
 }
 
 void play_with(const std::string& example, unsigned seed) {

@@ -13,6 +13,7 @@
 #include "knit/import/check.h"
 #include "knit/mesh/shapes.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 
 using namespace knit;
 
@@ -279,7 +280,7 @@ TEST_CASE("surface distance: is a metric between the straight line and the edges
 }
 
 TEST_CASE("surface distance: no way through many points on the edges is shorter", "[surface_distance]") {
-  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+  for (unsigned seed = 1; seed <= test_support::repeated(4U); ++seed) {
     CAPTURE(seed);
     const Mesh mesh = bumpy(seed % 2, seed);
     const auto input = make_input(mesh);
