@@ -2,24 +2,25 @@
 //
 // The loops are level loops of the time, or the two rims of an open tube. Triangles that a loop crosses are cut along it; cut
 // points keep 3 % of an edge away from its ends, so that no triangle gets as thin as a hair, and edges longer than 1.2 w are
-// halved until none is. Limbs that are pruned, closed caps between the loops, stay in it. Mesh units.
-// Cost: the triangles of the mesh, once a loop.
+// halved until none is. Mesh units.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <variant>
 #include <vector>
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/heard.h"
 #include "knit/model/ring.h"
 
 namespace knit {
 
-// Triangles all the same way round, so that the low loop runs in working order along their sides.
+// Triangles all the same way round, so that the low rim runs in working order along their sides; so that need not be
+// the way that the mesh's face.
 struct TubePart {
   std::vector<glm::dvec3> points;
   std::vector<Triangle> triangles;
@@ -29,7 +30,7 @@ struct TubePart {
   friend bool operator==(const TubePart&, const TubePart&) = default;
 };
 
-// A loop of the level set of `field` at `value`; the one that the curve is nearest to is meant.
+// A loop of the level set of the field at `value`; the one nearest to the curve is meant. Vertices at the value are above it.
 struct LevelLoop {
   double value = 0.0;
   const Ring* curve = nullptr;
@@ -42,13 +43,35 @@ enum class NoPart : std::uint8_t {
 };
 std::string sentence_of(NoPart why);
 
-// Requires low.value < high.value, and curves in working order.
-std::variant<TubePart, NoPart> cut_tube(const Input& input, const std::vector<double>& field,
-                                        const LevelLoop& low, const LevelLoop& high, double stitch_width,
-                                        const Heard& heard = {});
+// Cuts a mesh along loops, one after the other, and takes out the parts between two of them.
+// Cost of a cut and of a part: the triangles of the mesh.
+class TubeCutter {
+ public:
+  TubeCutter(const Input& input, const std::vector<double>& field);
 
-// A mesh that is an open tube itself: from the rim nearer to `bottom` to the other. Its triangles' outside tells the working
-// order. Rounds begin on the side of `beginning`.
+  // The number of the loop; none where the field has no loop at that value.
+  std::optional<std::size_t> cut(const LevelLoop& loop);
+
+  // Above one loop and below another, once all loops are cut. Limbs that are pruned and caps between the two stay in it.
+  std::variant<TubePart, NoPart> part(std::size_t low, std::size_t high, double stitch_width) const;
+
+ private:
+  struct Loop {
+    std::vector<std::array<VertexId, 2>> sides;  // of the triangles above it
+    const Ring* curve;
+  };
+  std::vector<glm::dvec3> points_;
+  std::vector<double> field_;
+  std::vector<Triangle> triangles_;  // all the same way round
+  std::vector<Loop> loops_;
+};
+
+// Of one tube. Requires low.value < high.value, and curves in working order.
+std::variant<TubePart, NoPart> cut_tube(const Input& input, const std::vector<double>& field,
+                                        const LevelLoop& low, const LevelLoop& high, double stitch_width);
+
+// A mesh that is an open tube itself: from the rim nearer to `bottom` to the other. Its triangles face out, which
+// tells the working order. Rounds begin on the side of `beginning`.
 std::variant<TubePart, NoPart> whole_tube(const Input& input, const glm::dvec3& bottom,
                                           const glm::dvec3& beginning, double stitch_width);
 

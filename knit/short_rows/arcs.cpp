@@ -1,0 +1,182 @@
+#include "knit/short_rows/arcs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "knit/mesh/elementary.h"
+#include "knit/model/ties.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::int32_t most_pairs = 8;  // of a gap
+constexpr std::int32_t look_back = 4;   // gaps
+constexpr double free_lag = 1.0;        // rows that may be missing
+constexpr double turn_penalty = 2.0;
+constexpr double left_over = 3.0;   // stitches of the round beside an arc
+constexpr double far_apart = 26.0;  // squared turn steps; exp(-26) is nothing
+
+// A gap as its arcs are weighed. Cells lie between a column and the next.
+struct Gap {
+  std::vector<double> lag;       // of each cell, in rows, before the pairs
+  std::vector<double> width;     // of each cell, in stitches
+  std::vector<double> position;  // of each column, in stitches from column 0; and the whole round
+  double stitches = 0.0;         // of the round, a whole number
+};
+
+Gap measure(const TubeChart& chart, const FullRounds& rounds, double stitch_width, std::int32_t gap) {
+  const auto k = static_cast<std::size_t>(gap);
+  const auto count = static_cast<std::size_t>(chart.columns);
+  const std::vector<double> heights = heights_at(chart, rounds.levels[k + 1]);
+  const double due = (gap + 1) * rounds.spacing;
+  const double middle = 0.5 * (rounds.levels[k] + rounds.levels[k + 1]);
+  Gap made;
+  made.position.push_back(0.0);
+  for (std::size_t j = 0; j < count; ++j) {
+    made.lag.push_back((0.5 * (heights[j] + heights[(j + 1) % count]) - due) / rounds.wanted);
+    const auto column = static_cast<double>(j);
+    made.width.push_back(
+        glm::length(point_at(chart, middle, column + 1.0) - point_at(chart, middle, column)) / stitch_width);
+    made.position.push_back(made.position.back() + made.width.back());
+  }
+  made.stitches = std::max(3.0, rounded(made.position.back()));
+  return made;
+}
+
+// What a turn at each column costs, for the turns that are near.
+std::vector<double> penalties(const Gap& gap, const ArcSearch& search, double turn_step) {
+  std::vector<double> penalty(gap.lag.size(), 0.0);
+  const auto add_turn = [&](std::int32_t column, double weight) {
+    const double at = gap.position[static_cast<std::size_t>(column) % gap.lag.size()];
+    for (std::size_t j = 0; j < penalty.size(); ++j) {
+      const double one_way = std::abs(gap.position[j] - at);
+      const double steps = std::min(one_way, gap.position.back() - one_way) / turn_step;
+      if (steps * steps < far_apart) penalty[j] += weight * exponential(-steps * steps);
+    }
+  };
+  for (const PairArc& arc : search.arcs) {
+    const std::int32_t age = search.gap - arc.gap;
+    if (age > look_back) continue;
+    const double weight = turn_penalty * (1.0 - static_cast<double>(age) / (look_back + 1));
+    add_turn(arc.from, weight);
+    add_turn(arc.to, weight);
+  }
+  return penalty;
+}
+
+// How far the middle of an arc is from column 0, in half columns.
+std::int32_t off_middle(const PairArc& arc, std::int32_t columns) {
+  const std::int32_t middle = (arc.from + arc.to) % (2 * columns);
+  return std::min(middle, 2 * columns - middle);
+}
+
+// Whether `a` goes before `b`, that gains as much.
+bool by_rule(const PairArc& a, const PairArc& b, std::int32_t columns) {
+  const std::int32_t off_a = off_middle(a, columns), off_b = off_middle(b, columns);
+  if (off_a != off_b) return off_a < off_b;
+  if (a.to - a.from != b.to - b.from) return a.to - a.from < b.to - b.from;
+  return (a.from + a.to) % (2 * columns) < (b.from + b.to) % (2 * columns);
+}
+
+// The best arc of a gap; none where no arc is as long, or as short, as it must be.
+PairArc best_arc(const Gap& gap, const ArcSearch& search, const PairSettings& settings) {
+  const auto columns = static_cast<std::int32_t>(gap.lag.size());
+  const std::size_t count = gap.lag.size();
+  const std::vector<double> penalty = penalties(gap, search, settings.turn_step);
+  std::vector<double> gains{0.0}, arcs{0.0};
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    const std::size_t c = i % count;
+    gains.push_back(gains.back() + (gap.lag[c] - 2.0 * search.covered[c] - free_lag) * gap.width[c]);
+    arcs.push_back(arcs.back() + gap.width[c]);
+  }
+  const double scale = gap.stitches;
+  PairArc best{search.gap, 0, 0, 0.0, 0.0, 0.0};
+  bool found = false;
+  for (std::int32_t from = 0; from < columns; ++from) {
+    for (std::int32_t to = from + 1; to < from + columns; ++to) {
+      const auto b = static_cast<std::size_t>(from), a = static_cast<std::size_t>(to);
+      const double length = arcs[a] - arcs[b];
+      if (length < static_cast<double>(settings.shortest) - tie || length > gap.stitches - left_over + tie)
+        continue;
+      const PairArc arc{
+          search.gap, from, to, gains[a] - gains[b], settings.turn_cost + penalty[b] + penalty[a % count],
+          0.0};
+      const double net = arc.gain - arc.price, net_of_best = best.gain - best.price;
+      if (!found || clearly_less(net_of_best, net, scale) ||
+          (!clearly_less(net, net_of_best, scale) && by_rule(arc, best, columns))) {
+        best = arc;
+        found = true;
+      }
+    }
+  }
+  for (std::int32_t c = best.from; c < best.to; ++c) {
+    const std::size_t cell = static_cast<std::size_t>(c) % count;
+    best.lag = std::max(best.lag, gap.lag[cell] - 2.0 * search.covered[cell]);
+  }
+  return best;
+}
+
+void close_gap(const Gap& gap, const FullRounds& rounds, ArcSearch& search) {
+  for (std::size_t c = 0; c < gap.lag.size(); ++c)
+    search.greatest_lag = std::max(search.greatest_lag, std::abs(gap.lag[c] - 2.0 * search.covered[c]));
+  search.measured = false;
+  ++search.gap;
+  search.done = search.gap >= rounds.gaps();
+}
+
+}  // namespace
+
+ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
+                     const PairSettings& settings, ArcSearch& search) {
+  search.covered.resize(static_cast<std::size_t>(chart.columns), 0);
+  const Gap gap = measure(chart, rounds, stitch_width, search.gap);
+  if (!search.measured) {
+    search.measured = true;
+    LagMeasured lag{search.gap, 0, -INFINITY, INFINITY};
+    for (std::size_t c = 0; c < gap.lag.size(); ++c) {
+      const double missing = gap.lag[c] - 2.0 * search.covered[c];
+      if (missing > lag.greatest) lag.column = static_cast<std::int32_t>(c);
+      lag.greatest = std::max(lag.greatest, missing);
+      lag.least = std::min(lag.least, missing);
+    }
+    return lag;
+  }
+  const PairArc best = best_arc(gap, search, settings);
+  const bool taken = best.to > best.from && clearly_less(best.price, best.gain, gap.stitches);
+  if (taken) {
+    for (std::int32_t c = best.from; c < best.to; ++c)
+      ++search.covered[static_cast<std::size_t>(c) % search.covered.size()];
+    search.arcs.push_back(best);
+  }
+  const auto in_gap = std::count_if(search.arcs.begin(), search.arcs.end(),
+                                    [&](const PairArc& arc) { return arc.gap == search.gap; });
+  const ArcConsidered considered{search.gap, best.from, best.to, taken, best.gain, best.price};
+  if (!taken || in_gap >= most_pairs) close_gap(gap, rounds, search);
+  return considered;
+}
+
+ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
+                      const PairSettings& settings) {
+  ArcSearch search;
+  while (!search.done) advance_arcs(chart, rounds, stitch_width, settings, search);
+  return search;
+}
+
+double middle_of_arcs(const ArcSearch& search) {
+  const auto columns = static_cast<double>(search.covered.size());
+  double x = 0.0, y = 0.0;
+  for (std::size_t c = 0; c < search.covered.size(); ++c) {
+    const double angle = 2.0 * std::numbers::pi * (static_cast<double>(c) + 0.5) / columns;
+    x += search.covered[c] * cosine(angle);
+    y += search.covered[c] * sine(angle);
+  }
+  if (hypotenuse(x, y) < tie * columns) return 0.0;
+  const double turn = angle_to(x, std::abs(y)) / (2.0 * std::numbers::pi);
+  return (y < 0.0 ? 1.0 - turn : turn) * columns;
+}
+
+}  // namespace knit

@@ -1,0 +1,97 @@
+#include "knit/short_rows/full_rounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "knit/model/ties.h"
+
+namespace knit {
+
+namespace {
+
+constexpr double nearest_share = 0.03;  // of the columns, that may be nearer
+constexpr double least_spacing = 0.8, greatest_spacing = 1.25;
+constexpr int halvings_of_spacing = 30, halvings_of_level = 24;
+
+// The rounds that a spacing gives: where they are, and how much of another one is left at the end.
+struct March {
+  std::vector<double> levels;
+  double rest = 0.0;  // of a spacing
+  [[nodiscard]] double rounds() const { return static_cast<double>(levels.size() - 1) + rest; }
+};
+
+class Marcher {
+ public:
+  explicit Marcher(const TubeChart& chart) : chart_(chart) {}
+
+  March march(double spacing) {
+    March march{{0.0}, 0.0};
+    begin_at(0.0);
+    while (true) {
+      const double level = march.levels.back();
+      auto high = static_cast<std::int32_t>(std::floor(level)) + 1;
+      while (high < chart_.levels() - 1 && advanced(high) < spacing) ++high;
+      if (advanced(high) < spacing) break;
+      march.levels.push_back(between(std::max(level, high - 1.0), high, spacing));
+      begin_at(march.levels.back());
+      if (march.levels.back() >= chart_.last_level()) break;
+    }
+    march.rest = march.levels.back() < chart_.last_level() ? advanced(chart_.levels() - 1) / spacing : 0.0;
+    return march;
+  }
+
+ private:
+  void begin_at(double level) { from_ = heights_at(chart_, level); }
+
+  // What the columns have advanced, all but the nearest.
+  double advanced(std::int32_t level) {
+    const auto count = static_cast<std::size_t>(chart_.columns);
+    return advanced(std::span(chart_.heights).subspan(static_cast<std::size_t>(level) * count, count));
+  }
+  double advanced(std::span<const double> heights) {
+    advance_.resize(from_.size());
+    for (std::size_t j = 0; j < from_.size(); ++j) advance_[j] = heights[j] - from_[j];
+    const double rank = nearest_share * static_cast<double>(advance_.size() - 1);
+    const auto below = static_cast<std::ptrdiff_t>(std::floor(rank));
+    const auto at = advance_.begin() + below;
+    std::nth_element(advance_.begin(), at, advance_.end());
+    const double next = *std::min_element(at + 1, advance_.end());
+    return *at + (rank - std::floor(rank)) * (next - *at);
+  }
+
+  double between(double low, double high, double spacing) {
+    for (int i = 0; i < halvings_of_level; ++i) {
+      const double middle = 0.5 * (low + high);
+      (advanced(heights_at(chart_, middle)) < spacing ? low : high) = middle;
+    }
+    return high;
+  }
+
+  const TubeChart& chart_;
+  std::vector<double> from_, advance_;
+};
+
+}  // namespace
+
+FullRounds full_rounds(const TubeChart& chart, double stitch_height) {
+  Marcher marcher(chart);
+  const double plain = marcher.march(stitch_height).rounds();
+  const double wanted = std::max(2.0, rounded(plain));
+  double low = least_spacing * stitch_height, high = greatest_spacing * stitch_height;
+  FullRounds rounds;
+  rounds.wanted = stitch_height;
+  rounds.crowded = marcher.march(low).rounds() < wanted;
+  for (int i = 0; i < halvings_of_spacing; ++i) {
+    const double middle = 0.5 * (low + high);
+    (marcher.march(middle).rounds() > wanted ? low : high) = middle;
+  }
+  rounds.spacing = high;
+  rounds.levels = marcher.march(high).levels;
+  // The last one falls on the rim, whatever rounding and the limits of the spacing have left.
+  while (static_cast<double>(rounds.levels.size()) > wanted) rounds.levels.pop_back();
+  rounds.levels.push_back(chart.last_level());
+  return rounds;
+}
+
+}  // namespace knit
