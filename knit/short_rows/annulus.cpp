@@ -39,10 +39,9 @@ std::array<double, 3> cotangents_at(const TubePart& part, const Triangle& triang
   return cotangents;
 }
 
-std::vector<int> order_of(const TubePart& part) {
+std::vector<int> order_of(const TubePart& part, const std::vector<HalfEdge>& across) {
   Spokes spokes{std::vector<std::uint32_t>(part.points.size() + 1, 0), {}};
   // Both ends of a rim's side, and each end of an inner side once from either triangle.
-  const std::vector<std::uint32_t> across = across_sides(part.triangles);
   const auto each = [&](const auto& visit) {
     for (std::uint32_t h = 0; h < across.size(); ++h) {
       const VertexId a = part.triangles[h / 3][h % 3], b = part.triangles[h / 3][(h + 1) % 3];
@@ -61,12 +60,13 @@ std::vector<int> order_of(const TubePart& part) {
   return unknown;
 }
 
-Laplacian make_laplacian(const TubePart& part, const std::vector<std::array<double, 3>>& cotangents) {
+Laplacian make_laplacian(const TubePart& part, const std::vector<HalfEdge>& across,
+                         const std::vector<std::array<double, 3>>& cotangents) {
   struct Entry {
     int row;
     double value;
   };
-  Laplacian made{order_of(part), {}, {}, {}};
+  Laplacian made{order_of(part, across), {}, {}, {}};
   const std::size_t size = part.points.size();
   std::vector<std::vector<Entry>> columns(size);
   std::vector<double> diagonal(size, 0.0);
@@ -149,8 +149,7 @@ std::optional<std::vector<double>> solve_time(const TubePart& part, const Laplac
 using AlongSides = std::array<double, 3>;
 
 // n: a shortest path of triangles from the low rim's first side to the high rim. Sides are crossed from below.
-std::vector<AlongSides> period_of(const TubePart& part) {
-  const std::vector<std::uint32_t> across = across_sides(part.triangles);
+std::vector<AlongSides> period_of(const TubePart& part, const std::vector<HalfEdge>& across) {
   std::vector<std::uint8_t> is_high(part.points.size(), 0);
   for (const VertexId v : part.high) is_high[v] = 1;
   const auto corner = [&](std::uint32_t h) { return part.triangles[h / 3][h % 3]; };
@@ -183,10 +182,10 @@ std::vector<AlongSides> period_of(const TubePart& part) {
 }
 
 // Moves all corners so that the angle is 0 where rounds begin.
-void begin_at(const TubePart& part, std::vector<std::array<double, 3>>& angle) {
+void begin_at(const TubePart& part, const std::vector<HalfEdge>& across,
+              std::vector<std::array<double, 3>>& angle) {
   std::vector<std::uint8_t> is_low(part.points.size(), 0);
   for (const VertexId v : part.low) is_low[v] = 1;
-  const std::vector<std::uint32_t> across = across_sides(part.triangles);
   double nearest = INFINITY, origin = 0.0;
   for (std::uint32_t h = 0; h < across.size(); ++h) {
     const Triangle& triangle = part.triangles[h / 3];
@@ -209,12 +208,13 @@ std::optional<AnnulusFields> solve_annulus(const TubePart& part, const Heard& he
   std::vector<std::array<double, 3>> cotangents;
   cotangents.reserve(part.triangles.size());
   for (const Triangle& triangle : part.triangles) cotangents.push_back(cotangents_at(part, triangle));
-  const Laplacian laplacian = make_laplacian(part, cotangents);
+  const std::vector<HalfEdge> across = across_sides(part.triangles);
+  const Laplacian laplacian = make_laplacian(part, across, cotangents);
   hear(heard, 0.2);
   std::optional<std::vector<double>> time = solve_time(part, laplacian, part_of(heard, 0.2, 0.6));
   if (!time) return std::nullopt;
 
-  std::vector<AlongSides> wanted = period_of(part);  // q - n, of which n is here
+  std::vector<AlongSides> wanted = period_of(part, across);  // q - n, of which n is here
   double flux = 0.0;
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -256,7 +256,7 @@ std::optional<AnnulusFields> solve_annulus(const TubePart& part, const Heard& he
                             angle[triangle[2]] + wanted[t][2] + wanted[t][0]});
   }
   fields.residual = missed / whole;
-  begin_at(part, fields.angle);
+  begin_at(part, across, fields.angle);
   hear(heard, 1.0);
   return fields;
 }

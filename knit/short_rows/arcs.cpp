@@ -176,7 +176,7 @@ double middle_of_arcs(const ArcSearch& search) {
   }
   if (hypotenuse(x, y) < tie * columns) return 0.0;
   const double turn = angle_to(x, std::abs(y)) / (2.0 * std::numbers::pi);
-  return (y < 0.0 ? 1.0 - turn : turn) * columns;
+  return (y < 0.0 ? -turn : turn) * columns;
 }
 
 }  // namespace knit

@@ -45,7 +45,7 @@ ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double s
                       const PairSettings& settings);
 
 // Where rounds best begin: in the middle of what the pairs cover (circular mean), so that most pairs run over the beginning,
-// as far to one side as to the other. 0 without a pair.
+// as far to one side as to the other. From -columns / 2 to columns / 2; 0 without a pair.
 double middle_of_arcs(const ArcSearch& search);
 
 }  // namespace knit

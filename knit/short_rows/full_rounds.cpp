@@ -12,7 +12,8 @@ namespace {
 
 constexpr double nearest_share = 0.03;  // of the columns, that may be nearer
 constexpr double least_spacing = 0.8, greatest_spacing = 1.25;
-constexpr int halvings_of_spacing = 30, halvings_of_level = 24;
+constexpr int halvings_of_spacing = 30, most_steps = 40;
+constexpr double level_precision = 1e-9;
 
 // The rounds that a spacing gives: where they are, and how much of another one is left at the end.
 struct March {
@@ -27,11 +28,16 @@ class Marcher {
 
   March march(double spacing) {
     March march{{0.0}, 0.0};
+    std::int32_t steps = 0;
     begin_at(0.0);
     while (true) {
       const double level = march.levels.back();
-      auto high = static_cast<std::int32_t>(std::floor(level)) + 1;
-      while (high < chart_.levels() - 1 && advanced(high) < spacing) ++high;
+      // The level after which the next round stands, looked for where the last one was.
+      const auto least = static_cast<std::int32_t>(std::floor(level)) + 1, most = chart_.levels() - 1;
+      std::int32_t high = std::clamp(least + steps, least, most);
+      while (high < most && advanced(high) < spacing) ++high;
+      while (high > least && advanced(high - 1) >= spacing) --high;
+      steps = high - least;
       if (advanced(high) < spacing) break;
       march.levels.push_back(between(std::max(level, high - 1.0), high, spacing));
       begin_at(march.levels.back());
@@ -49,6 +55,7 @@ class Marcher {
     const auto count = static_cast<std::size_t>(chart_.columns);
     return advanced(std::span(chart_.heights).subspan(static_cast<std::size_t>(level) * count, count));
   }
+  double advanced_to(double level) { return advanced(heights_at(chart_, level)); }
   double advanced(std::span<const double> heights) {
     advance_.resize(from_.size());
     for (std::size_t j = 0; j < from_.size(); ++j) advance_[j] = heights[j] - from_[j];
@@ -60,10 +67,25 @@ class Marcher {
     return *at + (rank - std::floor(rank)) * (next - *at);
   }
 
+  // Regula falsi, the end that stays counting half (Illinois): between two levels of the chart every column rises straight,
+  // so that a few steps do.
   double between(double low, double high, double spacing) {
-    for (int i = 0; i < halvings_of_level; ++i) {
-      const double middle = 0.5 * (low + high);
-      (advanced(heights_at(chart_, middle)) < spacing ? low : high) = middle;
+    int side = 0;  // that moved last
+    double off_low = advanced_to(low) - spacing, off_high = advanced_to(high) - spacing;
+    for (int i = 0; i < most_steps && high - low > level_precision && off_high > 0.0; ++i) {
+      const double level = low + (high - low) * off_low / (off_low - off_high);
+      const double off = advanced_to(level) - spacing;
+      if (std::abs(off) <= 1e-12 * spacing) return level;
+      if (off < 0.0) {
+        low = level;
+        off_low = off;
+        if (side < 0) off_high *= 0.5;
+      } else {
+        high = level;
+        off_high = off;
+        if (side > 0) off_low *= 0.5;
+      }
+      side = off < 0.0 ? -1 : 1;
     }
     return high;
   }

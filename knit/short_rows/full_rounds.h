@@ -2,7 +2,8 @@
 //
 //   l_0 = 0;  l_(k+1) = the first level where the columns have advanced h' since l_k, all but the nearest 3 in 100
 //   h' in [0.8 h, 1.25 h], by bisection so that the last round falls on the high rim
-// Not the very nearest column: one bad one must not rule. Cost: some 20 x rounds x 10 passes over the columns.
+// Not the very nearest column: one bad one must not rule. Cost: some 30 x rounds x 8 passes over the
+// columns.
 #pragma once
 
 #include <cstdint>
