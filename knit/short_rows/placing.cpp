@@ -42,21 +42,19 @@ class Placer {
       : round_(round), count_(static_cast<std::int32_t>(round.columns.size())) {}
 
   [[nodiscard]] bool legal(const Span& span) const {
-    const bool over = span.first < 0 && span.last >= 0;
-    if (!over && (span.first < 1 || span.last > count_ - 2)) return false;
+    const bool over = span.first < 0 && span.last > 0;
+    if (!over && (span.first < 2 || span.last > count_ - 2)) return false;
     if (span.stitches() < fewest_stitches || span.stitches() > count_ - fewest_beside) return false;
     return plain(span.first - 1) && plain(span.first) && plain(span.last) && plain(span.last + 1);
   }
 
-  // The first legal place of those that are as far away. Both turns alike are as good to a mirror image, one alone is not:
-  // then the end whose turn stays nearer to its arc's gives way.
-  [[nodiscard]] std::optional<Span> place(const PairArc& arc, const Span& wanted) const {
+  // The first legal place, the nearest first. Only the end that is in the way moves, so the order of the two does not matter.
+  [[nodiscard]] std::optional<Span> place(const Span& wanted) const {
     if (legal(wanted)) return wanted;
     for (std::int32_t shift = 1; shift <= farthest_move; ++shift) {
-      for (const std::int32_t way : {shift, -shift}) {
-        Span at_first{wanted.first - way, wanted.last}, at_last{wanted.first, wanted.last + way};
-        if (off_centre(arc, at_last) < off_centre(arc, at_first)) std::swap(at_first, at_last);
-        for (const Span& tried : {at_first, at_last, Span{wanted.first - way, wanted.last + way}})
+      for (const std::int32_t wider : {shift, -shift}) {
+        const std::int32_t first = wanted.first - wider, last = wanted.last + wider;
+        for (const Span& tried : {Span{first, wanted.last}, Span{wanted.first, last}, Span{first, last}})
           if (legal(tried)) return tried;
       }
     }
@@ -66,17 +64,6 @@ class Placer {
  private:
   [[nodiscard]] bool plain(std::int32_t stitch) const {
     return round_.plain[static_cast<std::size_t>((stitch % count_ + count_) % count_)] != 0;
-  }
-
-  [[nodiscard]] double column(std::int32_t stitch) const {
-    const std::int32_t turns = stitch < 0 ? -1 : stitch / count_;
-    return round_.columns[static_cast<std::size_t>(stitch - turns * count_)] + turns * round_.chart_columns;
-  }
-
-  // How far the middle of the stitches is from the middle of the arc, in columns.
-  [[nodiscard]] double off_centre(const PairArc& arc, const Span& span) const {
-    const double off = 0.5 * (column(span.first) + column(span.last)) - 0.5 * (arc.from + arc.to);
-    return std::abs(off - std::round(off / round_.chart_columns) * round_.chart_columns);
   }
 
   const RoundBelow& round_;
@@ -120,7 +107,7 @@ void place_pairs(std::span<const PairArc> arcs_of_gap, const RoundBelow& round, 
     const auto count = static_cast<std::int32_t>(round.columns.size());
     // Too far off to be moved: dropped for what it is.
     const bool sized = wanted.stitches() >= fewest_stitches && wanted.stitches() <= count - fewest_beside;
-    const std::optional<Span> placed = sized ? placer.place(arc, wanted) : std::nullopt;
+    const std::optional<Span> placed = sized ? placer.place(wanted) : std::nullopt;
     if (!placed) {
       plans.dropped.push_back({arc.gap, wanted.first, wanted.last, reason_of(wanted, count)});
       continue;

@@ -1,10 +1,10 @@
 // From arcs to stitches: which stitches of the round below a pair of short rows stands on.
 //
 // Of an arc [from, to] the stitches first..last that stand in it. Legal: the stitches before first, first, last and the one
-// after last are plain, made and worked one to one by the next round; an arc that is not over the beginning of the round stays
-// inside it; at least three stitches, at most all but two. Else it is moved, by 1, 2, then 3 stitches: wider at the
-// beginning, at the end, at both; narrower at the beginning, at the end, at both. Else it is dropped. The mirror image of
-// a place is tried alike: of two that are as good the one that stands more evenly over the arc is taken.
+// after last are plain, made and worked one to one by the next round; first < 0 < last over the beginning of the round, or
+// 2 <= first and last <= stitches - 2 inside it, which is the same on both sides of stitch 0, so that a mirrored round gets
+// the mirrored places; at least three stitches, at most all but two. Else it is moved, by 1, 2, then 3 stitches: wider at
+// its beginning, at its end, at both; narrower at its beginning, at its end, at both. Else it is dropped.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ struct BentTube {
 };
 
 struct TubeNet {
-  unsigned around = 96, along = 160;
+  unsigned around = 64, along = 90;
 };
 
 // Rings one above the other: the place of the point at `turn` of a full turn on the ring at `up`, both from 0 to 1. Turns
@@ -34,7 +34,8 @@ inline BentTube ringed_tube(const std::string& name, const TubeNet& net,
   tube.mesh.name = name;
   for (unsigned i = 0; i <= net.along; ++i) {
     for (unsigned j = 0; j < net.around; ++j) {
-      tube.mesh.positions.push_back(place(static_cast<double>(i) / net.along, static_cast<double>(j) / net.around));
+      tube.mesh.positions.push_back(
+          place(static_cast<double>(i) / net.along, static_cast<double>(j) / net.around));
       if (i == 0) tube.bottom += tube.mesh.positions.back() / static_cast<double>(net.around);
     }
   }
@@ -61,12 +62,11 @@ inline BentTube arched_tube(const std::string& name, const TubeNet& net, double 
 }
 
 inline BentTube half_ring(const TubeNet& net = {}) {
-  return arched_tube("half ring", net, 2.0,
-                     [](double up) { return glm::dvec2(std::numbers::pi * up, 1.0); });
+  return arched_tube("half ring", net, 2.0, [](double up) { return glm::dvec2(std::numbers::pi * up, 1.0); });
 }
 
 // A round ended tube along an arc of 2 radians, cut off where it is a quarter as wide.
-inline BentTube banana(const TubeNet& net = {96, 240}) {
+inline BentTube banana(const TubeNet& net = {64, 120}) {
   return arched_tube("banana", net, 3.0, [](double up) {
     constexpr double length = 6.0, rim = 0.25;
     const double cut = 1.0 - std::sqrt(1.0 - rim * rim);
@@ -78,12 +78,13 @@ inline BentTube banana(const TubeNet& net = {96, 240}) {
 }
 
 // A leg 3 long, a quarter bend of radius 1.2, a foot 4 long, radius 1. Turn 0 is on the sole's side.
-inline BentTube heel(const TubeNet& net = {96, 220}) {
+inline BentTube heel(const TubeNet& net = {64, 120}) {
   constexpr double bend = 1.2, leg = 3.0, foot = 4.0;
   return ringed_tube("heel", net, [=](double up, double turn) {
     const double arc = std::numbers::pi / 2.0 * bend, way = up * (leg + arc + foot);
     const double angle = std::clamp((way - leg) / bend, 0.0, std::numbers::pi / 2.0);
-    const glm::dvec3 ahead(std::sin(angle), -std::cos(angle), 0.0), out(-std::cos(angle), -std::sin(angle), 0.0);
+    const glm::dvec3 ahead(std::sin(angle), -std::cos(angle), 0.0),
+        out(-std::cos(angle), -std::sin(angle), 0.0);
     const glm::dvec3 middle = glm::dvec3(bend, -leg, 0.0) + bend * out +
                               ahead * (std::min(0.0, way - leg) + std::max(0.0, way - leg - arc));
     const double t = 2.0 * std::numbers::pi * turn;
