@@ -255,17 +255,40 @@ TEST_CASE("short rows: the first arc is the best of all by trying all") {
   }
 }
 
-TEST_CASE("short rows: turns of gaps near each other stand apart") {
-  const Planned planned = plan(half_ring());
-  const std::vector<PairArc>& arcs = planned.search.arcs;
+TEST_CASE("short rows: turns cost more near turns of this gap and the four before") {
+  std::vector<double> ends;
+  for (int j = 0; j < 40; ++j)
+    ends.push_back(14.0 - 4.0 * std::cos(2.0 * std::numbers::pi * (j + 0.3) / 40.0));
+  const TubeChart chart = hand_chart(ends, 113);
+  const std::vector<PairArc> arcs = choose_arcs(chart, full_rounds(chart, 1.0), 1.0, {3.0, 2.5, 4}).arcs;
+  REQUIRE(arcs.size() >= 3);
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    double price = 3.0;
+    for (std::size_t before = 0; before < i; ++before) {
+      const double share = 1.0 - (arcs[i].gap - arcs[before].gap) / 5.0;
+      for (const std::int32_t turn : {arcs[i].from, arcs[i].to}) {
+        for (const std::int32_t other : {arcs[before].from, arcs[before].to}) {
+          const double way = std::abs(turn - other) % 40, apart = std::min(way, 40.0 - way) / 2.5;
+          if (share > 0.0) price += 2.0 * share * std::exp(-apart * apart);
+        }
+      }
+    }
+    CHECK(arcs[i].price == Approx(price));
+    greatest = std::max(greatest, price);
+  }
+  CHECK(greatest > 3.1);
+}
+
+TEST_CASE("short rows: turns of gaps beside each other stand apart") {
+  const std::vector<PairArc> arcs = plan(half_ring()).search.arcs;
   for (std::size_t i = 1; i < arcs.size(); ++i) {
-    const auto apart = [&](std::int32_t a, std::int32_t b) {
-      const std::int32_t way = std::abs(a - b) % 256;
-      return std::min(way, 256 - way);
-    };
-    for (const std::int32_t turn : {arcs[i].from, arcs[i].to})
-      for (const std::int32_t before : {arcs[i - 1].from, arcs[i - 1].to}) CHECK(apart(turn, before) >= 8);
-    CHECK(arcs[i].price >= 5.0);
+    for (const std::int32_t turn : {arcs[i].from, arcs[i].to}) {
+      for (const std::int32_t before : {arcs[i - 1].from, arcs[i - 1].to}) {
+        const std::int32_t way = std::abs(turn - before) % 256;
+        CHECK(std::min(way, 256 - way) >= 8);
+      }
+    }
   }
 }
 
@@ -379,7 +402,11 @@ TEST_CASE("short rows: arcs go onto the stitches that stand in them") {
   plans = {};
   place_pairs(std::vector{arc_of(25, 82)}, round_of(10, -50.0), plans);
   CHECK(spans(plans) == Spans{{-2, 3}});
-  // Beside the beginning of the round it stays off it, or goes over it.
+  // Inside the round it stays off stitch 0 by as much on both sides.
+  plans = {};
+  place_pairs(std::vector{arc_of(10, 40), arc_of(60, 90)}, round_of(10), plans);
+  CHECK(spans(plans) == Spans{{2, 4}, {6, 8}});
+  // Beside the beginning of the round it goes over it.
   plans = {};
   place_pairs(std::vector{arc_of(0, 40)}, round_of(10), plans);
   CHECK(spans(plans) == Spans{{-1, 4}});
