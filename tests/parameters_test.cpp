@@ -335,6 +335,23 @@ TEST_CASE("rounds cannot begin along the direction of knitting") {
   CHECK(fault(y, {0, 0, 1}, false).empty());
 }
 
+TEST_CASE(
+    "auto stands for the stitch's height where it follows from that, and for nothing where the run chooses") {
+  Parameters p;
+  give_width(p, 0.2);
+  const auto value = [&](const char* key) {
+    return effective_value(std::get<Number>(find_parameter(key)->kind), p);
+  };
+  CHECK(value("stitch-height") == p.stitch.height);
+  CHECK_FALSE(value("rhythm-simplicity"));
+  p.rhythm.dial = 0.4;
+  CHECK(value("rhythm-simplicity") == 0.4);
+  for (const ParameterInfo& info : parameter_table()) {
+    const auto* number = std::get_if<Number>(&info.kind);
+    CHECK((number == nullptr || number->zero != Zero::follows || info.key == "stitch-height"));
+  }
+}
+
 TEST_CASE("an epsilon as wide as the stitch is a fault only where rings are walked") {
   const Mesh mesh = sphere(16, 8);
   Parameters p;

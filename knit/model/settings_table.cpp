@@ -123,8 +123,8 @@ constexpr std::array table{
     ParameterInfo{"stitch-height", "Stitch height h", "mesh units",
                   "How high a row is: contours lie this far apart on the surface. auto: 0.72 of the width. "
                   "Rings lie where the mesh has them; there it only judges.",
-                  "Stitch size", Stage::tubes, Number{{stitch_height}, 0.0, no_limit, Zero::means_auto},
-                  nullptr, Tie::mesh_view},
+                  "Stitch size", Stage::tubes, Number{{stitch_height}, 0.0, no_limit, Zero::follows}, nullptr,
+                  Tie::mesh_view},
     ParameterInfo{keys::gauge, "Gauge", "stitches, rounds in 10 cm",
                   "What a swatch of the yarn counts in 10 cm: stitches across and rounds up, as 22,32.",
                   "Stitch size", Stage::done, GaugeChoice{{gauge}}, nullptr, Tie::gauge_view,
@@ -209,7 +209,7 @@ constexpr std::array table{
                   "shape. auto: six are "
                   "tried, and what reads best within the tolerance is taken.",
                   "Rhythm", Stage::cast_on,
-                  Number{field<&Settings::rhythm, &RhythmSettings::dial>(), 0.0, 100.0, Zero::means_auto},
+                  Number{field<&Settings::rhythm, &RhythmSettings::dial>(), 0.0, 100.0, Zero::chosen},
                   is_in_rhythm},
     ParameterInfo{
         keys::metric, "Metric", "",

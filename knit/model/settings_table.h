@@ -25,7 +25,9 @@ struct Access {
 };
 
 inline constexpr double no_limit = 1e12;  // a Number as high as this has no upper bound
-enum class Zero : std::uint8_t { refused, allowed, means_auto };  // what 0 is where `low` is 0
+// What 0 is where `low` is 0. `follows` and `chosen` are both auto: it follows from the other settings, as the stitch's height
+// does, and no other yet; or only the run can say.
+enum class Zero : std::uint8_t { refused, allowed, follows, chosen };
 struct Number : Access<double> {
   double low, high;  // both are allowed, but a `low` of 0 as `zero` says
   Zero zero = Zero::refused;
@@ -100,7 +102,8 @@ std::optional<ViewClash> clash_of_views(std::span<const Setting> settings);
 
 std::string range_text(const ParameterInfo& info);
 bool is_auto(const Number& number, const Parameters& parameters);
-double effective_value(const Number& number, const Parameters& parameters);  // what auto stands for included
+// What auto stands for included; none: only the run finds that.
+std::optional<double> effective_value(const Number& number, const Parameters& parameters);
 // In which view it gives the stitch size; none: it does not.
 std::optional<SizesFrom> view_of(const ParameterInfo& info);
 // Whether anything reads it with these parameters: epsilon is idle while rows come from contours.

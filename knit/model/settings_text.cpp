@@ -44,13 +44,15 @@ std::optional<Axis> parse_axis(std::string_view text) {
   return direction ? std::optional(Axis{AxisKind::custom, *direction}) : std::nullopt;
 }
 
+bool may_be_auto(const Number& number) { return number.zero == Zero::follows || number.zero == Zero::chosen; }
+
 std::string refused(const ParameterInfo& info, std::string_view text) {
   return "--" + std::string(info.key) + " cannot be \"" + std::string(text) + "\"; give " + range_text(info) +
          ".";
 }
 
 bool set_from(const Number& number, Parameters& p, std::string_view text) {
-  if (number.zero == Zero::means_auto && text == "auto") {
+  if (may_be_auto(number) && text == "auto") {
     number.set(p, 0.0);
     return true;
   }
@@ -215,7 +217,7 @@ std::string range_text(const ParameterInfo& info) {
       const bool from_low = n.low != 0.0 || n.zero == Zero::allowed;
       const std::string low = from_low ? "a number from " + number_text(n.low) : "a number above 0";
       const std::string range = n.high >= no_limit ? low : low + " up to " + number_text(n.high);
-      return n.zero == Zero::means_auto ? range + ", or auto" : range;
+      return may_be_auto(n) ? range + ", or auto" : range;
     }
     std::string operator()(const Count& c) const {
       return "a whole number from " + std::to_string(c.low) + " to " + std::to_string(c.high) +
@@ -310,12 +312,12 @@ std::optional<std::string> fault_of(const Parameters& parameters, const Input& i
 }
 
 bool is_auto(const Number& number, const Parameters& parameters) {
-  return number.zero == Zero::means_auto && number.get(parameters) == 0.0;
+  return may_be_auto(number) && number.get(parameters) == 0.0;
 }
 
-// Only the stitch height is worked out by itself.
-double effective_value(const Number& number, const Parameters& parameters) {
-  return is_auto(number, parameters) ? parameters.stitch.height : number.get(parameters);
+std::optional<double> effective_value(const Number& number, const Parameters& parameters) {
+  if (!is_auto(number, parameters)) return number.get(parameters);
+  return number.zero == Zero::follows ? std::optional(parameters.stitch.height) : std::nullopt;
 }
 
 std::optional<SizesFrom> view_of(const ParameterInfo& info) {

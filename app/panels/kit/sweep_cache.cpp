@@ -93,7 +93,9 @@ std::optional<double> present_value(const knit::ParameterInfo& info, const knit:
 }
 
 SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& parameters, int count) {
-  const double value = present_value(info, parameters).value_or(12.0);
+  // What only a run finds: about a dozen of what is counted, one of what is weighed.
+  const bool counted = std::holds_alternative<knit::Count>(info.kind);
+  const double value = present_value(info, parameters).value_or(counted ? 12.0 : 1.0);
   SweepAxis axis{std::string(info.key), 0.0, 1.0, count};
   if (const auto* whole = std::get_if<knit::Count>(&info.kind)) {
     axis.from = whole->low;

@@ -20,8 +20,10 @@ std::string short_label(const knit::ParameterInfo& info) {
 }
 
 std::string shown_value(const knit::ParameterInfo& info, const knit::Parameters& parameters) {
-  if (const auto* number = std::get_if<knit::Number>(&info.kind); number != nullptr && !is_rhythm_dial(info))
-    return shown_number(knit::effective_value(*number, parameters));
+  if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
+    const std::optional<double> value = knit::effective_value(*number, parameters);
+    return value ? shown_number(*value) : knit::value_text(info, parameters);
+  }
   if (const auto* gauge = std::get_if<knit::GaugeChoice>(&info.kind)) {
     const knit::Gauge now = gauge->get(parameters);
     return shown_number(now.stitches) + " x " + shown_number(now.rounds);

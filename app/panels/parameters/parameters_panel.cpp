@@ -95,7 +95,8 @@ struct Control {
   void operator()(const knit::Number& number) const {
     const bool is_length = number.high >= knit::no_limit;
     const bool dial = is_rhythm_dial(info);
-    const double value = dial ? rhythm_dial_in_force(frame) : knit::effective_value(number, parameters);
+    const double value =
+        dial ? rhythm_dial_in_force(frame) : knit::effective_value(number, parameters).value_or(0.0);
     const std::string words = shown_number(value);
     const double high = is_length ? frame.timeline()->input().bounds.diagonal() : number.high;
     const bool from_zero = number.low > 0.0 || number.zero == knit::Zero::allowed;
@@ -244,8 +245,8 @@ void Control::operator()(const knit::PickedVertex& /*picked*/) const {
 std::string exact_value_words(PanelFrame& frame, const knit::ParameterInfo& info) {
   const knit::Parameters& now = frame.timeline()->parameters();
   if (const auto* number = std::get_if<knit::Number>(&info.kind)) {
-    const double value =
-        is_rhythm_dial(info) ? rhythm_dial_in_force(frame) : knit::effective_value(*number, now);
+    const double value = is_rhythm_dial(info) ? rhythm_dial_in_force(frame)
+                                              : knit::effective_value(*number, now).value_or(0.0);
     return exact_words(shown_number(value), knit::number_text(value));
   }
   const bool several = std::holds_alternative<knit::GaugeChoice>(info.kind) ||

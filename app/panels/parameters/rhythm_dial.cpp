@@ -221,7 +221,7 @@ void RhythmCache::refresh(const knit::State& state) {
 
 bool is_rhythm_dial(const knit::ParameterInfo& info) {
   const auto* number = std::get_if<knit::Number>(&info.kind);
-  if (number == nullptr || number->zero != knit::Zero::means_auto) return false;
+  if (number == nullptr || number->zero != knit::Zero::chosen) return false;
   constexpr double telling = 1.5;
   knit::Parameters dialled;
   dialled.rhythm.dial = telling;
