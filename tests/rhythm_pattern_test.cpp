@@ -123,6 +123,38 @@ TEST_CASE("report and notes say the rhythm, its cost and the width that it gives
   for (std::size_t i = 0; i < 3; ++i) CHECK(rhythm["what"][i] == notes[i]);
 }
 
+TEST_CASE("several counts in parentheses are explained where a line has them") {
+  const std::string several = "Where several numbers stand there";
+  Session session = by_hand("sphere");
+  const auto has = [&](const std::string& words) {
+    std::string text = text_of_pattern(session);
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.find(words) != std::string::npos;
+  };
+  CHECK(has(several));
+  knit::PatternOptions options;
+  options.form = knit::PatternForm::full;
+  apply(session, SetPatternOptions{options});
+  CHECK_FALSE(has(several));
+}
+
+TEST_CASE("the report says the rhythm of each tube, as of a piece that is one") {
+  const auto alone = report_json(by_hand("sphere"))["rhythm"];
+  REQUIRE(alone["tubes"].size() == 1);
+  CHECK(alone["tubes"][0]["name"] == "A");
+  CHECK(alone["tubes"][0]["segments"] == alone["segments"]);
+  const auto several = report_json(by_hand("y"))["rhythm"];
+  REQUIRE(several["tubes"].size() == 3);
+  CHECK_FALSE(several.contains("segments"));
+  for (const auto& tube : several["tubes"]) {
+    CAPTURE(tube.dump());
+    CHECK(tube["none"].is_null());
+    for (const char* key : {"from", "changes", "sections", "style", "segments", "seen", "within", "what"})
+      CHECK(tube.contains(key));
+    CHECK(tube["seen"]["local"].get<double>() >= 0.0);
+  }
+}
+
 TEST_CASE("README shows the ball's pattern as it is written") {
   const std::string text = text_of_pattern(by_hand("sphere"));
   const std::size_t begin = text.find("INSTRUCTIONS\n");

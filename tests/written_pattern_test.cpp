@@ -141,16 +141,30 @@ TEST_CASE("the document says all there is, and nothing that the piece does not n
 }
 
 TEST_CASE("a tube stays open at both ends and is not stuffed") {
-  const WrittenPattern pattern = written(rounds_with({30, 30, 30, 31, 31}), {.title = "Cuff"});
+  const WrittenPattern pattern = written(rounds_with({93, 93, 93, 94, 94}), {.title = "Cuff"});
   CHECK(pattern.title == "Cuff");
-  CHECK(contains(pattern.start, "Using a circular needle, CO 30 sts (Rnd 1)."));
-  CHECK(pattern.instructions.back().remark == "BO all 31 sts.");
+  CHECK(contains(pattern.start, "Using a circular needle, CO 93 sts (Rnd 1)."));
+  CHECK(pattern.instructions.back().remark == "BO all 94 sts.");
   CHECK(pattern.finishing.front() == "The cast-on edge stays open.");
   CHECK_FALSE(contains(all_of(pattern.materials), "Stuffing"));
   CHECK_FALSE(contains(all_of(pattern.materials), "double-pointed"));
   CHECK(told_after(pattern).empty());
   CHECK(pattern.abbreviations.front().first == "BO");
   CHECK(written(rounds_with({30, 30})).level == "Basic");
+}
+
+TEST_CASE("what does not go around a circular needle is begun on double-pointed ones") {
+  // 92 stitches at 22 in 10 cm are 41.8 cm, and a needle of 40 cm is too long for fewer.
+  for (const std::int32_t cast_on : {9, 30, 92}) {
+    const WrittenPattern pattern = written(rounds_with({cast_on, cast_on, cast_on}));
+    CHECK(contains(pattern.start, "Using double-pointed needles, CO "));
+    CHECK_FALSE(contains(all_of(pattern.materials), "circular"));
+  }
+  const WrittenPattern narrows = written(rounds_with({93, 93, 60, 30, 16, 8}));
+  CHECK(contains(all_of(narrows.materials), "circular, and a set of five double-pointed."));
+  const WrittenPattern widens = written(rounds_with({30, 60, 93, 93}));
+  CHECK(contains(widens.start, "Using double-pointed needles, CO 30 sts"));
+  CHECK(contains(all_of(widens.materials), "double-pointed and, for the wide part, a 40 cm"));
 }
 
 TEST_CASE("twelve stitches are drawn in, thirteen bound off") {

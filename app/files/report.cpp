@@ -446,20 +446,37 @@ Json segments_json(const std::vector<knit::RhythmSegment>& segments) {
   return all;
 }
 
+Json rhythm_json(const knit::State& state, const knit::TubeRhythm& rhythm, const knit::Gauge& gauge) {
+  const knit::RhythmPlan& plan = rhythm.plan;
+  return {{"from", rhythm.from + 1},
+          {"first", plan.counts.front()},
+          {"changes", plan.changes},
+          {"sections", plan.sections},
+          {"style", knit::rhythm_style_names.at(static_cast<std::size_t>(rhythm.settings.style))},
+          {"segments", segments_json(plan.segments)},
+          {"seen", {{"local", plan.seen.local}, {"belt", plan.seen.belt}, {"rms", plan.seen.rms}}},
+          {"within", plan.within},
+          {"what", rhythm_sentences_of(state, rhythm, gauge)}};
+}
+
+// Of one tube it is told at the top too.
 Json rhythm_json(const knit::State& state, const knit::Gauge& gauge) {
-  const knit::TubeRhythm* rhythm = rhythm_of_run(state);
-  if (rhythm == nullptr) return nullptr;
-  const knit::RhythmPlan& plan = rhythm->plan;
-  Json json{{"from", rhythm->from + 1},
-            {"first", plan.counts.front()},
-            {"changes", plan.changes},
-            {"sections", plan.sections},
-            {"style", knit::rhythm_style_names.at(static_cast<std::size_t>(rhythm->settings.style))},
-            {"segments", segments_json(plan.segments)},
-            {"seen", {{"local", plan.seen.local}, {"belt", plan.seen.belt}, {"rms", plan.seen.rms}}},
-            {"within", plan.within},
-            {"what", rhythm_sentences_of(state, gauge)}};
-  add_lengths(state, json);
+  constexpr std::array<std::string_view, 3> reasons{"", "few-rows", "fits-none"};
+  Json tubes = Json::array();
+  bool any = false;
+  for (const knit::TubeRhythm* rhythm : rhythms_of_run(state)) {
+    const bool has_one = rhythm->none == knit::NoRhythm::no;
+    any = any || has_one;
+    Json tube{{"name", knit::tube_name(rhythm->tube)},
+              {"none", has_one ? Json(nullptr) : Json(reasons.at(static_cast<std::size_t>(rhythm->none)))}};
+    if (has_one) tube.update(rhythm_json(state, *rhythm, gauge));
+    tubes.push_back(std::move(tube));
+  }
+  if (!any) return nullptr;
+  const knit::TubeRhythm* alone = rhythm_of_run(state);
+  Json json = alone != nullptr ? rhythm_json(state, *alone, gauge) : Json::object();
+  if (alone != nullptr) add_lengths(state, json);
+  json["tubes"] = std::move(tubes);
   return json;
 }
 

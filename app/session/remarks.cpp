@@ -15,6 +15,19 @@
 
 namespace app {
 
+namespace {
+
+// Edits on the way may leave a tube with other counts than were planned.
+bool is_kept(const knit::State& state, const knit::TubeRhythm& rhythm) {
+  const auto keeps = [&](const auto& row) {
+    return row->tube != rhythm.tube || !rhythm.has(row->level) || rhythm.count(row->level) == size_of(*row);
+  };
+  const auto& rows = state.fabric.rows();
+  return std::all_of(rows.begin(), rows.end(), keeps);
+}
+
+}  // namespace
+
 knit::PieceSize size_knitted(const knit::State& state, const knit::Gauge& gauge) {
   if (!knit::has_limbs(state)) {
     const knit::PatternSizes sizes = knit::sizes_of(knit::rounds_of(state), gauge);
@@ -61,24 +74,35 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
   return notes;
 }
 
+std::vector<const knit::TubeRhythm*> rhythms_of_run(const knit::State& state) {
+  std::vector<const knit::TubeRhythm*> rhythms;
+  if (!state.tubes) return rhythms;
+  for (std::size_t tube = 0; tube < state.tubes->tubes.size(); ++tube) {
+    const knit::TubeRhythm* rhythm = knit::rhythm_of(state.rhythms, static_cast<knit::TubeId>(tube));
+    if (rhythm != nullptr && is_kept(state, *rhythm)) rhythms.push_back(rhythm);
+  }
+  return rhythms;
+}
+
 const knit::TubeRhythm* rhythm_of_run(const knit::State& state) {
   if (!state.tubes || state.tubes->tubes.size() != 1) return nullptr;
-  if (state.rhythms.empty() || state.rhythms.back()->none != knit::NoRhythm::no) return nullptr;
-  const knit::TubeRhythm& rhythm = *state.rhythms.back();
-  const auto keeps = [&](const auto& row) {
-    return row->tube != rhythm.tube || !rhythm.has(row->level) || rhythm.count(row->level) == size_of(*row);
-  };
-  const auto& rows = state.fabric.rows();
-  return std::all_of(rows.begin(), rows.end(), keeps) ? &rhythm : nullptr;
+  const std::vector<const knit::TubeRhythm*> all = rhythms_of_run(state);
+  return !all.empty() && all.front()->none == knit::NoRhythm::no ? all.front() : nullptr;
+}
+
+std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::TubeRhythm& rhythm,
+                                             const knit::Gauge& gauge) {
+  const std::vector<double>& lengths = state.tubes->tube(rhythm.tube).lengths;
+  const std::ptrdiff_t from =
+      std::clamp<std::ptrdiff_t>(rhythm.from, 0, std::max<std::ptrdiff_t>(0, std::ssize(lengths) - 1));
+  const auto longest = std::max_element(lengths.begin() + from, lengths.end());
+  if (longest == lengths.end()) return {};
+  return knit::rhythm_sentences(rhythm, *longest / rhythm.stitch_width, gauge.stitches);
 }
 
 std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::Gauge& gauge) {
   const knit::TubeRhythm* rhythm = rhythm_of_run(state);
-  if (rhythm == nullptr) return {};
-  const std::vector<double>& lengths = state.tubes->tube(rhythm->tube).lengths;
-  const double longest = *std::max_element(
-      lengths.begin() + std::min<std::ptrdiff_t>(rhythm->from, std::ssize(lengths) - 1), lengths.end());
-  return knit::rhythm_sentences(*rhythm, longest / rhythm->stitch_width, gauge.stitches);
+  return rhythm != nullptr ? rhythm_sentences_of(state, *rhythm, gauge) : std::vector<std::string>{};
 }
 
 knit::PatternOptions in_form(knit::PatternOptions options, const knit::State& state) {

@@ -25,7 +25,11 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
 // The rhythm that the rows of the one tube have from its `from` on; null: none was planned, it was given up on the way, or there are
 // several tubes.
 const knit::TubeRhythm* rhythm_of_run(const knit::State& state);
-// It in sentences (knit/rhythm/rhythm_words.h), at the gauge.
+// That of each tube, in their order, where its rows are as planned; one may have none, and say why.
+std::vector<const knit::TubeRhythm*> rhythms_of_run(const knit::State& state);
+// In sentences (knit/rhythm/rhythm_words.h), at the gauge.
+std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::TubeRhythm& rhythm,
+                                             const knit::Gauge& gauge);
 std::vector<std::string> rhythm_sentences_of(const knit::State& state, const knit::Gauge& gauge);
 // The options with the form decided: short where the rounds are in a rhythm and nobody said otherwise.
 knit::PatternOptions in_form(knit::PatternOptions options, const knit::State& state);

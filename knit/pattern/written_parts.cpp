@@ -179,9 +179,8 @@ void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::stri
   }
 }
 
-std::string start_sentence(std::int32_t cast_on, const std::string& place_marker) {
-  const std::string needles =
-      cast_on <= most_on_double_points ? "double-pointed needles" : "a circular needle";
+std::string start_sentence(std::int32_t cast_on, const Gauge& gauge, const std::string& place_marker) {
+  const std::string needles = go_on_circular(cast_on, gauge) ? "a circular needle" : "double-pointed needles";
   return "Using " + needles + ", CO " + stitches_text(cast_on) +
          " (Rnd 1). Join to work in the round, being careful not to twist. " + place_marker;
 }

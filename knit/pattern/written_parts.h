@@ -42,17 +42,20 @@ std::string yarn_line(const PatternSizes& sizes, const PatternOptions& options);
 std::string marker_line(const Used& used);
 std::string gauge_line(const Gauge& gauge, const PatternOptions& options);
 
-// Stitches that go around a short circular needle (40 cm) without being stretched.
-inline bool needs_circular(const PatternSizes& sizes) { return sizes.around_cm >= 42.0; }
-
-inline constexpr std::int32_t most_on_double_points = 8;  // at the cast on
+// Stitches that go around a short circular needle (40 cm) without being stretched; fewer take double-pointed needles.
+inline constexpr double least_on_circular_cm = 42.0;
+inline bool needs_circular(const PatternSizes& sizes) { return sizes.around_cm >= least_on_circular_cm; }
+inline bool go_on_circular(std::int32_t stitches, const Gauge& gauge) {
+  return 10.0 * stitches / gauge.stitches >= least_on_circular_cm;
+}
 
 std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& used, bool binds_off);
 // `tight_start`: increases follow right on a cast on.
 void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::string>& notes);
 
 // `place_marker`: how the markers are placed.
-std::string start_sentence(std::int32_t cast_on, const std::string& place_marker = "Place marker.");
+std::string start_sentence(std::int32_t cast_on, const Gauge& gauge,
+                           const std::string& place_marker = "Place marker.");
 std::string closing_sentence(std::int32_t stitches);
 inline constexpr const char* stuff_and_close =
     "Stuff the piece firmly now, while the opening is wide; add more as it closes.";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/short_form.h"
@@ -26,9 +27,11 @@ std::vector<std::string> size_lines(const PatternSizes& sizes, bool stuffed) {
 std::string needle_line(const Rounds& rounds, const PatternSizes& sizes, const PatternOptions& options) {
   const std::string size = needle_text(needle_of(sizes.gauge, options));
   const std::string line = "Needles: " + size + ", or the size that gives the gauge: ";
-  const bool narrow = rounds.cast_on <= most_on_double_points || is_drawn_in(rounds.last_count());
-  if (!narrow) return line + "circular.";
-  if (rounds.cast_on > most_on_double_points) return line + "circular, and a set of five double-pointed.";
+  const std::vector<std::int32_t> counts = counts_of(rounds);
+  const std::int32_t fewest = *std::min_element(counts.begin(), counts.end());
+  if (go_on_circular(fewest, sizes.gauge)) return line + "circular.";
+  if (go_on_circular(rounds.cast_on, sizes.gauge))
+    return line + "circular, and a set of five double-pointed.";
   return line + "a set of five double-pointed" +
          (needs_circular(sizes) ? " and, for the wide part, a 40 cm (16 in) circular." : ".");
 }
@@ -42,7 +45,8 @@ std::vector<std::string> material_lines(const Rounds& rounds, const PatternSizes
   return lines;
 }
 
-std::vector<std::string> note_lines(const Rounds& rounds, const Used& used) {
+std::vector<std::string> note_lines(const Rounds& rounds, std::span<const RoundLine> lines,
+                                    const Used& used) {
   std::vector<std::string> notes{
       "Worked from the bottom up in the round, right side out. Every round begins at the marker; slip it as "
       "you "
@@ -51,6 +55,13 @@ std::vector<std::string> note_lines(const Rounds& rounds, const Used& used) {
       "cast "
       "on "
       "counts as the first round."};
+  const auto has_several = [](const RoundLine& line) { return line.counts.size() > 1; };
+  if (std::any_of(lines.begin(), lines.end(), has_several)) {
+    notes.emplace_back(
+        "Where several numbers stand there, they are how many stitches there are after each of the line's "
+        "shaping rounds, one after the other: tick them off. A number with + or - is how many a named round "
+        "adds or takes away.");
+  }
   const bool tight = !rounds.rounds.empty() && rounds.rounds.front().after > rounds.cast_on;
   add_shaping_notes(used, tight, notes);
   return notes;
@@ -117,9 +128,9 @@ WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const Pat
   pattern.materials = material_lines(rounds, sizes, options, used);
   pattern.gauge = gauge_line(gauge, options);
   pattern.abbreviations = abbreviations_of(used, !is_drawn_in(rounds.last_count()));
-  pattern.notes = note_lines(rounds, used);
-  pattern.start =
-      form ? start_sentence(rounds.cast_on, place_sections(*form)) : start_sentence(rounds.cast_on);
+  pattern.notes = note_lines(rounds, lines, used);
+  pattern.start = form ? start_sentence(rounds.cast_on, gauge, place_sections(*form))
+                       : start_sentence(rounds.cast_on, gauge);
   pattern.instructions = instructions_of(rounds, std::move(lines));
   if (form) {
     std::vector<WrittenPattern::Instruction> named;

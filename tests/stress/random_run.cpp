@@ -114,6 +114,16 @@ void draw_settling(Dice& dice, knit::SettleSettings& settle) {
   settle.most_iterations = between(dice, 1, 60);
 }
 
+// In one of three runs, drawn last, so that the others are what they were.
+void draw_rhythm(Dice& dice, knit::RhythmSettings& rhythm) {
+  if (dice.below(3) != 0) return;
+  rhythm.counts = knit::CountPlanning::rhythm;
+  rhythm.style = static_cast<knit::RhythmStyle>(dice.below(knit::rhythm_style_names.size()));
+  if (dice.below(3) == 0) rhythm.changes = between(dice, 2, 16);
+  if (dice.below(2) == 0) rhythm.tolerance = dice.between(0.5, 12.0);
+  if (dice.below(3) == 0) rhythm.dial = dice.between(0.02, 4.0);
+}
+
 Parameters random_parameters(Dice& dice, const knit::Input& input) {
   Parameters p = knit::default_parameters(input.bounds);
   p.rows.source = knit::RowSource::contours;
@@ -131,6 +141,7 @@ Parameters random_parameters(Dice& dice, const knit::Input& input) {
   if (dice.below(6) == 0) p.rows.cast_on = between(dice, 3, 20);
   if (dice.below(6) == 0) p.stitches.stacking_penalty = dice.between(0.0, 8.0);
   draw_settling(dice, p.settle);
+  draw_rhythm(dice, p.rhythm);
   return knit::resolved(p, input);
 }
 
