@@ -60,3 +60,16 @@ TEST_CASE("a rhythm's turns that come once, every round, or again after another 
         "once more, then 1 decrease once");
   CHECK(segments_sentence(std::vector<RhythmSegment>{{SegmentKind::plain, 40, 0, 1}}).empty());
 }
+
+TEST_CASE("of more than six rhythms only how many rounds shape and how far apart they are is said") {
+  CHECK(segments_sentence(std::vector<RhythmSegment>{{SegmentKind::pre, 2, 6, 2},
+                                                     {SegmentKind::post, 2, 6, 1},
+                                                     {SegmentKind::pre, 1, 6, 2},
+                                                     {SegmentKind::pre, 2, 12, 2},
+                                                     {SegmentKind::plain, 2, 0, 1},
+                                                     {SegmentKind::post, 4, 6, 2},
+                                                     {SegmentKind::pre, 7, -6, 1},
+                                                     {SegmentKind::post, 1, -6, 3}}) ==
+        "9 rounds of 6 to 12 increases, 1 to 4 rounds apart, then 4 rounds of 6 decreases, one after the "
+        "other");
+}

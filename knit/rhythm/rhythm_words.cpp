@@ -48,9 +48,65 @@ std::string width_sentence(std::int32_t widest, double widest_ideal, double stit
          (made == asked ? ", just as the shape has it." : "; the shape has " + asked + ".");
 }
 
+// Shaping rounds of one direction, one after the other.
+struct Stretch {
+  bool grows = true;
+  std::int32_t rounds = 0, last = 0;       // of them; the number of the last
+  std::int32_t fewest = 0, most = 0;       // stitches in one
+  std::int32_t nearest = 0, furthest = 0;  // from one to the next
+};
+
+void add_change(std::vector<Stretch>& stretches, std::int32_t row, std::int32_t change) {
+  const std::int32_t stitches = std::abs(change);
+  if (stretches.empty() || stretches.back().grows != (change > 0)) {
+    stretches.push_back({change > 0, 1, row, stitches, stitches});
+    return;
+  }
+  Stretch& stretch = stretches.back();
+  const std::int32_t apart = row - stretch.last;
+  stretch.nearest = stretch.rounds == 1 ? apart : std::min(stretch.nearest, apart);
+  stretch.furthest = std::max(stretch.furthest, apart);
+  stretch.fewest = std::min(stretch.fewest, stitches);
+  stretch.most = std::max(stretch.most, stitches);
+  stretch.last = row;
+  ++stretch.rounds;
+}
+
+std::string from_to(std::int32_t low, std::int32_t high) {
+  return low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high);
+}
+
+// "9 rounds of 6 increases, 1 to 4 rounds apart, then 8 rounds of 6 decreases, 2 to 3 rounds apart"
+std::string stretches_sentence(std::span<const RhythmSegment> segments) {
+  std::vector<Stretch> stretches;
+  std::int32_t row = 0;
+  for (const RhythmSegment& segment : segments) {
+    for (std::int32_t turn = 0; turn < segment.times; ++turn, row += segment.rows) {
+      const std::int32_t within = segment.kind == SegmentKind::post ? 1 : segment.rows;
+      if (segment.change != 0) add_change(stretches, row + within, segment.change);
+    }
+  }
+  std::string words;
+  for (const Stretch& stretch : stretches) {
+    words += (words.empty() ? "" : ", then ") + plural(stretch.rounds, "round", "rounds") + " of " +
+             from_to(stretch.fewest, stretch.most) + (stretch.grows ? " increase" : " decrease") +
+             (stretch.most == 1 ? "" : "s");
+    if (stretch.rounds == 1) continue;
+    words += stretch.furthest == 1 ? ", one after the other"
+                                   : ", " + from_to(stretch.nearest, stretch.furthest) + " rounds apart";
+  }
+  return words;
+}
+
+// More of them nobody keeps in mind; the instructions say them one by one.
+constexpr std::ptrdiff_t most_in_mind = 6;
+
 }  // namespace
 
 std::string segments_sentence(std::span<const RhythmSegment> segments) {
+  const auto shapes = [](const RhythmSegment& segment) { return segment.change != 0; };
+  if (std::count_if(segments.begin(), segments.end(), shapes) > most_in_mind)
+    return stretches_sentence(segments);
   std::string words;
   const RhythmSegment* before = nullptr;
   for (const RhythmSegment& segment : segments) {

@@ -11,7 +11,8 @@
 
 namespace knit {
 
-// "8 increases every 2nd round 6 times, every 3rd round 3 times, then 8 decreases every round 4 times"; empty: nothing shapes.
+// "8 increases every 2nd round 6 times, every 3rd round 3 times, then 8 decreases every round 4 times"; of more than six rhythms
+// "9 rounds of 6 increases, 1 to 4 rounds apart, then ..."; empty: nothing shapes.
 std::string segments_sentence(std::span<const RhythmSegment> segments);
 
 // `widest_ideal`: the stitches that the widest row holds; `stitches_in_10_cm`: of the gauge.
