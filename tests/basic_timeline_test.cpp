@@ -156,6 +156,18 @@ TEST_CASE("another machine's run, edited, keeps its past, and the edit counts wh
   CHECK(run.known() == 400 + 4);
 }
 
+TEST_CASE(
+    "another machine's run, tuned again and again on a budget that holds no keyframe, is still gone "
+    "through") {
+  Recorder run = recorder({1, 3}, 100);
+  for (int i = 0; i < 40; ++i) {
+    run.tune({1, i % 2 == 0 ? 40 : 50});
+    run.extend_to_end();
+  }
+  Recorder fresh = recorder({1, 50});
+  CHECK(states_of(run) == states_of(fresh));
+}
+
 TEST_CASE("another machine's long step can be taken elsewhere, and its stop ends the run") {
   Recorder run = recorder({1, 3});
   while (run.extend_briefly(1000) && run.next_is_long())

@@ -420,7 +420,8 @@ void BasicTimeline<Machine>::keep_keyframe(std::size_t position, const State& st
 template <class Machine>
 void BasicTimeline<Machine>::thin_keyframes() {
   while (keyframe_bytes_ > budget_bytes_ && keyframes_.size() > 1) {
-    spacing_ *= 2;
+    // At a spacing beyond all steps nothing but entries is left, and those go next; doubled for ever it would be 0 once.
+    if (spacing_ <= steps_.size()) spacing_ *= 2;
     const bool only_entries =
         std::all_of(std::next(keyframes_.begin()), keyframes_.end(),
                     [](const auto& keyframe) { return Machine::worth_keeping(keyframe.second); });
