@@ -37,6 +37,7 @@ struct CommandLine {
   std::vector<std::string> piece_order;    // letters, as they are worked; empty: the cheapest
   std::optional<std::int32_t> knit_along;  // the round to begin with
   bool follow = false;                     // the view turns to what happens behind the surface
+  bool fit_size = false;                   // to the rhythm, once all else is set
   std::filesystem::path session;           // instead of a mesh; empty: none
   std::vector<std::string> breaks, sweep;  // as given: queries.h
   std::string diff, why, select;

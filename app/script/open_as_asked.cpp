@@ -7,6 +7,7 @@
 #include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
+#include "app/explain/fit_size.h"
 #include "app/files/load.h"
 #include "app/lessons/lesson.h"
 #include "app/script/command_line.h"
@@ -48,6 +49,19 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
       session.outbox->notices.back().kind == Notice::Kind::error) {
     return session.outbox->notices.back().text;
   }
+  return std::nullopt;
+}
+
+// The tubes are planned for it first. What came of it is told, and what it cannot be done for is a fault.
+std::optional<std::string> fit_size(Session& session, const CommandLine& line) {
+  if (!line.fit_size) return std::nullopt;
+  knit::Timeline& timeline = session.document->timeline;
+  while (!timeline.complete() && timeline.furthest().stage() < knit::Stage::rows) timeline.extend(1000);
+  auto fitted = fitted_size(timeline);
+  if (auto* why = std::get_if<std::string>(&fitted)) return "--fit-size: " + *why;
+  auto& fit = std::get<FittedSize>(fitted);
+  apply(session, Tune{std::move(fit.parameters)});
+  notify(session, Notice::Kind::info, std::move(fit.words));
   return std::nullopt;
 }
 
@@ -189,6 +203,7 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     apply(session, SetBreaks{std::move(breaks)});
   }
   auto error = set_parameters(session, line);
+  if (!error) error = fit_size(session, line);
   if (!error) error = show_beside(session, line);
   if (!error) error = order_pieces(session, line);
   if (!error) error = show_chart_of(session, line);

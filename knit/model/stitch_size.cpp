@@ -103,6 +103,17 @@ void give_sizes(Parameters& parameters, SizesFrom view) {
   }
 }
 
+void give_size(Parameters& parameters, double times) {
+  if (parameters.size.from() == SizesFrom::gauge) {
+    parameters.size.height_cm = std::round(100.0 * parameters.size.height_cm * times) / 100.0;
+    return;
+  }
+  const MeshSize now = mesh_size_of(parameters.stitch);
+  const MeshSize given{now.width / times, now.height / times};
+  parameters.size.given = given;
+  take(given, parameters.stitch);
+}
+
 void give_epsilon(Parameters& parameters, double epsilon) { parameters.rows.epsilon = {epsilon, 0.0}; }
 
 Parameters default_parameters(const Bounds& bounds) {

@@ -22,6 +22,9 @@ void give_width(Parameters& parameters, double width);
 void give_height(Parameters& parameters, double height);  // 0: as the width says
 void give_gauge(Parameters& parameters, Gauge gauge);
 void give_sizes(Parameters& parameters, SizesFrom view);  // as the other view has it now
+// The finished piece so many times as large, in as large stitches: in the gauge's view another height, to a tenth of a
+// millimetre as a person would set it, in the mesh's other stitches on the same mesh.
+void give_size(Parameters& parameters, double times);
 void give_epsilon(Parameters& parameters, double epsilon);
 
 }  // namespace knit

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/base/text.h"
+#include "app/explain/fit_size.h"
 #include "app/explain/rhythm_figures.h"
 #include "app/panels/kit/number_field.h"
 #include "app/panels/kit/plots.h"
@@ -209,6 +210,33 @@ void draw_seen(PanelFrame& frame, const RhythmFigures& figures, double tolerance
   if (stand.clicked) wish_row(frame, row);
 }
 
+// What came of the last wish for another size; it stands while the plan is the one it was asked of, or the one it made.
+struct SizeAnswer {
+  std::uint64_t key = 0;
+  bool taken = false;
+  std::string words;
+};
+
+void draw_fit_size(PanelFrame& frame, std::uint64_t key) {
+  SizeAnswer& answer = frame.own<SizeAnswer>();
+  if (ImGui::Button("Fit the size")) {
+    auto fitted = fitted_size(*frame.timeline());
+    if (auto* fit = std::get_if<FittedSize>(&fitted)) {
+      answer = {key, true, std::move(fit->words)};
+      frame.wish(Tune{std::move(fit->parameters)});
+    } else {
+      answer = {key, false, std::move(std::get<std::string>(fitted))};
+    }
+  }
+  frame.mark("rhythm/fit-size");
+  tooltip(
+      frame,
+      "Make the piece up to 4 % larger or smaller where the rhythm reads better then: the widest row holds "
+      "a whole number of sections. The gauge stays, the finished height moves.");
+  if (answer.taken && answer.key != key) answer.key = key, answer.taken = false;
+  if (answer.key == key && !answer.words.empty()) wrapped_text(answer.words, theme().faint_text);
+}
+
 }  // namespace
 
 void RhythmCache::refresh(const knit::State& state) {
@@ -254,6 +282,7 @@ bool draw_rhythm_dial(PanelFrame& frame, const knit::ParameterInfo& info, knit::
     return held;
   }
   draw_figures(frame, *figures, tolerance);
+  draw_fit_size(frame, state.rhythms.back().content_hash());
   draw_plan(frame, *figures);
   draw_seen(frame, *figures, tolerance);
   return held;
