@@ -52,12 +52,11 @@ std::optional<std::string> set_parameters(Session& session, const CommandLine& l
   return std::nullopt;
 }
 
-// The tubes are planned for it first. What came of it is told, and what it cannot be done for is a fault.
+// The run is worked out for it first. What came of it is told, and what it cannot be done for is a fault.
 std::optional<std::string> fit_size(Session& session, const CommandLine& line) {
   if (!line.fit_size) return std::nullopt;
-  knit::Timeline& timeline = session.document->timeline;
-  while (!timeline.complete() && timeline.furthest().stage() < knit::Stage::rows) timeline.extend(1000);
-  auto fitted = fitted_size(timeline);
+  work_out(session);
+  auto fitted = fitted_size(session.document->timeline);
   if (auto* why = std::get_if<std::string>(&fitted)) return "--fit-size: " + *why;
   auto& fit = std::get<FittedSize>(fitted);
   apply(session, Tune{std::move(fit.parameters)});
