@@ -18,7 +18,7 @@ CheckedPattern check_pattern(std::string_view text) {
       told.sentence = mistake.sentence;
     }
   }
-  if (!read.mistakes.empty()) size.verdict = checked.verdict = Verdict::does_not_add_up;
+  if (!read.mistakes.empty()) size.verdict = checked.verdict = PatternVerdict::does_not_add_up;
   checked.rounds = checked.worked = read.rounds_read;
   CheckedPiece& piece = size.pieces.emplace_back();
   piece.rounds.push_back({1, read.rounds.cast_on});

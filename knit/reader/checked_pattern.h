@@ -16,7 +16,7 @@
 
 namespace knit {
 
-enum class Verdict : std::uint8_t { holds, does_not_add_up, not_understood };
+enum class PatternVerdict : std::uint8_t { holds, does_not_add_up, not_understood };
 
 enum class LineVerdict : std::uint8_t {
   holds,
@@ -56,15 +56,15 @@ struct CheckedPiece {
 // One of the sizes of "CO 80 (88, 96)"; a pattern without sizes has one, without a name.
 struct CheckedSize {
   std::string name;  // "80", "88": its number where sizes first part
-  Verdict verdict = Verdict::holds;
+  PatternVerdict verdict = PatternVerdict::holds;
   std::vector<CheckedLine> lines;  // every line of the text
   std::vector<CheckedPiece> pieces;
   friend bool operator==(const CheckedSize&, const CheckedSize&) = default;
 };
 
 struct CheckedPattern {
-  Verdict verdict =
-      Verdict::holds;  // the worst of its sizes: does_not_add_up before not_understood before holds
+  PatternVerdict verdict =
+      PatternVerdict::holds;  // the worst of its sizes: does_not_add_up before not_understood before holds
   std::vector<CheckedSize> sizes;  // at least one
   std::size_t worked = 0, not_understood = 0,
               no_instructions = 0;  // lines; not_understood has those not claimed too
