@@ -106,12 +106,13 @@ const std::vector<Arrow> arrows{
 
     {"app/base", {"knit/import", "knit/model"}, {json[0], json[1], "unistd.h"}},
     {"app/scene", {"knit/mesh", "knit/model"}, {"glm/"}},
+    {"app/checker", {"knit/mesh", "knit/model", "knit/reader", "app/scene"}, {"glm/"}},
     {"app/session", {"knit/", "app/base", "app/scene"}, {"glm/"}},
     {"app/explain", {"knit/", "app/base", "app/session"}, {"glm/"}},
     {"app/compare", {"knit/", "app/base", "app/session"}, {}},
     {"app/lessons", {"knit/", "app/base", "app/session", "app/explain"}, {"glm/"}},
     {"app/describe",
-     {"knit/", "app/base", "app/scene", "app/session", "app/explain", "app/lessons"},
+     {"knit/", "app/base", "app/scene", "app/checker", "app/session", "app/explain", "app/lessons"},
      {"glm/"}},
     {"app/facing", {"knit/", "app/scene", "app/session", "app/describe"}, {"glm/"}},
     {"app/files",
@@ -119,21 +120,22 @@ const std::vector<Arrow> arrows{
      {json[0], json[1], "unistd.h"}},
     {"app/reader", {"knit/import", "knit/stitches", "knit/reader", "app/base"}, {json[0], json[1]}},
     {"app/actions",
-     {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/describe",
-      "app/facing", "app/files"},
+     {"knit/", "app/base", "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
+      "app/describe", "app/facing", "app/files"},
      {json[0], json[1]}},
     {"app/entries",
-     {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files",
-      "app/actions"},
+     {"knit/", "app/base", "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
+      "app/files", "app/actions"},
      {}},
     {"app/script",
-     {"knit/", "app/base", "app/session", "app/explain", "app/compare", "app/lessons", "app/files",
-      "app/reader", "app/actions"},
+     {"knit/", "app/base", "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
+      "app/files", "app/reader", "app/actions"},
      {"CLI/CLI.hpp"}},
 
     {"app/panels/kit", {"knit/", "app/"}, {"glm/", "imgui.h", "imgui_internal.h"}},
     {"app/panels/offers", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/view", {"knit/", "app/", "app/panels/kit", "app/panels/offers"}, {"glm/", "imgui.h"}},
+    {"app/panels/checker", {"knit/", "app/", "app/panels/kit", "app/panels/view"}, {"glm/", "imgui.h"}},
     {"app/panels/timeline", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/parameters", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},
     {"app/panels/step", {"knit/", "app/", "app/panels/kit", "app/panels/offers"}, {"imgui.h"}},
@@ -144,7 +146,7 @@ const std::vector<Arrow> arrows{
     {"app/panels/pattern", {"knit/", "app/", "app/panels/kit", "app/panels/dialogs"}, {"imgui.h"}},
     {"app/panels",
      {"knit/", "app/", "app/panels/kit", "app/panels/view", "app/panels/timeline", "app/panels/parameters",
-      "app/panels/step", "app/panels/dialogs", "app/panels/pattern"},
+      "app/panels/step", "app/panels/dialogs", "app/panels/pattern", "app/panels/checker"},
      {"imgui.h"}},
 
     {"app/render",
@@ -158,8 +160,8 @@ const std::vector<Arrow> arrows{
 
 // Folders of the app that "app/" stands for: all that knows no window.
 const std::set<std::string> app_core{
-    "app/base",   "app/scene", "app/session", "app/explain", "app/compare", "app/lessons", "app/describe",
-    "app/facing", "app/files", "app/reader",  "app/actions", "app/entries", "app/script"};
+    "app/base",     "app/scene",  "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
+    "app/describe", "app/facing", "app/files",   "app/reader",  "app/actions", "app/entries", "app/script"};
 
 bool may_include(const Arrow& arrow, const std::string& folder) {
   const auto names = [&](const std::string& ours) {

@@ -271,7 +271,10 @@ struct Apply {
   void operator()(const ShowSide& a) { session.view->side = a.side; }
   void operator()(const ShowList& a) { session.view->list = a.list; }
   void operator()(const SetPositions& a) { session.view->positions = a.positions; }
-  void operator()(const Present& a) { session.view->presenting = a.on; }
+  void operator()(const Present& a) {
+    session.view->presenting = a.on;
+    session.view->checking = session.view->checking && !a.on;
+  }
   void operator()(const SetRing& a) { session.view->ring = a.on; }
 
   void operator()(const Export& a) {
@@ -358,9 +361,11 @@ Part<Document> show_instead(Session& session, Part<Document> document) {
 void go_back_to(Session& session, const Session& before) {
   cancel_opening(session);
   const double aspect = session.view->aspect;
+  const auto checker = session.view->checker;  // it is no part of what is undone
   show_instead(session, before.document);
   session.view = before.view;
   session.view->aspect = aspect;
+  session.view->checker = checker;
   session.jobs->repair_offer = before.jobs->repair_offer;
   session.outbox->notices = before.outbox->notices;
 }
@@ -370,7 +375,11 @@ void stop_playing(Session& session) {
 }
 
 void apply(Session& session, const Action& action) {
-  if (const auto* tick = action.get_if<PassTime>()) tend_opening(session, tick->seconds);
+  if (const auto* tick = action.get_if<PassTime>()) {
+    tend_opening(session, tick->seconds);
+    tend_checker(session);
+  }
+  if (turn_checker(session, action)) return;
   const Whereabouts before = before_action(session, action);
   ActionKinds::visit(Apply{session}, action);
   if (session.document && session.document->changes.before) {
@@ -389,6 +398,7 @@ Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
   if (session.document) document.pinned = session.document->pinned;  // another mesh may be compared with it
   Part<Document> before = show_instead(session, std::move(document));
   session.view->dialogs.open_dialog_open = false;
+  session.view->checking = false;  // what was opened is to be seen
   for (const knit::RepairStep& step : session.document->repaired)
     notify(session, Notice::Kind::info, step.did);
   for (const knit::Finding& finding : session.document->findings)

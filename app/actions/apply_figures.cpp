@@ -9,11 +9,12 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/outbox.h"
+#include "app/session/view.h"
 
 namespace app {
 
 void take(Session& session, const SavePicture& action) {
-  if (!session.document) return;
+  if (!session.document && !session.view->checking) return;
   if (auto fault = fault_of(action)) return notify(session, Notice::Kind::error, std::move(*fault));
   session.outbox->pictures.push_back(
       {action.path, action.width, action.height, action.panels, action.transparent});

@@ -126,6 +126,21 @@ void wait_for_guess(Session& session);
 // After every action: a verdict that comes next is known, and what was told about the last one fits the place.
 void tend_prediction(Session& session);
 
+// apply_checker.cpp
+void take(Session& session, const ShowChecker& action);
+void take(Session& session, const CheckFile& action);
+void take(Session& session, const SetCheckedText& action);
+void take(Session& session, const RestoreCheckedText& action);
+void take(Session& session, const SaveCheckedText& action);
+void take(Session& session, const GoToCheckedLine& action);
+void take(Session& session, const ToMistake& action);
+void take(Session& session, const ShowCheckedSize& action);
+void take(Session& session, const SetCheckedGauge& action);
+// The clock's tick: shows what a worker has read, and lets it read what was typed meanwhile.
+void tend_checker(Session& session);
+// Of the view that is turned: the checker's while that is shown; true where it was one.
+bool turn_checker(Session& session, const Action& action);
+
 // apply_figures.cpp
 void take(Session& session, const SavePicture& action);
 void take(Session& session, const SaveAnimation& action);

@@ -25,6 +25,7 @@ void look_as_at_first(View& view) {
   first.ring = view.ring;
   first.pattern = std::move(view.pattern);
   first.dialogs = std::move(view.dialogs);
+  first.checker = std::move(view.checker);
   view = std::move(first);
 }
 

@@ -168,6 +168,10 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   scene.time_middle = scene.theme->time_middle;
   scene.time_high = scene.theme->time_high;
   scene.view = session.view->gaze.camera.view(session.view->aspect);
+  if (session.view->checking && session.view->checker) {
+    checked_.describe(*session.view->checker, session.view->aspect, scene);
+    return scene;
+  }
   if (!session.document) return scene;
 
   const knit::State& state = session.document->timeline.state();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/checker/checked_scene.h"
 #include "app/describe/describe_coarse.h"
 #include "app/describe/describe_ghost.h"
 #include "app/describe/describe_ground.h"
@@ -63,6 +64,7 @@ class Describer {
   Coarse coarse_;
   Symbols symbols_;
   Ghost ghost_;
+  CheckedScene checked_;
 };
 
 }  // namespace app

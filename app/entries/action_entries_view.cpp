@@ -5,6 +5,7 @@
 
 #include "app/actions/navigate.h"
 #include "app/base/text.h"
+#include "app/checker/checker.h"
 #include "app/entries/action_entries_parts.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
@@ -15,6 +16,7 @@
 #include "app/session/program.h"
 #include "app/session/remarks.h"
 #include "app/session/view.h"
+#include "knit/model/words.h"
 
 namespace app {
 
@@ -146,9 +148,62 @@ namespace {
 
 using Read = std::variant<Action, std::string>;
 
-void add_opening(EntryList& list, const ActionSources& sources) {
+Read read_line(const Session& /*session*/, const std::string& typed) {
+  const auto line = whole_number<std::size_t>(typed);
+  if (line && *line >= 1) return GoToCheckedLine{*line};
+  return "A line is a whole number from 1, not \"" + typed + "\".";
+}
+
+Read read_size(const Session& session, const std::string& typed) {
+  const auto& checker = session.view->checker;
+  const std::size_t sizes = checker && checker->checked ? checker->checked->sizes.size() : 1;
+  for (std::size_t i = 0; i < sizes; ++i)
+    if (checker && checker->checked && checker->checked->sizes[i].name == typed) return ShowCheckedSize{i};
+  const auto number = whole_number<std::size_t>(typed);
+  if (number && *number >= 1 && *number <= sizes) return ShowCheckedSize{*number - 1};
+  return "The pattern has " + knit::plural(static_cast<std::int64_t>(sizes), "size", "sizes") + "; \"" +
+         typed + "\" is none of them, by name or by number.";
+}
+
+Read read_checked_gauge(const Session& /*session*/, const std::string& typed) {
+  if (const auto gauge = checked_gauge(typed)) return SetCheckedGauge{gauge->stitches, gauge->rows};
+  return "A gauge is stitches x rows on 10 cm, like 22x32, each from 1 to 200.";
+}
+
+// A written pattern that is checked.
+void add_checker(EntryList& list) {
+  const auto& checker = list.session.view->checker;
+  const std::string none = checker ? "" : "No pattern is being checked.";
   list.add(
-      {"Open file...", group::files, "A mesh (.obj) or a session (.json), by its path.",
+      {"Check the pattern in the file...", group::the_pattern, "Text, Markdown or HTML, by its path.",
+       ActionPrompt{"Path", "pattern.txt", [](const Session& /*session*/, const std::string& typed) -> Read {
+                      return CheckFile{typed};
+                    }}});
+  list.add(
+      {"Check these words...", group::the_pattern, "In place of the text that is checked.",
+       ActionPrompt{"Words", "CO 6 sts.", [](const Session& /*session*/, const std::string& typed) -> Read {
+                      return SetCheckedText{typed, true};
+                    }}});
+  list.add({"Save the checked pattern as...", group::the_pattern, "By its path.",
+            ActionPrompt{"Path", "pattern.txt",
+                         [](const Session& /*session*/, const std::string& typed) -> Read {
+                           return SaveCheckedText{typed};
+                         }},
+            none});
+  list.add({"Put back the pattern that stood there before", group::the_pattern, "", RestoreCheckedText{},
+            checker && checker->before ? "" : "No other text stood there."});
+  list.add({"Go to a line of the checked pattern...", group::the_pattern, "",
+            ActionPrompt{"Line", "1", read_line}, none});
+  list.add({"Show another size of the checked pattern...", group::the_pattern, "",
+            ActionPrompt{"Size", "1", read_size}, none});
+  list.add({"Set the gauge of the pattern's preview...", group::the_pattern, "Stitches x rows on 10 cm.",
+            ActionPrompt{"Gauge", "22x32", read_checked_gauge}});
+}
+
+void add_opening(EntryList& list, const ActionSources& sources) {
+  add_checker(list);
+  list.add(
+      {"Open file...", group::files, "A mesh (.obj), a session (.json) or a pattern (.txt), by its path.",
        ActionPrompt{"Path", "mesh.obj", [](const Session& /*session*/, const std::string& typed) -> Read {
                       std::error_code error;
                       if (std::filesystem::is_regular_file(typed, error)) return opening_of(typed);

@@ -151,6 +151,35 @@ constexpr ActionName named(For<KnitAlong>) {
 }
 constexpr ActionName named(For<Export>) { return {"Save a file", control, "save/save"}; }
 
+// A written pattern that is checked.
+constexpr ActionName named(For<ShowChecker>) {
+  return {"Check a written pattern", control, "menu/Check a written pattern"};
+}
+constexpr ActionName named(For<CheckFile>) {
+  return {"Check the pattern in a file", view, "A pattern that is dropped on the window, or chosen in Open."};
+}
+constexpr ActionName named(For<SetCheckedText>) {
+  return {"Type or paste the pattern that is checked", control, "checker/paste"};
+}
+constexpr ActionName named(For<RestoreCheckedText>) {
+  return {"Put the pattern back that stood there before", control, "checker/restore"};
+}
+constexpr ActionName named(For<SaveCheckedText>) {
+  return {"Save the checked pattern", control, "checker/save"};
+}
+constexpr ActionName named(For<GoToCheckedLine>) {
+  return {"Go to a line of the checked pattern", control, "checker/mistake/2"};
+}
+constexpr ActionName named(For<ToMistake>) {
+  return {"Go to the pattern's next mistake", control, "checker/next"};
+}
+constexpr ActionName named(For<ShowCheckedSize>) {
+  return {"Show another size of the checked pattern", view, "The sizes over the text, where it has several."};
+}
+constexpr ActionName named(For<SetCheckedGauge>) {
+  return {"Set the gauge of the pattern's preview", control, "checker/stitches"};
+}
+
 // The program itself.
 constexpr ActionName named(For<SetTheme>) { return {"Choose the theme", control, "menu/Light"}; }
 constexpr ActionName named(For<SetScale>) {

@@ -202,7 +202,15 @@ bool is_session_file(const fs::path& path) {
   return first != std::string::npos && begin[first] == '{' && begin.find(session_mark) != std::string::npos;
 }
 
+bool is_pattern_file(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".txt" || ending == ".md" || ending == ".markdown" || ending == ".html" ||
+         ending == ".htm";
+}
+
 Action opening_of(const fs::path& path) {
+  if (is_pattern_file(path)) return CheckFile{path};
   if (is_session_file(path)) return OpenSession{path};
   return OpenFile{path};
 }

@@ -61,7 +61,9 @@ std::optional<std::filesystem::path> saved_unchanged(const Session& session);
 
 // Whether to open it as a session: by its ending, or by what it begins with.
 bool is_session_file(const std::filesystem::path& path);
-// How a person's file is opened: OpenSession or OpenFile.
+// A written pattern, by its ending: text, Markdown, HTML.
+bool is_pattern_file(const std::filesystem::path& path);
+// How a person's file is opened: OpenSession, CheckFile or OpenFile.
 Action opening_of(const std::filesystem::path& path);
 
 }  // namespace app

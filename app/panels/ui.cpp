@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "app/panels/checker/checker_panel.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/panels/kit/commands.h"
 #include "app/panels/kit/number_field.h"
@@ -37,7 +38,8 @@ LayoutWish layout_wish(const Session& session) {
           session.learning->lesson ? lesson_height : 0.0f,
           session.learning->prediction && session.document ? guess_height : 0.0f,
           session.view->presenting,
-          shows_both(session)};
+          shows_both(session),
+          shows_checker(session)};
 }
 
 float ui_scale(const Session& session, float width, float height, float scale) {
@@ -66,6 +68,26 @@ void draw_panels(PanelFrame& frame) {
   if (chosen.shows(Panel::timeline)) draw_timeline(frame);
 }
 
+void draw_about_the_mesh(PanelFrame& frame) {
+  const View& view = *frame.session.view;
+  if (view.presenting) {
+    draw_large_caption(frame);
+    draw_thin_timeline(frame);
+  } else {
+    draw_panels(frame);
+  }
+  if (view.centre == CentrePanel::chart) {
+    frame.own<PendingClick>() = {};
+    draw_chart(frame);
+  } else {
+    draw_view(frame);
+    if (shows_both(frame.session)) draw_other_view(frame);
+  }
+  draw_knit_along(frame);
+  if (frame.session.learning->lesson) draw_lesson(frame);
+  draw_prediction(frame);
+}
+
 }  // namespace
 
 Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene, const Layout& layout,
@@ -73,7 +95,9 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   PanelFrame frame{session, memory, scene, layout, fonts, {}};
   frame.other_scene = other;
   auto& list = memory.own<HangingList>();
-  if (list.open) {
+  if (shows_checker(session)) {
+    frame.actions = commands_in_checker(session);
+  } else if (list.open) {
     frame.actions = commands_over_list(session);
     list = {false, !frame.actions.empty()};
   } else if (!number_field_open(memory)) {
@@ -81,22 +105,13 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   }
   memory.controls.clear();
   if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
-  if (session.view->presenting) {
-    draw_large_caption(frame);
-    draw_thin_timeline(frame);
-  } else {
-    draw_panels(frame);
-  }
-  if (session.view->centre == CentrePanel::chart) {
+  if (shows_checker(session)) {
     memory.own<PendingClick>() = {};
-    draw_chart(frame);
+    draw_menu(frame);
+    draw_checker(frame);
   } else {
-    draw_view(frame);
-    if (shows_both(session)) draw_other_view(frame);
+    draw_about_the_mesh(frame);
   }
-  draw_knit_along(frame);
-  if (session.learning->lesson) draw_lesson(frame);
-  draw_prediction(frame);
   draw_view_overlays(frame);
   draw_animation_progress(frame);
   draw_help(frame);
@@ -106,7 +121,7 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   draw_open_dialog(frame);
   draw_save_dialog(frame);
   draw_figure_dialog(frame);
-  if (session.view->presenting) draw_ring(frame);
+  if (session.view->presenting && !shows_checker(session)) draw_ring(frame);
   const Gaze& gaze = session.view->gaze;
   if (frame.rounds_under != gaze.hovered_rounds || frame.twins_under != gaze.hovered_twins)
     frame.wish(HoverRounds{frame.rounds_under, frame.twins_under});

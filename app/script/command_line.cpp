@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/base/text.h"
+#include "app/checker/checker.h"
 #include "app/files/export.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
@@ -34,6 +35,8 @@ struct Words {
   std::string size;
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
+  std::string check_line, check_size, check_gauge;
+  bool check_window = false;
   std::string theme, scale, repair, piece;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
@@ -203,6 +206,16 @@ void declare(CLI::App& app, Words& words) {
   CLI::App* check = app.add_subcommand("check", "read a written pattern and say where it does not add up");
   check->add_option("FILE", words.check_file, "text, Markdown, HTML or JSON (\"-\": standard input)")
       ->required();
+  check->add_flag("--window", words.check_window,
+                  "show it in the window, to be gone through and mended there");
+  check->add_option("--save-picture", words.figures.picture, "save a picture of it, with its shape, as PNG");
+  check->add_flag("--alone", words.figures.alone, "the picture is of the shape alone");
+  check->add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
+  check->add_option("--line", words.check_line, "the line to begin with, from 1: its round is lit");
+  check->add_option("--of-size", words.check_size, "the pattern's size that is shown, by its name or number");
+  check->add_option("--gauge", words.check_gauge, "stitches x rows on 10 cm, for the shape (22x32)");
+  check->add_option("--theme", words.theme, "dark or light");
+  check->add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5");
   refuse_empty_values(*check);
 }
 
@@ -399,12 +412,34 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
 }
 
 // With nothing open there is nothing to set, to ask or to save; a picture of the window can be taken.
+// No mesh is opened for it. Without --window its picture is all that is wanted.
+std::optional<std::string> read_check(const Words& words, CommandLine& line) {
+  if (words.check_file.empty()) return std::nullopt;
+  line.checked = words.check_file;
+  line.empty = true;
+  line.headless = !words.check_window;
+  line.checked_size = words.check_size;
+  if (!words.check_line.empty()) {
+    const auto number = whole_number<std::size_t>(words.check_line);
+    if (!number || *number < 1)
+      return "check: --line cannot be \"" + words.check_line + "\"; lines count from 1.";
+    line.checked_line = *number;
+  }
+  if (words.check_gauge.empty()) return std::nullopt;
+  const auto gauge = checked_gauge(words.check_gauge);
+  if (!gauge)
+    return "check: --gauge cannot be \"" + words.check_gauge +
+           "\"; give stitches x rows on 10 cm, like 22x32, each from 1 to 200.";
+  line.checked_gauge = SetCheckedGauge{gauge->stitches, gauge->rows};
+  return std::nullopt;
+}
+
 std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
                     !line.go_to.empty() || !line.select.empty() || line.explain || line.ways_on || line.at ||
                     line.knit_along;
   const bool sets = !line.settings.empty() || !line.preset.empty() || line.fit_size;
-  const bool saves = line.picture || line.animation ||
+  const bool saves = (line.picture && line.checked.empty()) || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),
                                  [](const Export& wish) { return find_export(wish.what)->write != nullptr; });
   const bool needs = opens || !line.session.empty() || !line.lesson.empty() || asks || sets || saves;
@@ -508,6 +543,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   line.headless = words.headless;
   line.presenting = words.presenting;
   line.empty = words.empty;
+  if (const auto trouble = read_check(words, line)) return bad_usage(*trouble);
   if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
     return bad_usage(*trouble);
   return line;
@@ -530,7 +566,8 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
     return bad_usage(std::string(error.what()) + "; see knit-mesh --help.");
   }
   if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
-  if (!words.check_file.empty()) return check_file(words.check_file);
+  if (!words.check_file.empty() && !words.check_window && words.figures.picture.empty())
+    return check_file(words.check_file);
   if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
   if (words.list_lessons) return Answer{exit_done, lessons_text(assets), ""};
   if (words.list_examples) {

@@ -56,6 +56,11 @@ struct CommandLine {
   bool presenting = false;                        // for a class
   // Of the run that is shown beside the one that is opened; empty: none is.
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> beside;
+
+  std::filesystem::path checked;            // a pattern that is shown with its verdicts; empty: none
+  std::optional<std::size_t> checked_line;  // where the caret stands, from 1
+  std::string checked_size;                 // its name or its number from 1; empty: the first
+  std::optional<SetCheckedGauge> checked_gauge;
 };
 
 // The program's answer without a window: help, a list, an error.

@@ -7,6 +7,8 @@
 #include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
+#include "app/base/text.h"
+#include "app/checker/checker.h"
 #include "app/explain/fit_size.h"
 #include "app/files/load.h"
 #include "app/lessons/lesson.h"
@@ -162,11 +164,38 @@ void look_as_asked(Session& session, const CommandLine& line) {
 
 }  // namespace
 
+namespace {
+
+// By its name, or by its number.
+std::optional<std::size_t> size_named(const Checker& checker, const std::string& name) {
+  const auto& sizes = checker.checked->sizes;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (sizes[i].name == name) return i;
+  const auto number = whole_number<std::size_t>(name);
+  return number && *number >= 1 && *number <= sizes.size() ? std::optional(*number - 1) : std::nullopt;
+}
+
+std::optional<std::string> check_as_asked(Session& session, const CommandLine& line) {
+  if (line.checked.empty()) return std::nullopt;
+  apply(session, CheckFile{line.checked});
+  if (!session.view->checking) return session.outbox->notices.back().text;
+  if (line.checked_gauge) apply(session, *line.checked_gauge);
+  if (line.checked_line) apply(session, GoToCheckedLine{*line.checked_line});
+  if (line.checked_size.empty()) return std::nullopt;
+  const auto size = size_named(*session.view->checker, line.checked_size);
+  if (!size) return "check: the pattern has no size \"" + line.checked_size + "\".";
+  apply(session, ShowCheckedSize{*size});
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> open_as_asked(Session& session, const CommandLine& line) {
   set_beside(session, opens_beside(line));
   if (!line.empty) app::apply(session, line.session.empty() ? line.open : Action(OpenSession{line.session}));
   set_beside(session, false);
   look_as_asked(session, line);
+  if (!line.checked.empty()) return check_as_asked(session, line);
   if (session.jobs->opening || line.empty) return std::nullopt;
   if (!session.document && session.jobs->repair_offer)
     return line.headless ? std::optional(words_of(*session.jobs->repair_offer))

@@ -318,6 +318,33 @@ struct ShowOpenDialog {
 struct DismissNotice {
   std::size_t index = 0;
 };
+// A written pattern that is checked: app/checker/checker.h. What asks for one where there is none begins an empty one.
+struct ShowChecker {
+  bool open = true;
+};  // over the mesh, which stays; closing keeps the text
+struct CheckFile {
+  std::filesystem::path path;
+};  // its text takes the place of what stands there, which can be had back
+struct SetCheckedText {
+  std::string text;
+  bool whole = false;  // in place of all that stands there: it can be had back
+};
+struct RestoreCheckedText {};  // what stood there before; once more: back
+struct SaveCheckedText {
+  std::filesystem::path path;
+};
+struct GoToCheckedLine {
+  std::size_t line = 1, at = 0, length = 0;  // from 1; a byte of it, and so many marked from there
+};
+struct ToMistake {
+  int direction = 1;
+};  // the next line with a sentence, or the one before
+struct ShowCheckedSize {
+  std::size_t index = 0;
+};
+struct SetCheckedGauge {
+  double stitches = 22.0, rows = 32.0;  // on 10 cm
+};
 struct PutNoteAway {};  // why another place is shown, or what is there
 struct Quit {};
 
@@ -334,7 +361,9 @@ using ActionKinds =
              SavePicture, SaveAnimation, CancelAnimation, ShowActionPalette, ShowGlossary, ShowHelp,
              ShowOpenDialog, DismissNotice, Quit, CloseMesh, RepairAndOpen, DropRepairOffer, UndoRepair,
              SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present,
-             SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn, PutNoteAway>;
+             SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn, PutNoteAway, ShowChecker,
+             CheckFile, SetCheckedText, RestoreCheckedText, SaveCheckedText, GoToCheckedLine, ToMistake,
+             ShowCheckedSize, SetCheckedGauge>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -13,6 +13,10 @@
 #include "knit/quality/closeness.h"
 #include "knit/run/timeline.h"
 
+namespace knit {
+struct CheckedPattern;
+}  // namespace knit
+
 namespace app {
 
 // What a worker does for the session, so that a window stays responsive.
@@ -49,6 +53,12 @@ struct Opening;
 struct MadeMesh;
 struct AnimationRun;  // figures.h: replaced whole when it changes
 
+// A large text, read anew; `text`: what it is of.
+struct PatternCheck {
+  std::shared_ptr<const std::string> text;
+  Work<std::shared_ptr<const knit::CheckedPattern>> work;
+};
+
 struct Jobs {
   bool beside = false;                        // this is a window
   std::shared_ptr<Opening> opening;           // null: none under way
@@ -57,6 +67,7 @@ struct Jobs {
   RunWork run;
   std::optional<CameraFlight> flight;             // none: the view is where it is to be
   std::shared_ptr<const AnimationRun> animation;  // in the making; null: none
+  std::optional<PatternCheck> pattern_check;
 };
 
 }  // namespace app

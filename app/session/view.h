@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -107,6 +108,8 @@ struct Dialogs {
   friend bool operator==(const Dialogs&, const Dialogs&) = default;
 };
 
+struct Checker;  // app/checker/checker.h
+
 struct View {
   Gaze gaze;
   double aspect = 1.6;  // of the view
@@ -125,6 +128,8 @@ struct View {
   Positions positions = Positions::settled;  // in the view, in figures and in what is saved
   knit::PatternOptions pattern;              // title, yarn, needle of the written pattern
   Dialogs dialogs;
+  std::shared_ptr<const Checker> checker;  // a written pattern that is checked; null: none was begun
+  bool checking = false;                   // it is shown, in place of all about the mesh
   friend bool operator==(const View&, const View&) = default;
 
   [[nodiscard]] bool shows(Layer layer) const { return layers[static_cast<std::size_t>(layer)]; }

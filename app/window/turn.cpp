@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/actions/hosting.h"
+#include "app/checker/checker.h"
 #include "app/compare/sweep_work.h"
 #include "app/files/export.h"
 #include "app/files/pattern_export.h"
@@ -29,7 +30,7 @@ bool working_beside(const Session& session) {
 }
 
 bool working(const Session& session) {
-  if (session.jobs->opening) return true;
+  if (session.jobs->opening || session.jobs->pattern_check) return true;
   return session.document && (session.jobs->animation || session.jobs->flight || working_beside(session) ||
                               session.view->playback.playing || !session.document->timeline.complete() ||
                               session.jobs->run.measuring);
@@ -37,11 +38,12 @@ bool working(const Session& session) {
 
 // Only a worker is at it: looking now and then is enough.
 bool only_waiting(const Session& session) {
-  if (!session.document) return session.jobs->opening != nullptr;
+  if (!session.document) return session.jobs->opening || session.jobs->pattern_check;
   return !session.view->playback.playing && !session.jobs->animation && !session.jobs->flight &&
          (session.jobs->run.long_step.has_value() ||
           (session.document->timeline.complete() &&
-           (session.jobs->opening || session.jobs->run.measuring || working_beside(session))));
+           (session.jobs->opening || session.jobs->pattern_check || session.jobs->run.measuring ||
+            working_beside(session))));
 }
 
 std::optional<std::string> save_page(const Session& session, const std::filesystem::path& path,
@@ -69,6 +71,8 @@ void tell_shader_problem(Session& session, const FrameDrawer& drawer, Pace& pace
 }
 
 std::string title_of(const Session& session) {
+  if (session.view->checking && session.view->checker && !session.view->checker->path.empty())
+    return knit::printable(session.view->checker->path.filename().string()) + " - knit-mesh";
   if (!session.document) return "knit-mesh";
   const Source& source = session.document->source;
   const std::string name = source.file.empty() ? source.example : source.file.filename().string();

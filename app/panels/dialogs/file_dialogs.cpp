@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 bool is_openable(const fs::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".obj" || ending == ".json";
+  return ending == ".obj" || ending == ".json" || is_pattern_file(path);
 }
 
 void enter_folder(OpenDialog& dialog, const fs::path& wanted) {
@@ -113,7 +113,8 @@ bool draw_entries(PanelFrame& frame, float height) {
     if (move != 0 && dialog.chosen == i) ImGui::SetScrollHereY();
     ImGui::PopID();
   }
-  if (count == 0) faint_text("No folder, no mesh (.obj) and no session (.json) here.");
+  if (count == 0)
+    faint_text("No folder, no mesh (.obj), no session (.json) and no pattern (.txt, .md, .html) here.");
   ImGui::EndChild();
   return opened;
 }
@@ -158,7 +159,7 @@ void draw_open_dialog(PanelFrame& frame) {
   OpenDialog& dialog = frame.own<OpenDialog>();
   const bool wanted = frame.session.view->dialogs.open_dialog_open;
   if (!wanted && !dialog.shown) return;
-  const char* const title = "Open a mesh or a session";
+  const char* const title = "Open a mesh, a session or a pattern";
   if (wanted && !dialog.shown) {
     begin_dialog(frame.session, dialog);
     ImGui::OpenPopup(title);

@@ -171,6 +171,7 @@ void draw_file_menu(PanelFrame& frame) {
   command_item(frame, info_of(Command::open), "Open...");
   draw_examples_menu(frame);
   draw_recent_menu(frame);
+  command_item(frame, info_of(Command::checker), "Check a written pattern");
   command_item(frame, info_of(Command::close_mesh), "Close", frame.timeline() != nullptr);
   ImGui::Separator();
   for (const ExportInfo* kind : exports_of_menu()) {

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "app/actions/navigate.h"
+#include "app/checker/checker.h"
 #include "app/lessons/lesson.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
@@ -115,8 +116,21 @@ Wish close(const Session& session) {
   if (session.view->gaze.picking != Picking::nothing) return SetPicking{Picking::nothing};
   if (session.view->presenting) return Present{false};
   if (!session.outbox->notices.empty()) return DismissNotice{session.outbox->notices.size() - 1};
+  if (session.view->checking) return ShowChecker{false};
   if (session.document && !session.document->place_note.empty()) return PutNoteAway{};
   return std::nullopt;
+}
+
+template <int direction>
+Wish mistake(const Session& session) {
+  return session.view->checking ? Wish(ToMistake{direction}) : std::nullopt;
+}
+
+// Where it came from, or was saved to; without such a file the panel asks.
+Wish save_checked(const Session& session) {
+  const auto& checker = session.view->checker;
+  if (!session.view->checking || !checker || checker->path.empty()) return std::nullopt;
+  return SaveCheckedText{checker->path};
 }
 
 // A presenter's remote: turns a lesson's pages, and steps where none is to be turned.
@@ -257,6 +271,12 @@ const std::array table{
                 guess<knit::Verdict::too_far>},
     CommandInfo{Command::open, program, "Open a mesh", on(Key::O, ctrl), false,
                 [](const Session&) -> Wish { return ShowOpenDialog{true}; }},
+    CommandInfo{Command::checker, program, "Check a written pattern", on(Key::F7), false,
+                [](const Session& session) -> Wish { return ShowChecker{!session.view->checking}; }},
+    CommandInfo{Command::next_mistake, program, "The pattern's next mistake", on(Key::F4), true, mistake<1>},
+    CommandInfo{Command::last_mistake, program, "The mistake before", on(Key::F4, shift), true, mistake<-1>},
+    CommandInfo{Command::save_checked, program, "Save the checked pattern", on(Key::S, ctrl), false,
+                save_checked},
     CommandInfo{Command::close_mesh, program, "Close the mesh", on(Key::W, ctrl), false, plain<CloseMesh>},
     CommandInfo{Command::copy_link, program, "Copy a command line that opens exactly this",
                 on(Key::C, ctrl_shift), false, plain<CopyLink>},
@@ -398,6 +418,46 @@ Actions commands_over_list(const Session& session) {
   if (ImGui::GetIO().WantTextInput || !key_mods().ctrl) return actions;
   for (const CommandInfo& info : table) {
     if (!is_pressed(info, false)) continue;
+    if (auto action = info.make(session)) actions.push_back(std::move(*action));
+  }
+  return actions;
+}
+
+namespace {
+
+// The others are about the mesh, which is not seen.
+bool is_for_checker(Command command) {
+  constexpr std::array heard{Command::checker,      Command::next_mistake,   Command::last_mistake,
+                             Command::save_checked, Command::open,           Command::frame_all,
+                             Command::larger,       Command::smaller,        Command::plain_size,
+                             Command::theme,        Command::action_palette, Command::glossary,
+                             Command::help,         Command::close,          Command::quit};
+  return std::find(heard.begin(), heard.end(), command) != heard.end();
+}
+
+// Who types means letters, and moves with arrows.
+bool is_heard_while_typing(const Chord& chord) {
+  return chord.character == 0 && (chord.mods.ctrl || (chord.key >= Key::F1 && chord.key <= Key::F12));
+}
+
+bool is_pressed_in_checker(const CommandInfo& info) {
+  const bool typing = ImGui::GetIO().WantTextInput;
+  return std::any_of(info.chords.begin(), info.chords.end(), [&](const Chord& chord) {
+    return (!typing || is_heard_while_typing(chord)) && is_pressed(chord, info.repeats);
+  });
+}
+
+}  // namespace
+
+bool is_pressed_in_checker(Command command) {
+  return !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && is_pressed_in_checker(info_of(command));
+}
+
+Actions commands_in_checker(const Session& session) {
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return {};
+  Actions actions;
+  for (const CommandInfo& info : table) {
+    if (!is_for_checker(info.command) || !is_pressed_in_checker(info)) continue;
     if (auto action = info.make(session)) actions.push_back(std::move(*action));
   }
   return actions;

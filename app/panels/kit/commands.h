@@ -20,7 +20,7 @@ enum class Command : std::uint8_t {
   next_break, last_break, next_touch, last_touch, go_back, go_forward, undo, redo, copy, paste, pin, swap,
   frame_all, layer, side, chart, knit_along, predict, guess_near, guess_accepted, guess_far,
   larger, smaller, plain_size, theme, only_view, open, close_mesh, copy_link, action_palette, glossary, help, close, quit,
-  both, present, page_forward, page_back, go_to
+  both, present, page_forward, page_back, go_to, checker, next_mistake, last_mistake, save_checked
   // clang-format on
 };
 
@@ -60,5 +60,9 @@ Actions pressed_commands(const Session& session, bool numbers = true);
 Actions commands_over_list(const Session& session);
 // Whether its keys were pressed in this frame, under the same conditions.
 bool is_pressed(Command command);
+// While a written pattern is checked: those that are not about the mesh, and of them those that no text field knows even
+// while a person types.
+Actions commands_in_checker(const Session& session);
+bool is_pressed_in_checker(Command command);
 
 }  // namespace app

@@ -60,6 +60,7 @@ Sides sides_of(const LayoutWish& wish, float width, float s) {
   return {std::floor(factor * sides.left), std::floor(factor * sides.right)};
 }
 
+constexpr float checker_share = 0.6f;          // of the window's width
 constexpr float caption_share = 0.3f;          // of the window's height
 constexpr float thin_timeline = 18.0f;         // plain units
 constexpr float presented_lesson = 264.0f;     // plain units: 20 to 40 characters a line
@@ -109,6 +110,19 @@ Layout working_layout(float width, float height, float scale, const LayoutWish& 
   return layout;
 }
 
+// The text takes more than the half: its lines are long.
+Layout checking_layout(float width, float height, float scale) {
+  Layout layout;
+  layout.scale = scale;
+  const float menu = std::floor(std::min(26.0f * scale, 0.1f * height));
+  const float left = std::floor(checker_share * width);
+  layout.window = {0.0f, 0.0f, width, height};
+  layout.menu = {0.0f, 0.0f, width, menu};
+  layout.checker = {0.0f, menu, left, height - menu};
+  layout.view = {left, menu, width - left, height - menu};
+  return layout;
+}
+
 // The same width for both, and a line between them.
 void halve_view(Layout& layout) {
   const float gap = std::max(1.0f, std::floor(2.0f * layout.scale));
@@ -128,6 +142,7 @@ Layout layout_of(float width, float height, float scale, const LayoutWish& wish)
   width = std::max(width, 8.0f);
   height = std::max(height, 8.0f);
   scale = std::max(scale, 0.25f);
+  if (wish.checking) return checking_layout(width, height, scale);
   Layout layout = wish.presenting ? presenting_layout(width, height, scale, wish)
                                   : working_layout(width, height, scale, wish);
   if (wish.both) halve_view(layout);

@@ -26,7 +26,8 @@ struct LayoutWish {
   float guess = 0.0f;                                           // of the card that asks for a guess; 0: none
   // The view, a large caption below it and a thin timeline, nothing else; a lesson stands beside them.
   bool presenting = false;
-  bool both = false;  // the view in two halves
+  bool both = false;      // the view in two halves
+  bool checking = false;  // a written pattern, and the view of its shape
 };
 
 struct Layout {
@@ -41,6 +42,7 @@ struct Layout {
   Box lesson;       // below that, while a lesson goes on; else empty
   Box caption;      // below the view, while presenting; else empty
   Box other_view;   // left of the view, for the pinned run; else empty
+  Box checker;      // left of the view, while a written pattern is checked; else empty
 
   [[nodiscard]] double view_aspect() const;  // for SetAspect
 };

@@ -235,6 +235,7 @@ void draw_waiting(PanelFrame& frame) {
 }  // namespace
 
 void draw_view_overlays(PanelFrame& frame) {
+  if (frame.session.view->checking) return draw_notices(frame);
   draw_welcome(frame);
   draw_first_start(frame);
   draw_stop_card(frame);
