@@ -69,14 +69,14 @@ void draw_panels(PanelFrame& frame) {
 }
 
 void draw_about_the_mesh(PanelFrame& frame) {
-  const View& view = *frame.session.view;
-  if (view.presenting) {
+  const View& how = *frame.session.view;
+  if (how.presenting) {
     draw_large_caption(frame);
     draw_thin_timeline(frame);
   } else {
     draw_panels(frame);
   }
-  if (view.centre == CentrePanel::chart) {
+  if (how.centre == CentrePanel::chart) {
     frame.own<PendingClick>() = {};
     draw_chart(frame);
   } else {

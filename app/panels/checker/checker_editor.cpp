@@ -139,6 +139,8 @@ void draw_gutter(PanelFrame& frame, const Checker& checker, const Gutter& gutter
     const bool here = i + 1 == checker.caret.line;
     text_at(ImVec2(corner.x + gutter.number - 0.5f * sight.glyph.x, top), 1.0f,
             here ? theme().text : theme().faint_text, std::to_string(i + 1));
+    frame.memory.controls.insert_or_assign("checker/line/" + std::to_string(i + 1),
+                                           Box{corner.x, top, gutter.width(), sight.glyph.y});
     const knit::CheckedLine* line = checked_line(checker, i);
     if (line == nullptr) continue;
     draw_verdict(list, line->verdict,
@@ -147,8 +149,6 @@ void draw_gutter(PanelFrame& frame, const Checker& checker, const Gutter& gutter
     if (line->stitches)
       text_at(ImVec2(corner.x + gutter.width() - 0.8f * sight.glyph.x, top), 1.0f, theme().text,
               std::to_string(*line->stitches));
-    frame.memory.controls.insert_or_assign("checker/line/" + std::to_string(i + 1),
-                                           Box{corner.x, top, gutter.width(), sight.glyph.y});
   }
   list.PopClipRect();
 }
