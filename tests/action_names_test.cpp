@@ -128,6 +128,11 @@ Controls all_controls() {
   desk.settle();
   desk.ui.own<SaveDialog>().wanted = find_export("map");
   look(desk);
+  Desk checker(1600, 1600);
+  apply(checker.session, SetCheckedText{"CO 6 sts.\n", true});
+  apply(checker.session, SetCheckedText{"CO 6 sts.\nRnd 1: Knit. (7 sts)\n", true});
+  checker.layout = layout_of(1600, 1600, 1, layout_wish(checker.session));
+  look(checker);
   Desk learner(1600, 1600);
   learner.session.program->assets = KNIT_ASSETS_DIR;
   learner.open();
@@ -160,6 +165,10 @@ std::set<std::size_t> in_the_palette() {
   desk.session.program->preferences.recent = {"/tmp/work.json"};
   desk.session.view->gaze.picking = Picking::start;
   note_entries(desk.session, reached);
+  apply(desk.session, SetCheckedText{"CO 6 sts.", true});
+  apply(desk.session, SetCheckedText{"CO 9 sts.", true});
+  note_entries(desk.session, reached);
+  apply(desk.session, ShowChecker{false});
   apply(desk.session, PinRun{});
   const test_support::Folder folder;
   std::filesystem::create_directory(folder.path() / "lessons");

@@ -156,7 +156,7 @@ TEST_CASE("the text is saved where one says, and Ctrl+S asks once") {
 
 TEST_CASE("a click on the shape goes to the round's line, and a drag turns it") {
   Desk desk;
-  show_checker(desk, bad);
+  show_checker(desk, "CO 40 sts.\nRnds 1-8: Knit. (40 sts)\nBO all.\n");
   const Camera before = checker_of(desk).camera;
   const MouseMove at = desk.over("checker/view");
   done(desk, {at, MouseClick{MouseButton::Left, true}, MouseMove{at.x + 60.0f, at.y},

@@ -3,6 +3,7 @@
 #include "app/session/document.h"
 
 #include "app/actions/opening.h"
+#include "app/checker/checker.h"
 #include "app/files/figures.h"
 #include "app/lessons/lesson.h"
 #include "app/lessons/predict.h"
@@ -108,7 +109,7 @@ Names different(const Gaze& a, const Gaze& b) {
 
 Names different(const View& a, const View& b) {
   const auto& [gaze, aspect, layers, playback, slow_motion, presenting, ring, both, following, breaks, side,
-               list, centre, positions, pattern, dialogs] = a;
+               list, centre, positions, pattern, dialogs, checker, checking] = a;
   return those_that_differ({{"gaze", !different(gaze, b.gaze).empty()},
                             {"aspect", aspect != b.aspect},
                             {"layers", layers != b.layers},
@@ -124,7 +125,9 @@ Names different(const View& a, const View& b) {
                             {"both", both != b.both},
                             {"positions", positions != b.positions},
                             {"pattern", !(pattern == b.pattern)},
-                            {"dialogs", !(dialogs == b.dialogs)}});
+                            {"dialogs", !(dialogs == b.dialogs)},
+                            {"checker", checker != b.checker},
+                            {"checking", checking != b.checking}});
 }
 
 Names different(const Learning& a, const Learning& b) {
@@ -146,7 +149,7 @@ Names different(const Outbox& a, const Outbox& b) {
 }
 
 Names different(const Jobs& a, const Jobs& b) {
-  const auto& [beside, opening, made_mesh, repair_offer, run, flight, animation] = a;
+  const auto& [beside, opening, made_mesh, repair_offer, run, flight, animation, pattern_check] = a;
   const auto& [long_step, awaited, measuring] = run;
   return those_that_differ({{"beside", beside != b.beside},
                             {"opening", opening != b.opening},
@@ -156,7 +159,8 @@ Names different(const Jobs& a, const Jobs& b) {
                             {"awaited", awaited.has_value() != b.run.awaited.has_value()},
                             {"measuring", measuring.has_value() != b.run.measuring.has_value()},
                             {"flight", flight != b.flight},
-                            {"animation", animation != b.animation}});
+                            {"animation", animation != b.animation},
+                            {"pattern_check", pattern_check.has_value() != b.pattern_check.has_value()}});
 }
 
 Names different(const Program& a, const Program& b) {
@@ -166,8 +170,8 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 16,
-                      gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 9,
+constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 18,
+                      gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 10,
                       program_fields = 3;
 
 // --- a session with something in every field ---------------------------------------------------------------
@@ -236,6 +240,8 @@ void fill(View& view) {
   view.positions = Positions::placed;
   view.pattern.title = "Ball";
   view.dialogs.help_open = true;
+  view.checker = std::make_shared<const Checker>();
+  view.checking = true;
 }
 
 Session full_session() {
@@ -259,6 +265,7 @@ Session full_session() {
   session.jobs->run.measuring.emplace();
   session.jobs->flight = CameraFlight{Camera{}, {}, 0.1};
   session.jobs->animation = std::make_shared<const AnimationRun>();
+  session.jobs->pattern_check.emplace();
   session.program->rescued = Rescued{"a.json", "egg"};
   return session;
 }
@@ -307,7 +314,7 @@ TEST_CASE("a closed session is as a fresh one but for what is not the mesh's", "
   CHECK(closed.view->playback == Playback{false, 1, full.view->playback.steps_per_second, 0.0});
   CHECK(different(*closed.outbox, *full.outbox) == Names{"notices"});
   CHECK(closed.outbox->notices.empty());
-  CHECK(different(*closed.jobs, *fresh.jobs) == Names{"beside", "made_mesh"});
+  CHECK(different(*closed.jobs, *fresh.jobs) == Names{"beside", "made_mesh", "pattern_check"});
   CHECK(different(*closed.program, *full.program) == none);
 }
 
@@ -328,10 +335,10 @@ TEST_CASE("an opened mesh has a fresh document, which may be compared with what 
   apply(fresh, SetPredicting{true});  // as in the other: it wants to know the first step
   CHECK(different(*session.document, *fresh.document) == Names{"pinned"});
   CHECK(session.view->gaze == fresh.view->gaze);
-  CHECK(different(*session.view, *full.view) == Names{"gaze", "playback"});
+  CHECK(different(*session.view, *full.view) == Names{"gaze", "playback", "checking"});  // it is to be seen
   CHECK(different(*session.outbox, *full.outbox) == Names{"notices"});
   // An animation is made from a session of its own.
-  CHECK(different(*session.jobs, Jobs{}) == Names{"beside", "made_mesh", "animation"});
+  CHECK(different(*session.jobs, Jobs{}) == Names{"beside", "made_mesh", "animation", "pattern_check"});
   CHECK(session.learning->prediction == full.learning->prediction);
 
   apply(session, CloseMesh{});

@@ -56,6 +56,20 @@ constexpr float third = 1.0f / 3.0f;
 
 }  // namespace
 
+TEST_CASE("the checker and its view take all below the menu, for every size and scale") {
+  LayoutWish wish;
+  wish.checking = true;
+  for (const Window& window : windows()) {
+    const Layout layout = layout_of(window.width, window.height, window.scale, wish);
+    CHECK(layout.checker.y == layout.menu.bottom());
+    CHECK(layout.checker.right() == layout.view.x);
+    CHECK(layout.view.right() == layout.window.right());
+    CHECK(layout.view.bottom() == layout.window.bottom());
+    CHECK(layout.view.width >= third * layout.window.width);
+    CHECK(layout.timeline.width + layout.parameters.width + layout.explanation.width == 0.0f);
+  }
+}
+
 TEST_CASE("no panels overlap and all of the window is used, for every size, scale, closed panel and drag") {
   for (const Window& window : windows()) {
     for (const LayoutWish& wish : wishes()) {

@@ -280,6 +280,27 @@ close
   CHECK(count_in_view(picture, [](const Colour& pixel) { return pixel == dark_theme.background; }) > 20000);
 }
 
+TEST_CASE("the real window checks a pattern as one types, and saves what was mended") {
+  if (!can_run()) return;
+  const Folder folder;
+  test_support::write_text(folder.path() / "ball.txt", "CO 6 sts.\nRnd 1: Knit. (7 sts)\n");
+  const std::string trouble = run_on_screen(folder, R"(
+"$program" check ball.txt --window --size 1200x760 2>errors &
+pid=$!
+await_window
+titled() { xdotool getwindowname $window | grep -qx 'ball.txt - knit-mesh'; }
+await "the title does not name the pattern" titled
+xdotool key F4
+xdotool type --delay 40 'Rnd 1: Knit. '
+xdotool key --delay 40 parenleft 6 space s t s parenright ctrl+s
+saved() { grep -q 'Rnd 1: Knit. (6 sts)' ball.txt; }
+await "what was typed was not saved" saved
+close
+)");
+  REQUIRE(trouble == "");
+  CHECK(read_text(folder.path() / "ball.txt") == "CO 6 sts.\nRnd 1: Knit. (6 sts)\n");
+}
+
 TEST_CASE("two clicks and four keys that come within one long frame all count") {
   if (!can_run()) return;
   const Folder folder;

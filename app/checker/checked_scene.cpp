@@ -9,8 +9,9 @@ namespace {
 
 constexpr float plain_px = 1.2F, told_px = 2.6F, lit_px = 4.0F;
 
-knit::LineVerdict verdict_of(const knit::CheckedSize& size, std::size_t line) {
-  return line >= 1 && line <= size.lines.size() ? size.lines[line - 1].verdict : knit::LineVerdict::holds;
+knit::LineVerdict verdict_of(const knit::CheckedSize& size, std::size_t number) {
+  const knit::CheckedLine* line = line_numbered(size, number);
+  return line != nullptr ? line->verdict : knit::LineVerdict::holds;
 }
 
 // A plain ring is no mark.

@@ -27,6 +27,13 @@ const knit::CheckedSize* Checker::shown() const {
   return &checked->sizes[std::min(size, checked->sizes.size() - 1)];
 }
 
+const knit::CheckedLine* line_numbered(const knit::CheckedSize& size, std::size_t number) {
+  const auto line = std::lower_bound(
+      size.lines.begin(), size.lines.end(), number,
+      [](const knit::CheckedLine& told, std::size_t wanted) { return told.number < wanted; });
+  return line != size.lines.end() && line->number == number ? &*line : nullptr;
+}
+
 bool is_mistake(const knit::CheckedLine& line) {
   return line.verdict == knit::LineVerdict::does_not_add_up ||
          line.verdict == knit::LineVerdict::not_understood;

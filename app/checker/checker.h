@@ -37,6 +37,9 @@ inline constexpr double least_gauge = 1.0, most_gauge = 200.0;
 // "22x32"; none: it is no gauge, or out of range.
 std::optional<CheckedGauge> checked_gauge(std::string_view text);
 
+// Pieces stand on their cast on, which one looks down at.
+inline constexpr double look_down = 0.32;
+
 struct Checker {
   std::filesystem::path path;  // of the file it came from or went to; empty: none
   SharedText text = std::make_shared<const std::string>();
@@ -47,8 +50,8 @@ struct Checker {
   std::size_t size = 0;  // of the pattern's sizes, the one shown
   TextCaret caret;
   CheckedGauge gauge;
-  Camera camera;        // of the preview
-  bool framed = false;  // the camera was set to what there is
+  Camera camera{glm::dvec3(0.0), 4.0, 0.3, look_down};  // of the preview
+  bool framed = false;                                  // the camera was set to what there is
 
   [[nodiscard]] bool up_to_date() const { return checked != nullptr && checked_text == text; }
   [[nodiscard]] bool unsaved() const { return *saved != *text; }
@@ -56,6 +59,8 @@ struct Checker {
   [[nodiscard]] const knit::CheckedSize* shown() const;
 };
 
+// What is said of a line, by its number; null: nothing. O(log lines).
+const knit::CheckedLine* line_numbered(const knit::CheckedSize& size, std::size_t number);
 // A line that one has to look at, with its sentence: what the list of mistakes shows.
 bool is_mistake(const knit::CheckedLine& line);
 // In the order of the text.

@@ -12,7 +12,7 @@ namespace {
 
 const knit::CheckedLine* checked_line(const Checker& checker, std::size_t index) {
   const knit::CheckedSize* size = checker.shown();
-  return size != nullptr && index < size->lines.size() ? &size->lines[index] : nullptr;
+  return size != nullptr ? line_numbered(*size, index + 1) : nullptr;
 }
 
 void measure(CheckerField& field) {

@@ -10,7 +10,7 @@ namespace {
 
 const knit::CheckedLine* line_of(const Checker& checker, std::size_t number) {
   const knit::CheckedSize* size = checker.shown();
-  return size != nullptr && number >= 1 && number <= size->lines.size() ? &size->lines[number - 1] : nullptr;
+  return size != nullptr ? line_numbered(*size, number) : nullptr;
 }
 
 std::string sentence_of(const knit::CheckedLine& line) {

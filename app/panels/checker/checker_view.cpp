@@ -63,9 +63,9 @@ std::size_t rounds_of(const knit::CheckedSize& size) {
 
 std::string words_of_line(const knit::CheckedSize& size, std::size_t line) {
   std::string words = "Line " + std::to_string(line);
-  if (line >= 1 && line <= size.lines.size() && size.lines[line - 1].stitches)
-    words +=
-        ": " + with_commas(static_cast<std::size_t>(*size.lines[line - 1].stitches), "stitch", "stitches");
+  const knit::CheckedLine* told = line_numbered(size, line);
+  if (told != nullptr && told->stitches)
+    words += ": " + with_commas(static_cast<std::size_t>(*told->stitches), "stitch", "stitches");
   return words + ". A click goes there.";
 }
 
