@@ -102,8 +102,9 @@ void CheckedScene::describe(const Checker& checker, double aspect, Scene& scene)
       add_round(piece, round, look, scene.lines);
     }
     if (piece.name.empty()) continue;
-    const PlacedRound& top = piece.rounds.back();
-    scene.captions.push_back({glm::vec3(piece.middle, top.height, 0.0), piece.name, scene.theme->text});
+    const double above = piece.rounds.back().height + 0.04 * shape_.bounds.radius;
+    scene.captions.push_back(
+        {glm::vec3(piece.middle - 0.5 * piece.half, above, 0.0), piece.name, scene.theme->text});
   }
 }
 

@@ -50,8 +50,8 @@ struct Checker {
   std::size_t size = 0;  // of the pattern's sizes, the one shown
   TextCaret caret;
   CheckedGauge gauge;
-  Camera camera{glm::dvec3(0.0), 4.0, 0.3, look_down};  // of the preview
-  bool framed = false;                                  // the camera was set to what there is
+  Camera camera{glm::dvec3(0.0), 4.0, 0.15, look_down};  // of the preview
+  bool framed = false;                                   // the camera was set to what there is
 
   [[nodiscard]] bool up_to_date() const { return checked != nullptr && checked_text == text; }
   [[nodiscard]] bool unsaved() const { return *saved != *text; }
