@@ -71,7 +71,8 @@ double distance_to(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, con
   const glm::dvec3 q = glm::cross(from, ab);
   const double v = glm::dot(ray.direction, q) / determinant;
   const double along = glm::dot(ac, q) / determinant;
-  return u < 0.0 || v < 0.0 || u + v > 1.0 || along <= 0.0 ? none : along;
+  constexpr double slack = 1e-9;  // no ray slips through between two triangles
+  return u < -slack || v < -slack || u + v > 1.0 + slack || along <= 0.0 ? none : along;
 }
 
 // To the band between two rounds.
