@@ -52,9 +52,7 @@ std::string deal_group(const knit::Fabric& fabric, const knit::Deal& deal, std::
   } else if (fabric.strips().empty()) {
     for (const auto& edge : edges_added(deal)) {
       text += "l";
-      for (const knit::StitchRef& end : edge)
-        text +=
-            " " + std::to_string(fabric.first_on_path(end.row) + static_cast<std::uint32_t>(end.stitch) + 1);
+      for (const knit::StitchRef& end : edge) text += " " + std::to_string(fabric.path_index(end) + 1);
       text += "\n";
     }
   }

@@ -170,8 +170,7 @@ class GltfDocument {
     }
     for (const auto& deal : fabric.deals()) {
       for (const auto& edge : edges_added(*deal)) {
-        for (const knit::StitchRef& end : edge)
-          rows.push_back(fabric.first_on_path(end.row) + static_cast<std::uint32_t>(end.stitch));
+        for (const knit::StitchRef& end : edge) rows.push_back(fabric.path_index(end));
       }
     }
     for (const knit::Strip& strip : all_strips()) {

@@ -22,6 +22,11 @@ const Shared<Product>* leading_to(const std::vector<Shared<Product>>& products, 
   return found != products.end() && (*found)->to == id ? &*found : nullptr;
 }
 
+void reverse_places(std::vector<Stitch>& stitches) {
+  for (std::size_t i = 0, j = stitches.size(); i + 1 < j; ++i)
+    std::swap(stitches[i].position, stitches[--j].position);
+}
+
 bool has_stitches_of(const LiveStitches& live, RowId id) {
   return std::any_of(live.spans.begin(), live.spans.end(),
                      [&](const StitchSpan& span) { return span.row == id; });
@@ -75,6 +80,31 @@ const Row* Fabric::row_below(RowId id) const {
 bool Fabric::continues(RowId id) const {
   const Row* below = has_row(id) ? row_below(id) : nullptr;
   return below != nullptr && below->id == id - 1;
+}
+
+LiveStitches Fabric::under_short_rows(const LiveStitches& live) const {
+  LiveStitches under{{}, live.closed};
+  for (std::int32_t i = 0; i < live.size(); ++i) {
+    StitchRef ref = live.at(i);
+    while (has_row(ref.row) && is_short(row(ref.row))) ref = row(ref.row).on.at(ref.stitch);
+    under.append({ref.row, ref.stitch, 1});
+  }
+  return under;
+}
+
+std::vector<std::int32_t> Fabric::marked_below(RowId id) const {
+  std::vector<std::int32_t> marked;
+  const LiveStitches& on = row(id).on;
+  const TubeId tube = row(id).tube;
+  for (RowId before = id - 1; before > 0; --before) {
+    if (row(before).tube != tube) continue;
+    if (!is_short(row(before))) break;
+    if (const std::int32_t place = place_in(on, row(before).turned->marked()); place >= 0)
+      marked.push_back(place);
+  }
+  std::sort(marked.begin(), marked.end());
+  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+  return marked;
 }
 
 std::vector<std::shared_ptr<const void>> Fabric::products_about(RowId id) const {
@@ -139,18 +169,45 @@ std::uint32_t Fabric::first_on_path(RowId id) const {
   return static_cast<std::uint32_t>(first);
 }
 
+std::uint32_t Fabric::path_index(const StitchRef& ref) const {
+  const bool back = has_row(ref.row) && works_back(row(ref.row));
+  const std::int32_t along = back ? size_of(row(ref.row)) - 1 - ref.stitch : ref.stitch;
+  return first_on_path(ref.row) + static_cast<std::uint32_t>(along);
+}
+
 std::vector<std::uint32_t> Fabric::path_indices(const LiveStitches& live) const {
   std::vector<std::uint32_t> indices;
   for (const StitchSpan& span : live.spans) {
-    const std::uint32_t first = first_on_path(span.row) + static_cast<std::uint32_t>(span.first);
-    for (std::int32_t i = 0; i < span.count; ++i) indices.push_back(first + static_cast<std::uint32_t>(i));
+    std::uint32_t index = path_index({span.row, span.first});
+    const bool back = has_row(span.row) && works_back(row(span.row));
+    for (std::int32_t i = 0; i < span.count; ++i) indices.push_back(back ? index-- : index++);
   }
   return indices;
 }
 
 std::size_t Fabric::stitch_count() const { return first_on_path(next_row()); }
 
+void Fabric::add_short(Row row) {
+  const auto loop =
+      std::find_if(live_.begin(), live_.end(), [&](const LiveLoop& live) { return live.tube == row.tube; });
+  const std::int32_t first =
+      loop != live_.end() && !row.on.empty() ? place_in(loop->stitches, row.on.at(0)) : -1;
+  const std::int32_t size = size_of(row), all = first >= 0 ? loop->stitches.size() : 0;
+  if (row.id != next_row() || first < 0 || size + 2 > all || row.closed ||
+      row.on != arc_of(loop->stitches, first, row.on.size()) || row.on.size() != size ||
+      row.turned->before != loop->stitches.at((first + all - 1) % all) ||
+      row.turned->after != loop->stitches.at((first + size) % all))
+    throw Bug("a short row takes a stretch of what hangs on its needle and leaves a stitch on either side");
+  // Begun where the stretch begins, the loop is the stretch and the rest; turned back, it begins where it began.
+  LiveStitches taken = all_of(row);
+  taken.append(stretch_of(loop->stitches, first + size, all - size));
+  taken.closed = loop->stitches.closed;
+  loop->stitches = begun_at(taken, (all - first) % all);
+  rows_.emplace_back(std::move(row));
+}
+
 void Fabric::add(Row row) {
+  if (is_short(row)) return add_short(std::move(row));
   if (row.id != next_row() || row.on != live(row.tube)) throw Bug("a row takes all that hangs on its needle");
   std::erase_if(live_, [&](const LiveLoop& loop) { return loop.tube == row.tube; });
   live_.push_back({row.tube, all_of(row)});
@@ -182,6 +239,7 @@ Fabric Fabric::moved_to(std::span<const glm::dvec3> positions) const {
   for (Shared<Row>& row : moved.rows_) {
     Row copy = *row;
     move(copy.stitches, copy.id);
+    if (works_back(copy)) reverse_places(copy.stitches);
     row = Shared(std::move(copy));
   }
   for (std::size_t i = 0; i < moved.deals_.size(); ++i) {
@@ -205,7 +263,9 @@ KnittingPath::KnittingPath(const Fabric& fabric) : fabric_(&fabric) {
   std::size_t deal = 0;
   const auto add = [&](RowId row, std::size_t stitches) {
     if (stitches == 0) return;
-    stretches_.push_back({first, row});
+    const Row* made = fabric.find_row(row);
+    const bool back = made != nullptr && works_back(*made);
+    stretches_.push_back({first, row, back ? static_cast<std::int32_t>(stitches) - 1 : -1});
     first += static_cast<std::uint32_t>(stitches);
   };
   for (const auto& row : fabric.rows()) {
@@ -220,7 +280,8 @@ StitchRef KnittingPath::at(std::uint32_t number) const {
       std::upper_bound(stretches_.begin(), stretches_.end(), number,
                        [](std::uint32_t n, const Stretch& stretch) { return n < stretch.first; });
   const Stretch& stretch = *std::prev(next);
-  return {stretch.row, static_cast<std::int32_t>(number - stretch.first)};
+  const auto along = static_cast<std::int32_t>(number - stretch.first);
+  return {stretch.row, stretch.last >= 0 ? stretch.last - along : along};
 }
 
 std::vector<glm::dvec3> knitting_path(const Fabric& fabric) {
@@ -232,6 +293,7 @@ std::vector<glm::dvec3> knitting_path(const Fabric& fabric) {
   std::size_t deal = 0;
   for (const auto& row : fabric.rows()) {
     add(row->stitches);
+    if (works_back(*row)) std::reverse(path.end() - size_of(*row), path.end());
     for (; deal < fabric.deals().size() && fabric.deals()[deal]->after == row->id; ++deal)
       add(fabric.deals()[deal]->bridge);
   }

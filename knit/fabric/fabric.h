@@ -4,8 +4,13 @@
 // their place. A cast on takes none. Each tube has a loop of live stitches from its first row, or from the deal that
 // begins it, on. So with L(t) the loop of tube t,
 //   a row of t    takes L(t) and becomes L(t)
+//   a short row   takes a stretch S of L(t), round and round, and puts its own in their place, one for one:
+//                 L(t) = A S B  ->  A R B, |R| = |S|; it keeps who hung beside S then, the last of A and the first of B
 //   a split of t  takes L(t) and gives L(u), L(v); a join the other way round; a graft takes two and gives none
-// and every stitch is taken once, a stitch of a bridge twice. Nobody outside asks for the row "before": what a row hangs
+// and every stitch is taken once, a stitch of a bridge twice. Short rows come in pairs over one stretch, out and back; the round
+// over them takes a loop of several rows and changes its count as if they were not there: taken away one for one they leave
+// the loop that it would take without them (`under_short_rows`).
+// Nobody outside asks for the row "before": what a row hangs
 // on is asked for here, and so is whether it is closed.
 //
 // Rows and deals come first, then joins, then strips, each in working order; what is there is never changed.
@@ -66,6 +71,10 @@ class Fabric {
   [[nodiscard]] const Row* row_below(RowId id) const;
   // Whether a row is worked on all of the row that was made just before it.
   [[nodiscard]] bool continues(RowId id) const;
+  // The same stitches with short rows taken away: what the round over them would be worked on without them.
+  [[nodiscard]] LiveStitches under_short_rows(const LiveStitches& live) const;
+  // The stitches below a row that were marked by a turn since and that it works, as places in what it is worked on, rising.
+  [[nodiscard]] std::vector<std::int32_t> marked_below(RowId id) const;
   // All rows and deals that a row's join and strip stand between: those below, then itself.
   [[nodiscard]] std::vector<std::shared_ptr<const void>> products_about(RowId id) const;
   // The rows that are worked on stitches of this one, rising.
@@ -81,13 +90,15 @@ class Fabric {
   [[nodiscard]] LiveStitches larger(const Join& join) const;
   [[nodiscard]] LiveStitches smaller(const Join& join) const;
 
-  // Along the knitting path, through all rows and bridges in working order, from 0.
+  // Along the knitting path, through all rows and bridges in working order, from 0. A short row worked back has its last
+  // stitch first.
   [[nodiscard]] std::uint32_t first_on_path(RowId id) const;
+  [[nodiscard]] std::uint32_t path_index(const StitchRef& ref) const;
   [[nodiscard]] std::vector<std::uint32_t> path_indices(const LiveStitches& live) const;
   [[nodiscard]] std::size_t stitch_count() const;
 
-  // Each takes its place after what is there. A row has the next number and takes its tube's loop whole; a deal takes the
-  // loops of its tubes whole.
+  // Each takes its place after what is there. A row has the next number and takes its tube's loop whole, or, a short row, a
+  // stretch of it; a deal takes the loops of its tubes whole.
   void add(Row row);
   void add(Deal deal);
   void add(Shared<Join> join);
@@ -102,6 +113,8 @@ class Fabric {
   friend bool operator==(const Fabric&, const Fabric&) = default;
 
  private:
+  void add_short(Row row);
+
   std::vector<Shared<Row>> rows_;
   std::vector<Shared<Deal>> deals_;
   std::vector<Shared<Join>> joins_;    // by the rows they make, rising
@@ -121,7 +134,8 @@ class KnittingPath {
  private:
   struct Stretch {
     std::uint32_t first;
-    RowId row;  // or a bridge's
+    RowId row;          // or a bridge's
+    std::int32_t last;  // of a row worked back: the stitch it begins with; -1: of all others
   };
   const Fabric* fabric_;
   std::vector<Stretch> stretches_;  // rising

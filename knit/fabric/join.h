@@ -3,7 +3,7 @@
 // The cells of a join are the stitches of its larger side: of the row when it grows, of what it is worked on when
 // it shrinks. Every cell has one link, to a stitch of the smaller side; links rise, and every stitch of the smaller
 // side has one or two. So the takes of all stitches made add up to what was live, and there are as many shaping
-// labels as the row grows or shrinks by.
+// labels as the row grows or shrinks by. A short row takes and makes one stitch a cell.
 #pragma once
 
 #include <optional>
@@ -56,9 +56,11 @@ inline CellEnds ends_of(const Join& join, std::int32_t cell) {
   return cells_above(join) ? CellEnds{link, cell} : CellEnds{cell, link};
 }
 
-// The cell beside it, round and round.
+// The cell beside it, round and round; at the end of a short row, the cell itself.
 inline std::int32_t next_cell(const Join& join, std::int32_t cell) {
-  return (cell + 1) % static_cast<std::int32_t>(join.link.size());
+  const auto cells = static_cast<std::int32_t>(join.link.size());
+  if (!join.from.closed && cell + 1 == cells) return cell;
+  return (cell + 1) % cells;
 }
 
 }  // namespace knit

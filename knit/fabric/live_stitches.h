@@ -69,6 +69,24 @@ inline LiveStitches stretch_of(const LiveStitches& live, std::int32_t first, std
   return stretch;
 }
 
+// An arc of a round, as a short row takes it.
+inline LiveStitches arc_of(const LiveStitches& live, std::int32_t first, std::int32_t count) {
+  LiveStitches arc = stretch_of(live, first, count);
+  arc.closed = false;
+  return arc;
+}
+
+// The place of a stitch among them; -1: it is none of them.
+inline std::int32_t place_in(const LiveStitches& live, const StitchRef& ref) {
+  std::int32_t place = 0;
+  for (const StitchSpan& span : live.spans) {
+    const std::int32_t i = ref.stitch - span.first;
+    if (span.row == ref.row && i >= 0 && i < span.count) return place + i;
+    place += span.count;
+  }
+  return -1;
+}
+
 // The same round, begun at its stitch `first`.
 inline LiveStitches begun_at(const LiveStitches& live, std::int32_t first) {
   return stretch_of(live, first, live.size());

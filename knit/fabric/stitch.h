@@ -27,6 +27,7 @@ struct Stitch {
 struct StitchRef {
   RowId row = 1;
   std::int32_t stitch = 0;
+  [[nodiscard]] auto fields() const { return std::tie(row, stitch); }
   friend auto operator<=>(const StitchRef&, const StitchRef&) = default;
 };
 

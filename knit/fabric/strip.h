@@ -1,4 +1,5 @@
-// The faces between a row and what it is worked on.
+// The faces between a row and what it is worked on. Those of a short row end on either side with a triangle, whose apex is
+// the stitch beside the stretch: so each turn has two, one of the row that comes to it and one of the row that leaves it.
 #pragma once
 
 #include <array>

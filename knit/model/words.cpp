@@ -22,6 +22,12 @@ std::string_view name_of(Label label) {
       return "cast on / off";
     case Label::main:
       return "main";
+    case Label::turn_left:
+      return "turn";
+    case Label::turn_right:
+      return "turn on the wrong side";
+    case Label::marked:
+      return "marked";
   }
   return "";
 }

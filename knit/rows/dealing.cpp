@@ -73,9 +73,7 @@ class Joined {
     const std::vector<StitchRef> taken = refs_of(fabric_.row(above.row).on);
     return std::find(taken.begin(), taken.end(), below) != taken.end();
   }
-  [[nodiscard]] std::uint32_t number(const StitchRef& ref) const {
-    return fabric_.first_on_path(ref.row) + static_cast<std::uint32_t>(ref.stitch);
-  }
+  [[nodiscard]] std::uint32_t number(const StitchRef& ref) const { return fabric_.path_index(ref); }
   const Fabric& fabric_;
 };
 

@@ -147,22 +147,24 @@ Taken take_join(const Parameters& parameters, State& state) {
   const Row* row = fabric.find_row(id);
   if (row != nullptr && row->on.empty()) row = nullptr;
   const bool planned = work.phase == IndexPhase::place;
-  const LiveStitches from = planned ? LiveStitches{} : row != nullptr ? row->on : all_of(fabric.row(1));
-  const std::vector<Stitch> below = fabric.stitches_of(from);
-  const BelowJoins joins = joins_below(fabric, from);
+  JoinGround ground;
+  if (!planned && row != nullptr) ground = ground_of(fabric, *row);
+  if (!planned && row == nullptr) ground.below = fabric.row(1).stitches;
+  const bool round = row != nullptr && !is_short(*row);
   const bool follows = state.tubes && parameters.rows.round_start == RoundStart::follow;
   const JoinAt at{id,
-                  from,
-                  below,
-                  joins.mains,
-                  joins.shaped,
-                  joins.cast_on,
+                  ground.from,
+                  ground.below,
+                  ground.joins.mains,
+                  ground.joins.shaped,
+                  ground.joins.cast_on,
                   row,
                   follows,
-                  row != nullptr
+                  round
                       ? repeated_round(state, {row->tube, row->level, row->on.size(), size_of(*row), row->id})
                       : std::nullopt,
-                  fabric.next_worked(id) == 0};
+                  fabric.next_worked(id) == 0,
+                  ground.marked};
   Shared<Join> join;
   Taken taken =
       advance_index(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at, work, join);

@@ -29,6 +29,8 @@ class Gathering {
   void add_wales(const Sides& column_edges) {
     for (const auto& [lower, upper] : column_edges) graph_.wales.push_back(rising(lower, upper));
   }
+  // From the end of a short row to the stitch its turn stands at: no yarn runs there.
+  void add_turn(std::uint32_t end, std::uint32_t beside) { across_.push_back(rising(end, beside)); }
   void add_faces(const std::vector<Face>& faces, bool of_strip) {
     for (const Face& face : faces) add_face(face, of_strip);
   }
@@ -40,7 +42,10 @@ class Gathering {
     sides.reserve(along_.size());
     for (const auto& [from, to] : along_) sides.push_back(rising(from, to));
     make_set(sides);
-    graph_.courses = without(sides, graph_.wales);
+    make_set(across_);
+    graph_.courses = without(without(sides, graph_.wales), across_);
+    if (!across_.empty())
+      std::erase_if(graph_.quads, [&](const std::array<std::uint32_t, 4>& quad) { return spans_turn(quad); });
     add_rims();
     return std::move(graph_);
   }
@@ -81,6 +86,12 @@ class Gathering {
       graph_.rims.push_back(std::move(rim));
     }
   }
+  [[nodiscard]] bool spans_turn(const std::array<std::uint32_t, 4>& quad) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (std::binary_search(across_.begin(), across_.end(), rising(quad[i], quad[(i + 1) % 4]))) return true;
+    }
+    return false;
+  }
   static std::size_t side_from(const Sides& open, const std::vector<bool>& walked, std::uint32_t stitch) {
     auto at =
         static_cast<std::size_t>(std::lower_bound(open.begin(), open.end(), Side{stitch, 0}) - open.begin());
@@ -89,7 +100,8 @@ class Gathering {
   }
 
   SettleGraph graph_;
-  Sides along_;  // sides of faces, in their direction
+  Sides along_;   // sides of faces, in their direction
+  Sides across_;  // turns
 };
 
 }  // namespace
@@ -99,6 +111,12 @@ SettleGraph make_settle_graph(const Fabric& fabric) {
   for (const auto& strip : fabric.strips()) {
     gathering.add_wales(strip->column_edges);
     gathering.add_faces(strip->faces, true);
+  }
+  for (const auto& row : fabric.rows()) {
+    if (!is_short(*row)) continue;
+    gathering.add_turn(fabric.path_index({row->id, 0}), fabric.path_index(row->turned->before));
+    gathering.add_turn(fabric.path_index({row->id, size_of(*row) - 1}),
+                       fabric.path_index(row->turned->after));
   }
   for (const auto& deal : fabric.deals()) {
     gathering.add_wales(deal->column_edges);

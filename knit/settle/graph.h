@@ -12,9 +12,11 @@ namespace knit {
 
 struct SettleGraph {
   std::uint32_t stitches = 0;
-  std::vector<std::array<std::uint32_t, 2>> wales;    // low number first, rising
-  std::vector<std::array<std::uint32_t, 2>> courses;  // sides of faces that are no wale, likewise
-  std::vector<std::array<std::uint32_t, 4>> quads;  // of strips, a ring's too; not of a deal without a bridge
+  std::vector<std::array<std::uint32_t, 2>> wales;  // low number first, rising
+  std::vector<std::array<std::uint32_t, 2>>
+      courses;  // sides of faces that are no wale and lead over no turn, likewise
+  std::vector<std::array<std::uint32_t, 4>>
+      quads;  // of strips, a ring's too; none of a deal without a bridge, none with a side over a turn
   // The stitch, the next in its face and the one before: all of quads, one of triangles.
   std::vector<std::array<std::uint32_t, 3>> corners;
   std::vector<std::array<std::uint32_t, 3>>

@@ -21,8 +21,15 @@ BelowJoins joins_below(const Fabric& fabric, const LiveStitches& live) {
     }
   }
   // Loops that met have brought theirs together.
-  if (live.spans.size() > 1) below.mains = thinned_mains(below.mains, live.size());
+  if (live.closed && live.spans.size() > 1) below.mains = thinned_mains(below.mains, live.size());
   return below;
+}
+
+JoinGround ground_of(const Fabric& fabric, const Row& row) {
+  const LiveStitches under = is_short(row) ? row.on : fabric.under_short_rows(row.on);
+  JoinGround ground{row.on, fabric.stitches_of(under), joins_below(fabric, under), {}};
+  if (fabric.has_row(row.id)) ground.marked = fabric.marked_below(row.id);
+  return ground;
 }
 
 }  // namespace knit

@@ -17,4 +17,15 @@ struct BelowJoins {
 };
 BelowJoins joins_below(const Fabric& fabric, const LiveStitches& live);
 
+// What a row's join is planned on. Of a round over short rows: what lies under them, one for one with what it takes.
+struct JoinGround {
+  LiveStitches from;          // what the row takes
+  std::vector<Stitch> below;  // what is planned on
+  BelowJoins joins;
+  std::vector<std::int32_t>
+      marked;  // places that turns left a mark on, rising; none while the row is not there
+};
+// The row may be the next one, not yet added.
+JoinGround ground_of(const Fabric& fabric, const Row& row);
+
 }  // namespace knit

@@ -16,7 +16,8 @@ Label triangle_label(const Join& t, std::size_t cell, std::size_t next) {
 }  // namespace
 
 Strip build_strip(const Join& join, std::span<const std::uint32_t> below,
-                  std::span<const std::uint32_t> above) {
+                  std::span<const std::uint32_t> above,
+                  const std::optional<std::array<std::uint32_t, 2>>& beside) {
   const bool larger_above = cells_above(join);
   const auto larger = larger_above ? above : below;
   const auto smaller = larger_above ? below : above;
@@ -45,7 +46,20 @@ Strip build_strip(const Join& join, std::span<const std::uint32_t> below,
     }
     strip.faces.push_back(face);
   }
+  if (beside) {
+    const auto last = static_cast<std::int32_t>(cells) - 1;
+    strip.faces.push_back({{below.back(), above.back(), beside->back(), 0U}, 3, last, Label::turn_left});
+    strip.faces.push_back({{beside->front(), above.front(), below.front(), 0U}, 3, 0, Label::turn_right});
+  }
   return strip;
+}
+
+Strip build_strip(const Fabric& fabric, const Join& join) {
+  const Row& row = fabric.row(join.to);
+  std::optional<std::array<std::uint32_t, 2>> beside;
+  if (is_short(row))
+    beside = std::array{fabric.path_index(row.turned->before), fabric.path_index(row.turned->after)};
+  return build_strip(join, fabric.path_indices(join.from), fabric.path_indices(all_of(row)), beside);
 }
 
 }  // namespace knit

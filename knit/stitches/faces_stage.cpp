@@ -6,8 +6,7 @@ namespace knit {
 
 Advanced<FacesEvent> advance_faces(const StripAt& at, FacesWork& work, Shared<Strip>& strip) {
   if (!work.plan) {
-    work.plan = Shared(build_strip(at.join, at.fabric.path_indices(at.join.from),
-                                   at.fabric.path_indices(all_of(at.fabric.row(at.join.to)))));
+    work.plan = Shared(build_strip(at.fabric, at.join));
   }
   const Strip& plan = *work.plan;
   const Face& face = plan.faces[static_cast<std::size_t>(work.made)];

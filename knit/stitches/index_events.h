@@ -56,6 +56,17 @@ struct ShapingPlaced {
   friend bool operator==(const ShapingPlaced&, const ShapingPlaced&) = default;
 };
 
-using IndexEvent = std::variant<JoinCounted, SpacingChosen, RowsMatched, MainPlaced, ShapingPlaced>;
+// Of short rows: where one is turned, or a stitch that a turn marked and that is worked again.
+struct TurnPlaced {
+  static constexpr std::string_view kind = "turn-placed";
+  std::int32_t cell;
+  Label label;
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const TurnPlaced&, const TurnPlaced&) = default;
+};
+
+using IndexEvent =
+    std::variant<JoinCounted, SpacingChosen, RowsMatched, MainPlaced, ShapingPlaced, TurnPlaced>;
 
 }  // namespace knit

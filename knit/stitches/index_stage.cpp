@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "knit/stitches/placement.h"
+#include "knit/stitches/short_join.h"
 #include "knit/stitches/stitch_index.h"
 
 namespace knit {
@@ -28,6 +29,7 @@ JoinCounted count(const StitchSettings& settings, const JoinAt& at, IndexWork& w
   const std::int32_t above = size_of(*at.above);
   work.phase = IndexPhase::space;
   const auto carried = static_cast<std::int32_t>(below.mains.size());
+  if (is_short(*at.above)) return {below.size, above, 0, carried, carried};
   if (at.repeat) return {below.size, above, above - below.size, at.repeat->sections, carried};
   const bool by_place = placement_of(settings.placement).by_place;
   return {below.size, above, above - below.size, by_place ? carried : mains_wanted(below.size, above),
@@ -44,7 +46,7 @@ Advanced<IndexEvent> space(const StitchSettings& settings, const StitchSize& sti
   std::int32_t mains = 0;
   for (const PlacedLabel& p : planned.placed) mains += p.label == Label::main ? 1 : 0;
   const IndexEvent step =
-      !at.repeat && placement_of(settings.placement).by_place
+      !at.repeat && !is_short(*at.above) && placement_of(settings.placement).by_place
           ? IndexEvent(RowsMatched{static_cast<std::int32_t>(planned.link.size()), std::abs(planned.change()),
                                    planned.sum_of_squares, std::sqrt(planned.longest_square)})
           : IndexEvent(SpacingChosen{planned.rule, planned.tried.value_or(planned.rule),
@@ -60,19 +62,23 @@ Advanced<IndexEvent> place(const JoinAt& at, IndexWork& work, Shared<Join>& join
   std::int32_t shaping = 0;
   std::int32_t mains = 0;
   for (std::int32_t i = 0; i < work.placed; ++i) {
-    const bool main = plan.placed[static_cast<std::size_t>(i)].label == Label::main;
-    (main ? mains : shaping) += 1;
+    const Label label = plan.placed[static_cast<std::size_t>(i)].label;
+    if (label == Label::main) ++mains;
+    if (is_shaping(label)) ++shaping;
   }
   const std::int32_t partner = plan.partner[static_cast<std::size_t>(placed.cell)];
   const bool last = work.placed == static_cast<std::int32_t>(plan.placed.size());
   const Ended ended = last ? finish_join(at, work, join) : Ended::step;
   if (placed.label == Label::main) return {MainPlaced{placed.cell, mains}, ended};
+  if (!is_shaping(placed.label)) return {TurnPlaced{placed.cell, placed.label}, ended};
   return {ShapingPlaced{placed.cell, partner, shaping, placed.label}, ended};
 }
 
 }  // namespace
 
-Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
+namespace {
+
+Join plan_round_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
   if (at.repeat) return plan_repeats(*at.repeat);
   const Placement& placement = placement_of(settings.placement);
   const RowBelow below = row_below(at);
@@ -82,6 +88,15 @@ Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, con
                                    settings.follow_mains == FollowMains::on ? square : 0.0};
   return placement.plan(
       {below, size_of(*at.above), at.row, at.below, at.above->stitches, at.shaped, penalties, at.follows});
+}
+
+}  // namespace
+
+Join plan_row_join(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at) {
+  Join join =
+      is_short(*at.above) ? plan_short_join(at.mains, *at.above) : plan_round_join(settings, stitch, at);
+  mark_turns(join, at.marked);
+  return join;
 }
 
 Advanced<IndexEvent> advance_index(const StitchSettings& settings, const StitchSize& stitch, const JoinAt& at,

@@ -67,4 +67,14 @@ StepFields ShapingPlaced::numbers() const {
   return {{var::label, name_of(label)}, {var::cell, cell}, {var::partner, partner}, {var::placed, count}};
 }
 
+std::string TurnPlaced::sentence(const Telling& at) const {
+  const std::string where = "cell " + std::to_string(cell + 1);
+  if (label == Label::marked)
+    return at.row() + ": " + where + " is worked as one with the double stitch or the wrap of a turn.";
+  const bool right_side = label == Label::turn_left;
+  return at.row() + ": the short row ends on the " + (right_side ? "right" : "wrong") + " side with " +
+         where + "; the work is turned there.";
+}
+StepFields TurnPlaced::numbers() const { return {{var::label, name_of(label)}, {var::cell, cell}}; }
+
 }  // namespace knit

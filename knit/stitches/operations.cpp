@@ -28,6 +28,9 @@ Hand hand_of(Label label) {
     case Label::knit:
     case Label::cast:
     case Label::main:
+    case Label::turn_left:
+    case Label::turn_right:
+    case Label::marked:
       break;
   }
   return Hand::knit;
