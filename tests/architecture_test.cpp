@@ -94,7 +94,7 @@ const std::vector<Arrow> arrows{
     {"knit/order", {"knit/model", "knit/fabric", "knit/tubes", "knit/stitches"}, {}},
     {"knit/run",
      {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows", "knit/stitches",
-      "knit/order", "knit/settle", "knit/rhythm"},
+      "knit/order", "knit/settle", "knit/rhythm", "knit/short_rows"},
      {"glm/"}},
     {"knit/quality", {"knit/mesh", "knit/model", "knit/settle", "knit/run"}, {"glm/"}},
     {"knit/insight", {"knit/model", "knit/tubes", "knit/rows", "knit/run", "knit/quality"}, {"glm/"}},

@@ -84,7 +84,10 @@ TEST_CASE("a short row takes an arc of the loop and puts its own stitches there"
   CHECK(back.turned->marked() == StitchRef{1, 1});
   CHECK(fabric.row(4).on == LiveStitches{{{1, 0, 2}, {3, 0, 3}, {1, 5, 3}}, true});
   CHECK(fabric.under_short_rows(fabric.row(4).on) == all_of(fabric.row(1)));
-  CHECK(fabric.row_below(4) == nullptr);
+  for (const RowId id : {2, 3, 4}) CHECK(fabric.row_below(id) == &fabric.row(1));
+  CHECK_FALSE(fabric.continues(2));
+  CHECK(fabric.continues(3));
+  CHECK_FALSE(fabric.continues(4));
   CHECK(fabric.rows_on(1) == std::vector<RowId>{2, 4});
   CHECK(fabric.live(0) == all_of(fabric.row(4)));
 }
@@ -231,6 +234,23 @@ TEST_CASE("counts and links of rounds are the same with and without short rows",
       CHECK(rounds[i]->link == plain.link);
       CHECK(rounds[i]->mains == plain.mains);
       CHECK(refs(with.under_short_rows(rounds[i]->from)).size() == refs(plain.from).size());
+    }
+  }
+}
+
+TEST_CASE("the pairs of a fabric are those that it was made with", "[short-rows]") {
+  const std::uint32_t all = test_support::repeated(50U);
+  for (std::uint32_t seed = 1; seed <= all; ++seed) {
+    const ShortTube tube = test_support::random_short_tube(seed);
+    const Fabric fabric = test_support::rows_of(tube);
+    std::size_t k = 0;
+    for (RowId id = fabric.next_worked(0); id != 0; id = fabric.next_worked(id)) {
+      if (is_short(fabric.row(id))) continue;
+      std::vector<std::array<std::int32_t, 2>> made;
+      for (const ShortArc& arc : tube.pairs[k]) made.push_back({arc.first, arc.last});
+      CAPTURE(seed, id);
+      CHECK(short_arcs_below(fabric, id) == made);
+      ++k;
     }
   }
 }

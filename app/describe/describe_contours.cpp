@@ -1,6 +1,7 @@
 #include "app/describe/describe_contours.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/explain/code_variables.h"
 #include "app/scene/palette.h"
@@ -34,6 +35,53 @@ void add_stitches(const Session& session, const knit::ContourWork& work, Scene& 
   const Colour colour = cast_on ? scene.theme->of(knit::Label::cast) : scene.theme->stitch;
   for (const knit::Stitch& stitch : work.stitches)
     scene.points.push_back({glm::vec3(stitch.position), colour, 7.0F});
+}
+
+// A chart's level, or an arc of it.
+void add_level(const knit::TubeChart& chart, double level, const std::array<std::int32_t, 2>& columns,
+               const Line& look, Scene& scene) {
+  for (std::int32_t column = columns[0]; column < columns[1]; ++column) {
+    Line line = look;
+    line.from = glm::vec3(knit::point_at(chart, level, column));
+    line.to = glm::vec3(knit::point_at(chart, level, column + 1));
+    scene.lines.push_back(line);
+  }
+}
+
+// What is planned of short rows: the gap, where most rows are missing, and the arc.
+void add_planning(const knit::State& state, const knit::Step& step, Scene& scene) {
+  const knit::ShortRowsMade& made = state.short_rows;
+  const knit::TubePairs* pairs = made.planning        ? &*made.planning
+                                 : made.tubes.empty() ? nullptr
+                                                      : &*made.tubes.back();
+  if (pairs == nullptr || !pairs->chart) return;
+  const knit::TubeChart& chart = *pairs->chart;
+  const auto level = [&](std::int32_t gap) { return pairs->rounds.levels[static_cast<std::size_t>(gap)]; };
+  const auto gap = [&](std::int32_t at) {
+    for (const std::int32_t round : {at, at + 1})
+      add_level(chart, level(round), {0, chart.columns}, {{}, {}, scene.theme->ring, 1.6F}, scene);
+  };
+  if (knit::is<knit::TubeCharted>(step) || knit::is<knit::PairsChosen>(step)) {
+    for (const double round : pairs->rounds.levels)
+      add_level(chart, round, {0, chart.columns}, {{}, {}, scene.theme->ring, 1.2F}, scene);
+    for (const knit::PairArc& arc : pairs->search.arcs) {
+      const double middle = 0.5 * (level(arc.gap) + level(arc.gap + 1));
+      add_level(chart, middle, {arc.from, arc.to}, {{}, {}, scene.theme->anchor, 2.6F}, scene);
+    }
+  }
+  if (const auto* lag = knit::get_if<knit::GapMeasured>(step)) {
+    gap(lag->gap);
+    const glm::vec3 at(knit::point_at(chart, level(lag->gap + 1), lag->column));
+    scene.points.push_back({at, scene.theme->anchor, 10.0F});
+    scene.captions.push_back(
+        {at, knit::short_number(static_cast<double>(lag->greatest)) + " rows missing", scene.theme->anchor});
+  }
+  if (const auto* arc = knit::get_if<knit::ArcTried>(step)) {
+    gap(arc->gap);
+    const double middle = 0.5 * (level(arc->gap) + level(arc->gap + 1));
+    const Colour colour = arc->taken ? scene.theme->anchor : scene.theme->too_near;
+    add_level(chart, middle, {arc->from, arc->to}, {{}, {}, colour, 4.0F}, scene);
+  }
 }
 
 std::string_view word_of(knit::CriticalKind kind) {
@@ -73,6 +121,7 @@ void describe_contours(const Session& session, const knit::ContourWork& work, Sc
   const knit::State& state = session.document->timeline.state();
   const knit::Ring* curve = curve_shown(state);
   const knit::Step* step = step_shown(session);
+  if (step != nullptr && session.view->shows(Layer::cycle)) add_planning(state, *step, scene);
   if (curve == nullptr) return;
   if (step == nullptr || !session.view->shows(Layer::cycle)) return add_stitches(session, work, scene);
   if (work.phase == knit::ContourPhase::loop) return add_crossings(*curve, scene.theme->ring, scene);

@@ -160,7 +160,8 @@ namespace {
 bool is_meant(knit::Label label, const std::string& word) {
   if (word == "increase") return knit::is_increase(label);
   if (word == "decrease") return knit::is_decrease(label);
-  constexpr std::array<std::string_view, 7> keys{"knit", "m1r", "m1l", "k2tog", "ssk", "cast", "main"};
+  constexpr std::array<std::string_view, 10> keys{"knit", "m1r",  "m1l",  "k2tog",           "ssk",
+                                                  "cast", "main", "turn", "wrong-side-turn", "marked"};
   return keys.at(static_cast<std::size_t>(label)) == word;
 }
 

@@ -68,16 +68,27 @@ struct Theme {
   std::uint8_t stage_ahead = 45, stage_done = 115;
 
   // By number: as words and as lines of the chart, on its squares; dark enough for the darkest of them.
-  std::array<Colour, 7> label_inks{
-      {{34, 37, 43}, {156, 68, 0}, {125, 86, 0}, {0, 98, 154}, {42, 98, 128}, {0, 107, 78}, {131, 77, 107}}};
+  std::array<Colour, 10> label_inks{{{34, 37, 43},
+                                     {156, 68, 0},
+                                     {125, 86, 0},
+                                     {0, 98, 154},
+                                     {42, 98, 128},
+                                     {0, 107, 78},
+                                     {131, 77, 107},
+                                     {150, 40, 40},
+                                     {92, 58, 140},
+                                     {86, 86, 30}}};
   // By number, and by stage: the timeline's stretches.
-  std::array<Colour, 7> labels{{{206, 202, 190},
-                                {213, 94, 0},
-                                {230, 159, 0},
-                                {0, 114, 178},
-                                {86, 180, 233},
-                                {0, 158, 115},
-                                {204, 121, 167}}};
+  std::array<Colour, 10> labels{{{206, 202, 190},
+                                 {213, 94, 0},
+                                 {230, 159, 0},
+                                 {0, 114, 178},
+                                 {86, 180, 233},
+                                 {0, 158, 115},
+                                 {204, 121, 167},
+                                 {240, 128, 128},
+                                 {176, 144, 224},
+                                 {240, 228, 66}}};
   std::array<Colour, 9> stages{{{96, 102, 112},
                                 {104, 92, 160},
                                 {64, 128, 148},

@@ -71,16 +71,16 @@ LiveStitches Fabric::live_below(RowId id) const {
 
 const Row* Fabric::row_below(RowId id) const {
   if (id < 1 || id > next_row()) return nullptr;
-  const LiveStitches below = live_below(id);
-  const bool one = below.spans.size() == 1 && has_row(below.spans.front().row) &&
-                   below.size() == size_of(row(below.spans.front().row));
-  return one ? &row(below.spans.front().row) : nullptr;
+  const LiveStitches below = under_short_rows(live_below(id));
+  if (below.empty() || !has_row(below.spans.front().row)) return nullptr;
+  const Row& under = row(below.spans.front().row);
+  const bool alone = std::all_of(below.spans.begin(), below.spans.end(),
+                                 [&](const StitchSpan& span) { return span.row == under.id; });
+  const bool arc = has_row(id) && is_short(row(id));
+  return alone && (arc || below.size() == size_of(under)) ? &under : nullptr;
 }
 
-bool Fabric::continues(RowId id) const {
-  const Row* below = has_row(id) ? row_below(id) : nullptr;
-  return below != nullptr && below->id == id - 1;
-}
+bool Fabric::continues(RowId id) const { return id > 1 && has_row(id) && row(id).on == all_of(row(id - 1)); }
 
 LiveStitches Fabric::under_short_rows(const LiveStitches& live) const {
   LiveStitches under{{}, live.closed};

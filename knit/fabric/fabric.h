@@ -67,7 +67,7 @@ class Fabric {
   [[nodiscard]] std::int32_t live_count() const;
   // What a row is worked on; of the row to come, what the last one left on the needle.
   [[nodiscard]] LiveStitches live_below(RowId id) const;
-  // The one row that all of these are; null: there are none, or it is more than one.
+  // The one row that all of these are, or are an arc of, short rows taken away; null: there are none, or it is more than one.
   [[nodiscard]] const Row* row_below(RowId id) const;
   // Whether a row is worked on all of the row that was made just before it.
   [[nodiscard]] bool continues(RowId id) const;

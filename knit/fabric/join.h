@@ -56,6 +56,11 @@ inline CellEnds ends_of(const Join& join, std::int32_t cell) {
   return cells_above(join) ? CellEnds{link, cell} : CellEnds{cell, link};
 }
 
+// The cell that a face of the strip stands beside; a short row's last is the turn at its first stitch.
+inline std::int32_t cell_of_face(const Join& join, std::int32_t face) {
+  return face < static_cast<std::int32_t>(join.link.size()) ? face : 0;
+}
+
 // The cell beside it, round and round; at the end of a short row, the cell itself.
 inline std::int32_t next_cell(const Join& join, std::int32_t cell) {
   const auto cells = static_cast<std::int32_t>(join.link.size());

@@ -35,9 +35,10 @@ struct NamedLabel {
   std::string_view name;
 };
 // Those that a step of their own gives to a stitch.
-constexpr std::array labels{NamedLabel{Label::m1r, "m1r"},     NamedLabel{Label::m1l, "m1l"},
-                            NamedLabel{Label::k2tog, "k2tog"}, NamedLabel{Label::ssk, "ssk"},
-                            NamedLabel{Label::cast, "cast"},   NamedLabel{Label::main, "main"}};
+constexpr std::array labels{NamedLabel{Label::m1r, "m1r"},       NamedLabel{Label::m1l, "m1l"},
+                            NamedLabel{Label::k2tog, "k2tog"},   NamedLabel{Label::ssk, "ssk"},
+                            NamedLabel{Label::cast, "cast"},     NamedLabel{Label::main, "main"},
+                            NamedLabel{Label::turn_left, "turn"}};
 
 const Form& form_of(BreakKind kind) {
   return *std::find_if(forms.begin(), forms.end(), [&](const Form& form) { return form.kind == kind; });
@@ -125,6 +126,9 @@ Parsed with_value(const Form& form, std::string_view value) {
 std::optional<Label> label_given(const Step& step, bool casts_on) {
   if (const auto* shaping = get_if<ShapingPlaced>(step)) return shaping->label;
   if (is<MainPlaced>(step)) return Label::main;
+  if (is<ShortRowWorked>(step)) return Label::turn_left;
+  if (const auto* turn = get_if<TurnPlaced>(step))
+    return turn->label == Label::marked ? Label::marked : Label::turn_left;
   const bool cast = is<StitchCastOn>(step) || is<BridgeCastOn>(step) || (is<StitchPlaced>(step) && casts_on);
   return cast ? std::optional(Label::cast) : std::nullopt;
 }

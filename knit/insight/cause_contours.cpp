@@ -94,7 +94,12 @@ std::string lasting_text(const State& run, std::int32_t row, const CountRead& re
   while (end < counts.size() && counts[end] == counts[at]) ++end;
   const auto [low, high] = std::minmax_element(ideals.begin() + static_cast<std::ptrdiff_t>(first),
                                                ideals.begin() + static_cast<std::ptrdiff_t>(end));
+  // By the numbers that rows have, short rows between them counted too; those to come as if they had none.
   const auto named = [&](std::size_t level) {
+    for (const auto& made : run.fabric.rows()) {
+      if (made->tube == read.cut->tube && !is_short(*made) && made->level == static_cast<std::int32_t>(level))
+        return whole_text(made->id);
+    }
     return whole_text(row + static_cast<std::int32_t>(level) - static_cast<std::int32_t>(at));
   };
   const std::string undone = "a change would be undone within " + whole_text(lasting_rounds) + " rounds.";

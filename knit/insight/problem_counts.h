@@ -24,6 +24,7 @@ enum class ProblemKind : std::uint8_t {
   gap_left_open,  // outside the band
   band_missed,    // a stitch far from where it should be
   time_clamped,
+  no_short_row,  // a pair of short rows, or a tube's chart for them, that could not be had
   count_
 };
 inline constexpr std::size_t problem_kinds = static_cast<std::size_t>(ProblemKind::count_);

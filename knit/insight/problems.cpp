@@ -24,7 +24,8 @@ constexpr std::array<KindName, problem_kinds> kind_names{
     {"resampled", "Rows resampled", "row resampled", "rows resampled"},
     {"gaps-open", "Gaps left open", "gap left open", "gaps left open"},
     {"stalls", "Stalls", "stall", "stalls"},
-    {"clamped", "Times clamped", "time clamped", "times clamped"}};
+    {"clamped", "Times clamped", "time clamped", "times clamped"},
+    {"no-short-row", "Short rows left out", "short row left out", "short rows left out"}};
 
 const KindName& names_of(ProblemKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
@@ -65,6 +66,11 @@ std::optional<Problem> problem_of(const Step& step, std::size_t index, const Par
   if (const auto* left = get_if<TubeLeftOut>(step)) {
     const auto stitches = static_cast<double>(left->rows) * static_cast<double>(left->stitches);
     return Problem{index, ProblemKind::left_out, stitches};
+  }
+  if (is<TubeCharted>(step)) return Problem{index, ProblemKind::no_short_row, 0.0};
+  if (const auto* dropped = get_if<PairDropped>(step)) {
+    const auto stitches = static_cast<double>(dropped->last - dropped->first + 1);
+    return Problem{index, ProblemKind::no_short_row, stitches};
   }
   if (is<VertexTimed>(step)) return Problem{index, ProblemKind::time_clamped, 0.0};
   return Problem{index, ProblemKind::stopped, 0.0};

@@ -12,7 +12,12 @@ namespace {
 std::array<std::int32_t, 2> cells_of(const Join& t, const Event& what) {
   if (const auto* s = get_if<MainPlaced>(what)) return {s->cell, -1};
   if (const auto* s = get_if<ShapingPlaced>(what)) return {s->cell, s->partner};
-  if (const auto* s = get_if<FaceMade>(what)) return {s->index - 1, next_cell(t, s->index - 1)};
+  if (const auto* s = get_if<TurnPlaced>(what)) return {s->cell, -1};
+  if (const auto* s = get_if<FaceMade>(what)) {
+    const std::int32_t cell = cell_of_face(t, s->index - 1);
+    const bool turn = is_turn(s->label);
+    return {cell, turn ? -1 : next_cell(t, cell)};
+  }
   return {-1, -1};
 }
 
@@ -103,6 +108,7 @@ struct Touches {
     const auto* face = get_if<FaceMade>(step());
     const Join* t = face != nullptr ? join() : nullptr;
     if (t == nullptr) return false;
+    if (is_turn(face->label)) return false;
     const CellEnds from = ends_of(*t, face->index - 1);
     const CellEnds to = ends_of(*t, next_cell(*t, face->index - 1));
     if (t->to == e.row) return from.above == e.stitch && to.above != e.stitch;
@@ -120,8 +126,10 @@ struct Touches {
     const auto* face = get_if<FaceMade>(step());
     if (face != nullptr) return step().place.row == f.row && face->index == f.face + 1;
     const Join* t = join();
-    if (t == nullptr || t->to != f.row || f.face >= static_cast<std::int32_t>(t->link.size())) return false;
-    return on_cell(f.row, f.face) || on_cell(f.row, next_cell(*t, f.face));
+    const auto cells = t == nullptr ? 0 : static_cast<std::int32_t>(t->link.size());
+    if (t == nullptr || t->to != f.row || f.face >= cells + (t->from.closed ? 0 : 1)) return false;
+    const std::int32_t cell = cell_of_face(*t, f.face);
+    return on_cell(f.row, cell) || (f.face < cells && on_cell(f.row, next_cell(*t, cell)));
   }
   bool operator()(const LabelElement& l) const {
     if (step().place.row == l.row && (is<SpacingChosen>(step()) || is<RowsMatched>(step()))) return true;

@@ -40,7 +40,10 @@ enum class Resample : std::uint8_t { on, off };           // when a row more tha
 enum class Settling : std::uint8_t { off, on, by_itself };
 enum class FollowMains : std::uint8_t { off, on };              // nearest: shaping stands beside mains
 enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live rims become one seam
-enum class Weld : std::uint8_t { off, on };                     // merge coincident vertices on import
+// Whether a tube that is longer on one side gets short rows there. auto: where they pay.
+enum class ShortRows : std::uint8_t { off, automatic };
+enum class Turns : std::uint8_t { german, wrap };  // how a short row is turned; the fabric is the same
+enum class Weld : std::uint8_t { off, on };        // merge coincident vertices on import
 
 struct MeshSettings {
   Weld weld = Weld::off;
@@ -118,6 +121,15 @@ struct RowsSettings {
   friend bool operator==(const RowsSettings&, const RowsSettings&) = default;
 };
 
+// Of tubes of contours.
+struct ShortRowSettings {
+  ShortRows rows = ShortRows::off;
+  double turn_cost = 5.0;  // of a pair, in stitches that lag a row too much
+  double turn_step = 4.0;  // stitches that turns stay apart
+  int shortest = 4;        // stitches of a short row
+  friend bool operator==(const ShortRowSettings&, const ShortRowSettings&) = default;
+};
+
 struct StitchSettings {
   PlacementPolicy placement = PlacementPolicy::thesis;
   double stacking_penalty = 0.0;  // nearest: in squared stitch widths, for shaping above shaping
@@ -141,6 +153,7 @@ struct SettleSettings {
 // What no stage reads: how the pattern is told.
 struct PatternSettings {
   GraftBy graft = GraftBy::kitchener;
+  Turns turns = Turns::german;
   friend bool operator==(const PatternSettings&, const PatternSettings&) = default;
 };
 
@@ -152,6 +165,7 @@ struct Settings {
   TubeSettings tubes;
   RowsSettings rows;
   RhythmSettings rhythm;
+  ShortRowSettings short_rows;
   StitchSettings stitches;
   SettleSettings settle;
   PatternSettings pattern;

@@ -36,6 +36,10 @@ bool is_in_rhythm(const Parameters& p) {
   return is_of_contours(p) && p.rhythm.counts == CountPlanning::rhythm;
 }
 
+bool has_short_rows(const Parameters& p) {
+  return is_of_contours(p) && p.short_rows.rows == ShortRows::automatic;
+}
+
 bool is_settled(const Parameters& p) {
   const bool by_itself = p.settle.settling == Settling::by_itself && is_of_contours(p);
   return p.settle.settling == Settling::on || by_itself;
@@ -67,6 +71,8 @@ constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
 constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
 constexpr std::array<std::string_view, 2> count_names{"whole", "rhythm"};
+constexpr std::array<std::string_view, 2> short_row_names{"off", "auto"};
+constexpr std::array<std::string_view, 2> turn_names{"german", "wrap"};
 constexpr std::array<std::string_view, 2> graft_names{"kitchener", "three-needle"};
 
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
@@ -212,6 +218,26 @@ constexpr std::array table{
                   Number{field<&Settings::rhythm, &RhythmSettings::dial>(), 0.0, 100.0, Zero::chosen},
                   is_in_rhythm},
     ParameterInfo{
+        "short-rows", "Short rows", "",
+        "Whether a tube that is longer on one side gets short rows there. auto: wherever they gain more "
+        "than their turns cost. They need settling: unsettled, they are worse than none.",
+        "Short rows", Stage::cast_on, choice<&Settings::short_rows, &ShortRowSettings::rows>(short_row_names),
+        is_of_contours},
+    ParameterInfo{
+        "turn-cost", "Price of a pair", "stitches",
+        "What the two turns of a pair cost, in stitches that lag a row too much. More makes fewer pairs.",
+        "Short rows", Stage::cast_on,
+        Number{field<&Settings::short_rows, &ShortRowSettings::turn_cost>(), 0.0, 100.0, Zero::allowed},
+        has_short_rows},
+    ParameterInfo{
+        "turn-step", "Turns apart", "stitches",
+        "How many stitches the turns of neighbouring short rows stay apart.", "Short rows", Stage::cast_on,
+        Number{field<&Settings::short_rows, &ShortRowSettings::turn_step>(), 1.0, 20.0}, has_short_rows},
+    ParameterInfo{"short-row-min", "Shortest short row", "stitches",
+                  "No short row has fewer stitches than this.", "Short rows", Stage::cast_on,
+                  Count{field<&Settings::short_rows, &ShortRowSettings::shortest>(), 3, 1000},
+                  has_short_rows},
+    ParameterInfo{
         keys::metric, "Metric", "",
         "The ruler of Algorithm 2. euclidean: straight through the air, as in the thesis. arc: along "
         "the cycle. geodesic: the shortest way on the surface.",
@@ -277,6 +303,12 @@ constexpr std::array table{
     ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
                   "Settling", Stage::settle,
                   Count{field<&Settings::settle, &SettleSettings::most_iterations>(), 1, 500}, is_settled},
+    ParameterInfo{
+        "turns", "Turns", "",
+        "How a short row is turned. german: the stitch is pulled up to a double stitch. wrap: the next "
+        "stitch is wrapped. The fabric is the same.",
+        "Pattern", Stage::done, choice<&Settings::pattern, &PatternSettings::turns>(turn_names),
+        has_short_rows},
     ParameterInfo{
         "graft", "Seams by", "",
         "How two rims of live stitches become one seam, as at the top of a ring. kitchener: grafted, a seam "

@@ -81,7 +81,9 @@ FaceCounts count_faces(const State& state) {
 std::int64_t euler_characteristic(const State& state) {
   const auto vertices = static_cast<std::int64_t>(state.fabric.stitch_count());
   std::int64_t edges = 0;
-  for (const auto& row : state.fabric.rows()) edges += static_cast<std::int64_t>(edges_of(*row).size());
+  // A short row hangs together with the stitch beside it at either end, across the turn.
+  for (const auto& row : state.fabric.rows())
+    edges += static_cast<std::int64_t>(edges_of(*row).size()) + (is_short(*row) ? 2 : 0);
   for (const auto& strip : state.fabric.strips())
     edges += static_cast<std::int64_t>(strip->column_edges.size());
   for (const auto& deal : state.fabric.deals()) edges += static_cast<std::int64_t>(edge_count(*deal));

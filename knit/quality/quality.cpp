@@ -66,6 +66,7 @@ void measure_courses(Quality& quality, const State& state) {
     fit.row = row->id;
     fit.stitches = size_of(*row);
     fit.length = row->ring ? row->ring->length : 0.0;
+    if (is_short(*row)) fit.length += quality.stitch_width;  // from end to end, and half a stitch beyond each
     fit.ideal = fit.length / quality.stitch_width;
     fit.course_cv = figures_of(lengths).cv;
     if (fit.course_cv > quality.worst_course_cv_in_row) quality.uneven_row = row->id;
@@ -121,7 +122,7 @@ void measure_tubes(Quality& quality, const State& state, const std::vector<Stop>
     if (quality.tubes.empty() || quality.tubes.back().tube != tube)
       quality.tubes.push_back({tube, fit.row, 0, 0, 0, 0.0, 0.0, 0.0, {}, 0});
     TubeFit& of = quality.tubes.back();
-    ++of.rounds;
+    of.rounds += is_short(state.fabric.row(fit.row)) ? 0 : 1;
     of.stitches += fit.stitches;
     if (fit.course_cv > of.worst_course_cv_in_row) of.uneven_row = fit.row;
     of.worst_course_cv_in_row = std::max(of.worst_course_cv_in_row, fit.course_cv);

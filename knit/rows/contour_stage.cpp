@@ -334,7 +334,8 @@ Advanced<ContourEvent> take_tube(const ContourAt& at, ContourWork& work) {
 Advanced<ContourEvent> replan(const StitchSize& stitch, const ContourAt& at, ContourWork& work,
                               std::optional<TubePlan>& plan) {
   std::vector<std::int32_t> made(at.plan.tubes.size(), 0);
-  for (const auto& row : at.fabric.rows()) ++made[static_cast<std::size_t>(row->tube)];
+  for (const auto& row : at.fabric.rows())
+    made[static_cast<std::size_t>(row->tube)] += is_short(*row) ? 0 : 1;
   plan = replan_rows(at.graph, at.plan, {stitch.width, stitch.height, 1}, made);
   RowsReplanned step{0, stitch.width, stitch.height};
   for (std::size_t id = 0; id < made.size(); ++id) step.rows += plan->tubes[id].rows() - made[id];
@@ -400,9 +401,11 @@ CountChosen count(const RowsSettings& rows, const RhythmSettings& rhythm, const 
 RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const ContourAt& at,
                        ContourWork& work) {
   const Ring& curve = current_curve(at.plan, work);
-  const LiveStitches live = at.fabric.live(current_tube(at.plan, work));
+  const LiveStitches live = at.fabric.under_short_rows(at.fabric.live(current_tube(at.plan, work)));
   RoundBegun step{0, 0.0, 0.0, 0.0};
-  if (!live.empty() && rows.round_start == RoundStart::follow) {
+  if (at.begins_on_curve) {
+    step.arc = 0.0;
+  } else if (!live.empty() && rows.round_start == RoundStart::follow) {
     const BegunRound begun =
         at.links.empty()
             ? follow_wale(curve, work.count, at.fabric.stitches_of(live), work.row == 0, stitch.height)

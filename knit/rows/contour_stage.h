@@ -60,6 +60,8 @@ struct ContourAt {
   std::span<const Shared<TubeRhythm>> rhythms = {};
   // How the row in progress will hang, where its rhythm says so: a cell of the larger row each, its stitch in the smaller.
   std::span<const std::int32_t> links = {};
+  // Rounds begin where their curves do.
+  bool begins_on_curve = false;
 };
 // A product, once it has ended.
 struct ContourMade {

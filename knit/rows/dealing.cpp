@@ -149,12 +149,6 @@ Deal begin_deal(const DealAt& at, DealKind kind) {
   return deal;
 }
 
-// Where in a loop a stitch stands; it is there.
-std::int32_t place_in(const LiveStitches& loop, const StitchRef& ref) {
-  const std::vector<StitchRef> refs = refs_of(loop);
-  return static_cast<std::int32_t>(std::find(refs.begin(), refs.end(), ref) - refs.begin());
-}
-
 // Of an arc, where a round begins that does not begin there yet: shaping gathers at the saddle and opposite it, and may not
 // cross the beginning.
 std::int32_t aside(std::int32_t stitches) { return stitches / 4; }

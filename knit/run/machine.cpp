@@ -7,8 +7,10 @@
 #include "knit/model/settings_table.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/run/knitters_order.h"
+#include "knit/run/short_rows_due.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/below_joins.h"
+#include "knit/stitches/short_join.h"
 
 namespace knit {
 
@@ -98,7 +100,8 @@ std::vector<std::int32_t> links_to_come(const State& state, const ContourWork& w
 Taken take_contours(const Input& input, const Parameters& parameters, State& state, ContourWork& work,
                     const Heard& heard) {
   const std::vector<std::int32_t> links = links_to_come(state, work);
-  const ContourAt at{input, *state.timing, *state.graph, *state.tubes, state.fabric, state.rhythms, links};
+  const ContourAt at{input,        *state.timing, *state.graph, *state.tubes,
+                     state.fabric, state.rhythms, links,        begins_on_curve(parameters, state, work)};
   std::optional<Row> row;
   std::optional<Deal> deal;
   std::optional<TubePlan> plan;
@@ -109,6 +112,82 @@ Taken take_contours(const Input& input, const Parameters& parameters, State& sta
   keep(state.fabric, std::move(deal));
   if (plan) state.tubes = Shared(std::move(*plan));
   if (rhythm) state.rhythms.emplace_back(std::move(*rhythm));
+  return taken;
+}
+
+// The join that a row will get; of the fabric's rows, or of the next one.
+Join join_to_come(const Parameters& parameters, const State& state, const Fabric& fabric, const Row& row) {
+  const JoinGround ground = ground_of(fabric, row);
+  const bool follows = parameters.rows.round_start == RoundStart::follow;
+  const JoinAt at{row.id,
+                  ground.from,
+                  ground.below,
+                  ground.joins.mains,
+                  ground.joins.shaped,
+                  ground.joins.cast_on,
+                  &row,
+                  follows,
+                  is_short(row)
+                      ? std::nullopt
+                      : repeated_round(state, {row.tube, row.level, row.on.size(), size_of(row), row.id}),
+                  false,
+                  ground.marked};
+  Join join = plan_row_join(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at);
+  join.from = ground.from;
+  return join;
+}
+
+// How the round to come will hang: it is worked ahead, on a copy.
+std::vector<std::uint8_t> plain_to_come(const Input& input, const Parameters& parameters, State& state) {
+  State ahead = state;
+  auto& work = std::get<ContourWork>(ahead.work);
+  while (ahead.fabric.row_count() == state.fabric.row_count())
+    take_contours(input, parameters, ahead, work, {});
+  Fabric fabric = ahead.fabric;
+  for (const Shared<Join>& join : state.short_rows.foreseen) fabric.add(join);
+  const RowId known = state.short_rows.foreseen.empty() ? 0 : state.short_rows.foreseen.back()->to;
+  for (RowId id = fabric.next_worked(known); id != 0; id = fabric.next_worked(id)) {
+    Shared<Join> join(join_to_come(parameters, ahead, fabric, fabric.row(id)));
+    if (id <= state.fabric.row_count()) state.short_rows.foreseen.push_back(join);
+    fabric.add(std::move(join));
+  }
+  return plain_below(*fabric.joins().back());
+}
+
+Taken take_planning(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+  const TubeId tube = current_tube(*state.tubes, std::get<ContourWork>(state.work));
+  const KeptRows kept = rows_kept(*state.tubes, tube);
+  const ChartAt at{input,
+                   state.timing->cut_field(),
+                   *state.tubes,
+                   tube,
+                   kept,
+                   parameters.stitch,
+                   parameters.short_rows,
+                   parameters.rows.round_start == RoundStart::follow && !parameters.rows.start_direction};
+  std::optional<TubePairs>& planning = state.short_rows.planning;
+  const PlanningStep step = advance_planning(at, planning, heard);
+  if (step.done) {
+    if (planning->none == NoChart::no) state.tubes = Shared(with_full_rounds(*state.tubes, *planning, kept));
+    state.short_rows.tubes.emplace_back(std::move(*planning));
+    planning.reset();
+  }
+  return Advanced<ShortRowEvent>(step.what);
+}
+
+Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
+  const auto& work = std::get<ContourWork>(state.work);
+  const TubeId tube = current_tube(*state.tubes, work);
+  const TubePairs& pairs = *pairs_of(state, tube);
+  const Row& below = *last_round(state.fabric, tube);
+  GapWork& gap = state.short_rows.gap;
+  if (!gap.is_for(tube, work.row)) {
+    const std::vector<std::uint8_t> plain = plain_to_come(input, parameters, state);
+    gap = {tube, work.row, Shared(pairs_over(pairs, below, plain))};
+  }
+  std::optional<Row> row;
+  Taken taken = advance_gap(pairs, state.fabric, below, gap, row);
+  keep(state.fabric, std::move(row));
   return taken;
 }
 
@@ -123,11 +202,16 @@ Taken take_cast_on(const Input& input, const Parameters& parameters, State& stat
 Taken take_first_row(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   if (auto* rings = std::get_if<CastOnWork>(&state.work))
     return take_cast_on(input, parameters, state, *rings);
+  if (short_rows_due(parameters, state) == ShortRowsDue::plan)
+    return take_planning(input, parameters, state, heard);
   return take_contours(input, parameters, state, std::get<ContourWork>(state.work), heard);
 }
 
 Taken take_row(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   if (auto* contours = std::get_if<ContourWork>(&state.work)) {
+    if (const auto due = short_rows_due(parameters, state); due != ShortRowsDue::none)
+      return due == ShortRowsDue::plan ? take_planning(input, parameters, state, heard)
+                                       : take_gap(input, parameters, state);
     return take_contours(input, parameters, state, *contours, heard);
   }
   const RingRow at{*state.timing, state.last_level, state.next.row, state.fabric};
@@ -332,6 +416,7 @@ constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0
 
 bool step_sweeps(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return true;
+  if (short_rows_due(parameters, state) == ShortRowsDue::plan && !state.short_rows.planning) return true;
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "knit/rows/contour_stage.h"
 #include "knit/rows/ring_stage.h"
 #include "knit/settle/settle.h"
+#include "knit/short_rows/short_rows_stage.h"
 #include "knit/stitches/faces_stage.h"
 #include "knit/stitches/index_stage.h"
 #include "knit/stitches/pattern_stage.h"
@@ -23,6 +25,16 @@
 #include "knit/tubes/tubes_stage.h"
 
 namespace knit {
+
+// Short rows, while rows are made: the tube that is planned, those that are, and the gap that is filled.
+struct ShortRowsMade {
+  std::optional<TubePairs> planning;
+  std::vector<Shared<TubePairs>> tubes;
+  GapWork gap;
+  std::vector<Shared<Join>> foreseen;  // into the first rows, as they will be joined
+  [[nodiscard]] auto fields() const { return std::tie(planning, tubes, gap, foreseen); }
+  friend bool operator==(const ShortRowsMade&, const ShortRowsMade&) = default;
+};
 
 struct Finished {
   [[nodiscard]] auto fields() const { return std::tuple<>(); }
@@ -39,7 +51,8 @@ struct State {
   Shared<TubeGraph> graph;                     // with contours: of the time, or of the smoothed one
   Shared<TubePlan> tubes;                      // with contours: what is knitted
   std::vector<Shared<TubeRhythm>> rhythms;     // with contours and counts in rhythm, as they were planned
-  std::int32_t last_level = -1;                // the last level that makes a row, once cast on
+  ShortRowsMade short_rows;
+  std::int32_t last_level = -1;  // the last level that makes a row, once cast on
   Fabric fabric;
   // Where stitches were placed, along the path, once they settle; the fabric has them where they settled to.
   Shared<std::vector<glm::dvec3>> placed;
@@ -49,8 +62,8 @@ struct State {
   [[nodiscard]] Stage stage() const { return next.stage; }
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
-    return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, rhythms, last_level,
-                    fabric, lines, work);
+    return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, rhythms, short_rows,
+                    last_level, fabric, lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };

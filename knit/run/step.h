@@ -16,6 +16,7 @@
 #include "knit/rows/contour_events.h"
 #include "knit/rows/ring_events.h"
 #include "knit/settle/settle_events.h"
+#include "knit/short_rows/short_row_events.h"
 #include "knit/stitches/faces_events.h"
 #include "knit/stitches/index_events.h"
 #include "knit/stitches/pattern_events.h"
@@ -25,7 +26,7 @@
 namespace knit {
 
 using Event = std::variant<TimingEvent, ChoiceEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent,
-                           IndexEvent, FacesEvent, SettleEvent, PatternEvent, Stopped>;
+                           ShortRowEvent, IndexEvent, FacesEvent, SettleEvent, PatternEvent, Stopped>;
 
 struct Step {
   Place place;

@@ -58,4 +58,19 @@ void mark_turns(Join& join, std::span<const std::int32_t> marked) {
   }
 }
 
+std::vector<std::array<std::int32_t, 2>> short_arcs_below(const Fabric& fabric, RowId round) {
+  std::vector<std::array<std::int32_t, 2>> arcs;
+  const LiveStitches under = fabric.under_short_rows(fabric.row(round).on);
+  for (const auto& row : fabric.rows()) {
+    if (row->id >= round) break;
+    if (!is_short(*row) || row->turned->back) continue;
+    const LiveStitches on = fabric.under_short_rows(row->on);
+    const std::int32_t first = place_in(under, on.at(0));
+    if (first < 0) continue;  // of another round
+    const std::int32_t last = first + on.size() - 1, all = under.size();
+    arcs.push_back(last < all ? std::array{first, last} : std::array{first - all, last - all});
+  }
+  return arcs;
+}
+
 }  // namespace knit

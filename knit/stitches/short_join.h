@@ -5,12 +5,12 @@
 // A main's label stays; that it is marked the turn itself says.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "knit/fabric/join.h"
-#include "knit/fabric/row.h"
+#include "knit/fabric/fabric.h"
 
 namespace knit {
 
@@ -22,5 +22,9 @@ void mark_turns(Join& join, std::span<const std::int32_t> marked);
 
 // Stitches below that a join works by themselves, as they are: one stitch on one. A turn may stand beside these only.
 std::vector<std::uint8_t> plain_below(const Join& join);
+
+// The pairs of short rows that a round is worked over, in working order: the first and the last stitch of the round under them,
+// the first below 0 where the arc runs over the beginning of the round.
+std::vector<std::array<std::int32_t, 2>> short_arcs_below(const Fabric& fabric, RowId round);
 
 }  // namespace knit

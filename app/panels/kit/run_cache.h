@@ -56,7 +56,7 @@ class RunCache {
 // How often each label has been placed at a state, by Label. Finished joins are counted once.
 class LabelTally {
  public:
-  using Counts = std::array<std::size_t, 7>;
+  using Counts = std::array<std::size_t, 10>;
   Counts count(const knit::State& state);
 
  private:

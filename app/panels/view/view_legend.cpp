@@ -59,8 +59,8 @@ struct LabelShown {
 // Those that stand somewhere, in the order of the list of labels.
 std::vector<LabelShown> labels_shown(PanelFrame& frame) {
   using knit::Label;
-  constexpr std::array order{Label::knit, Label::main,  Label::cast, Label::m1r,
-                             Label::m1l,  Label::k2tog, Label::ssk};
+  constexpr std::array order{Label::knit,  Label::main, Label::cast,      Label::m1r,        Label::m1l,
+                             Label::k2tog, Label::ssk,  Label::turn_left, Label::turn_right, Label::marked};
   const LabelTally::Counts counts = frame.own<LabelTally>().count(frame.timeline()->state());
   std::vector<LabelShown> shown;
   for (const Label label : order) {

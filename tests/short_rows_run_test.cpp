@@ -1,0 +1,147 @@
+// Short rows in a whole run: planned tube by tube, worked between rounds, and settled.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
+#include "knit/quality/measures.h"
+#include "knit/run/machine.h"
+#include "knit/stitches/short_join.h"
+#include "support/catch.h"
+#include "support/run.h"
+
+using namespace knit;
+
+namespace {
+
+// A long ellipsoid, bent over its length by `turn` radians about z.
+std::shared_ptr<const Input> bent_ellipsoid(double turn) {
+  Mesh mesh = sphere(28, 40, false);
+  const double half = 4.0;
+  for (glm::dvec3& p : mesh.positions) {
+    const double along = half * p.y;
+    if (turn == 0.0) {
+      p.y = along;
+      continue;
+    }
+    const double radius = 2.0 * half / turn, angle = along / radius;
+    p = {radius - (radius - p.x) * std::cos(angle), (radius - p.x) * std::sin(angle), p.z};
+  }
+  return make_input(std::move(mesh));
+}
+
+Parameters parameters_of(const Input& input, ShortRows rows) {
+  Parameters parameters = default_parameters(input.bounds);
+  give_width(parameters, 0.36);
+  give_height(parameters, 0.36);
+  parameters.timing.kind = TimingKind::harmonic;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters.settle.settling = Settling::on;
+  parameters.short_rows.rows = rows;
+  return resolved(parameters, input);
+}
+
+struct Ran {
+  State state;
+  std::vector<Step> steps;
+  Parameters parameters;
+};
+
+Ran run(const Input& input, ShortRows rows) {
+  Ran ran{{}, {}, parameters_of(input, rows)};
+  while (!ran.state.finished()) {
+    ran.steps.push_back(advance(input, ran.parameters, ran.state));
+    REQUIRE_FALSE(is_stop(ran.steps.back()));
+  }
+  return ran;
+}
+
+std::int32_t short_rows_in(const State& state) {
+  return static_cast<std::int32_t>(std::count_if(state.fabric.rows().begin(), state.fabric.rows().end(),
+                                                 [](const auto& row) { return is_short(*row); }));
+}
+
+template <class Kind>
+std::vector<Kind> all(const Ran& ran) {
+  std::vector<Kind> found;
+  for (const Step& step : ran.steps) {
+    if (const auto* what = get_if<Kind>(step)) found.push_back(*what);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a bent piece gets short rows and settles more evenly with them", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  const Ran without = run(*input, ShortRows::off), with = run(*input, ShortRows::automatic);
+  CHECK(short_rows_in(without.state) == 0);
+  const std::int32_t rows = short_rows_in(with.state);
+  CHECK(rows >= 4);
+  CHECK(rows % 2 == 0);
+  const LengthFigures plain = wale_figures(without.state), wales = wale_figures(with.state);
+  CAPTURE(plain.cv, wales.cv, rows);
+  CHECK(wales.cv < 0.8 * plain.cv);
+  CHECK(wales.cv < 0.09);
+  CHECK(euler_characteristic(with.state) == 0);
+  // The steps tell of all that is there.
+  const auto chosen = all<PairsChosen>(with);
+  REQUIRE(chosen.size() == 1);
+  const auto placed = all<PairPlaced>(with);
+  CHECK(chosen.front().pairs == static_cast<std::int32_t>(placed.size() + all<PairDropped>(with).size()));
+  CHECK(static_cast<std::int32_t>(all<ShortRowWorked>(with).size()) == rows);
+  CHECK(2 * static_cast<std::int32_t>(placed.size()) == rows);
+  CHECK(all<TurnPlaced>(with).size() >= static_cast<std::size_t>(rows));
+}
+
+TEST_CASE("turns stand beside stitches that the round over them works one to one", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  const State state = run(*input, ShortRows::automatic).state;
+  const Fabric& fabric = state.fabric;
+  for (const auto& join : fabric.joins()) {
+    if (is_short(fabric.row(join->to))) continue;
+    const std::vector<std::uint8_t> plain = plain_below(*join);
+    for (const std::int32_t place : fabric.marked_below(join->to)) {
+      CAPTURE(join->to, place);
+      CHECK(plain[static_cast<std::size_t>(place)] == 1);
+    }
+  }
+}
+
+TEST_CASE("a straight piece gets no short rows and keeps its rows", "[short-rows]") {
+  const auto input = bent_ellipsoid(0.0);
+  const Ran without = run(*input, ShortRows::off), with = run(*input, ShortRows::automatic);
+  CHECK(short_rows_in(with.state) == 0);
+  CHECK(with.state.fabric == without.state.fabric);
+  REQUIRE(all<PairsChosen>(with).size() == 1);
+  CHECK(all<PairsChosen>(with).front().pairs == 0);
+}
+
+TEST_CASE("a steep price leaves short rows out", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  parameters.short_rows.turn_cost = 100.0;
+  State state;
+  while (state.stage() <= Stage::rows) advance(*input, parameters, state);
+  CHECK(short_rows_in(state) == 0);
+}
+
+TEST_CASE("a run with short rows is the same from any of its states on", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  const Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  std::vector<State> kept;
+  State state;
+  while (state.stage() < Stage::settle) {
+    if (std::size_t{state.short_rows.tubes.size()} > 0 && state.next.item % 37 == 0) kept.push_back(state);
+    advance(*input, parameters, state);
+  }
+  REQUIRE(kept.size() > 10);
+  for (std::size_t i = 0; i < kept.size(); i += kept.size() / 5) {
+    State again = kept[i];
+    CHECK(hash_of(again) == hash_of(kept[i]));
+    while (again.stage() < Stage::settle) advance(*input, parameters, again);
+    CHECK(hash_of(again) == hash_of(state));
+  }
+}
