@@ -1,5 +1,6 @@
 #include "app/files/pattern_knitspeak.h"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "knit/pattern/limb_groups.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
+#include "knit/pattern/short_row_words.h"
 
 namespace app {
 
@@ -53,7 +55,7 @@ std::string speak(const std::vector<knit::Phrase>& phrases) {
 }
 
 bool same_work(const knit::Round& a, const knit::Round& b) {
-  return a.operations == b.operations && a.after == b.after;
+  return a.operations == b.operations && a.after == b.after && a.pairs.empty() && b.pairs.empty();
 }
 
 std::string numbers_of(std::int32_t first, std::int32_t last) {
@@ -61,13 +63,37 @@ std::string numbers_of(std::int32_t first, std::int32_t last) {
   return "Rounds " + std::to_string(first) + "-" + std::to_string(last);
 }
 
+constexpr const char* where_it_turns =
+    "(Knitspeak has no word for turns. Lines that begin with Short row or Next row, and (cont.), are\n"
+    "this program's: other tools may not read them.)\n";
+
+bool has_pairs(const knit::Round& round) { return !round.pairs.empty(); }
+
+// Before the round, or in place of it: then nothing is left to tell.
+struct SpokenShortRows {
+  std::string lines;
+  bool rest_is_told = false;
+};
+SpokenShortRows speak_short_rows(const knit::Round& round, knit::ShortRowTurns turns) {
+  if (!has_pairs(round)) return {};
+  const knit::ShortRowLines told = knit::short_row_lines(round, turns);
+  SpokenShortRows spoken{"", told.rest_is_told};
+  for (const knit::RoundLine& line : told.lines) spoken.lines += line.text() + "\n";
+  return spoken;
+}
+
 }  // namespace
 
-std::string pattern_knitspeak(const knit::Rounds& rounds) {
-  std::string out = "CO " + std::to_string(rounds.cast_on) + " sts (Rnd 1).\n";
+std::string pattern_knitspeak(const knit::Rounds& rounds, knit::ShortRowTurns turns) {
+  const bool turned = std::any_of(rounds.rounds.begin(), rounds.rounds.end(), has_pairs);
+  std::string out = turned ? where_it_turns : "";
+  out += "CO " + std::to_string(rounds.cast_on) + " sts (Rnd 1).\n";
   for (std::size_t i = 0, end = 0; i < rounds.rounds.size(); i = end) {
     const knit::Round& round = rounds.rounds[i];
     for (end = i + 1; end < rounds.rounds.size() && same_work(round, rounds.rounds[end]);) ++end;
+    const SpokenShortRows spoken = speak_short_rows(round, turns);
+    out += spoken.lines;
+    if (spoken.rest_is_told) continue;
     out += numbers_of(round.number, rounds.rounds[end - 1].number) + ": " +
            speak(knit::fold(round.operations)) + ". (" + std::to_string(round.after) + " sts)\n";
   }
@@ -76,7 +102,7 @@ std::string pattern_knitspeak(const knit::Rounds& rounds) {
 
 namespace {
 
-std::string speak_rounds(const knit::LimbPiece& piece) {
+std::string speak_rounds(const knit::LimbPiece& piece, knit::ShortRowTurns turns) {
   const std::vector<knit::Round> rounds = knit::rounds_of(piece).rounds;
   std::string out;
   for (std::size_t i = 0, end = 0; i < rounds.size(); i = end) {
@@ -84,6 +110,9 @@ std::string speak_rounds(const knit::LimbPiece& piece) {
     for (end = i + 1;
          !slips && end < rounds.size() && !piece.rounds[end].slips_back && same_work(rounds[i], rounds[end]);)
       ++end;
+    const SpokenShortRows spoken = speak_short_rows(rounds[i], turns);
+    out += spoken.lines;
+    if (spoken.rest_is_told) continue;
     out += numbers_of(rounds[i].number, rounds[end - 1].number) + ": " +
            (slips ? "Slip last st back, " : "") + speak(knit::fold(rounds[i].operations)) + ". (" +
            knit::stitches_text(rounds[i].after) + (slips ? ", marker moved back 1 st" : "") + ")\n";
@@ -100,7 +129,11 @@ constexpr const char* where_it_ends =
 
 std::string pattern_knitspeak(const knit::LimbPlan& plan, const knit::PatternOptions& options) {
   const knit::LimbNames names(plan, options);
-  std::string out = where_it_ends;
+  const bool turned = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const knit::LimbPiece& piece) {
+    const std::vector<knit::Round> rounds = knit::rounds_of(piece).rounds;
+    return std::any_of(rounds.begin(), rounds.end(), has_pairs);
+  });
+  std::string out = where_it_ends + std::string(turned ? where_it_turns : "");
   for (std::int32_t number = 0; number < plan.count(); ++number) {
     const knit::LimbPiece& piece = plan.piece(number);
     out += "\n" + names(number) + ": " + knit::plural(piece.round_count(), "rnd", "rnds") + ", " +
@@ -112,7 +145,7 @@ std::string pattern_knitspeak(const knit::LimbPlan& plan, const knit::PatternOpt
                  ? "Round 1: " + knit::cast_on_words(deal) + ". (" + knit::stitches_text(deal.after) + ")\n"
                  : knit::deal_sentence(plan, names, deal) + "\n";
     }
-    out += speak_rounds(piece) + knit::end_sentence(plan, names, piece) + "\n";
+    out += speak_rounds(piece, options.turns) + knit::end_sentence(plan, names, piece) + "\n";
   }
   return out;
 }

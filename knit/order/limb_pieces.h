@@ -63,6 +63,8 @@ struct LimbRound {
   std::int32_t before = 0, after = 0;  // stitches
   bool slips_back = false;             // the last stitch is put back before it: a decrease across the marker
   bool copied = false;                 // of a twin: not as the fabric's row is worked
+  // Of short rows, worked before the round or within it; none where the last stitch is slipped back.
+  std::vector<ShortRowPair> pairs = {};
   friend bool operator==(const LimbRound&, const LimbRound&) = default;
 };
 

@@ -9,7 +9,7 @@ Rounds rounds_of(const LimbPiece& piece) {
   rounds.cast_on = piece.first_count();
   std::int32_t number = first_round_of(piece);
   for (const LimbRound& round : piece.rounds)
-    rounds.rounds.push_back({number++, round.operations, round.before, round.after});
+    rounds.rounds.push_back({number++, round.operations, round.before, round.after, round.pairs});
   return rounds;
 }
 
@@ -30,7 +30,7 @@ bool are_twins(const LimbPlan& plan, std::int32_t a, std::int32_t b) {
 
 bool same_operations(const LimbRound& a, const LimbRound& b) {
   const auto same_hand = [](const Operation& x, const Operation& y) { return x.hand == y.hand; };
-  return a.before == b.before && a.after == b.after && a.slips_back == b.slips_back &&
+  return a.before == b.before && a.after == b.after && a.slips_back == b.slips_back && a.pairs == b.pairs &&
          std::equal(a.operations.begin(), a.operations.end(), b.operations.begin(), b.operations.end(),
                     same_hand);
 }

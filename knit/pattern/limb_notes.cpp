@@ -304,6 +304,7 @@ std::vector<std::string> notes_of_limbs(const LimbPlan& plan, const LimbNames& n
     return piece.is_cast_on() && !piece.rounds.empty() && piece.rounds.front().after > piece.first_count();
   });
   add_shaping_notes(used, tight, notes);
+  add_short_row_notes(used, notes);
   return notes;
 }
 

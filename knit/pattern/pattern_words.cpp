@@ -1,6 +1,9 @@
 #include "knit/pattern/pattern_words.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "knit/pattern/short_row_words.h"
 
 namespace knit {
 
@@ -73,24 +76,34 @@ std::string stitches_text(std::int32_t count) {
 }
 
 std::string RoundLine::text() const {
-  const std::string label = first == last ? "Rnd " + std::to_string(first)
-                                          : "Rnds " + std::to_string(first) + "-" + std::to_string(last);
+  if (!label.empty()) return label + ": " + words + "." + (place.empty() ? "" : " (" + place + ")");
+  const std::string name = first == last ? "Rnd " + std::to_string(first)
+                                         : "Rnds " + std::to_string(first) + "-" + std::to_string(last);
   const std::string moved = moves_marker ? ", marker moved back 1 st" : "";
   std::string after;
   for (std::size_t i = 0; i + 1 < counts.size(); ++i) after += std::to_string(counts[i]) + ", ";
-  return label + ": " + words + ". (" + after + stitches_text(stitches) + moved + ")";
+  return name + ": " + words + ". (" + after + stitches_text(stitches) + moved + ")";
 }
 
 std::vector<RoundLine> round_lines(const Rounds& rounds, const PatternOptions& options) {
   std::vector<RoundLine> lines;
+  bool joins = false;  // a line that takes in more rounds; none does where short rows come before it
   for (const Round& round : rounds.rounds) {
+    if (!round.pairs.empty()) {
+      ShortRowLines told = short_row_lines(round, options.turns);
+      std::move(told.lines.begin(), told.lines.end(), std::back_inserter(lines));
+      joins = false;
+      if (told.rest_is_told) continue;
+    }
     std::string words = words_of(round, options);
     // The count tells apart rounds in the stars' style, whose words fit any count.
-    const bool same = !lines.empty() && lines.back().words == words && lines.back().stitches == round.after;
+    const bool same =
+        joins && !lines.empty() && lines.back().words == words && lines.back().stitches == round.after;
     if (same)
       lines.back().last = round.number;
     else
       lines.push_back({round.number, round.number, std::move(words), round.after, 0, {}, false});
+    joins = round.pairs.empty();
   }
   return lines;
 }

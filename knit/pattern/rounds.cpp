@@ -1,6 +1,7 @@
 #include "knit/pattern/rounds.h"
 
 #include "knit/model/bug.h"
+#include "knit/pattern/passes.h"
 
 namespace knit {
 
@@ -26,6 +27,22 @@ std::vector<GraphStitch> shrunk_row(const Join& t) {
     if (is_decrease(t.labels[cell])) stitch.hand = hand_of(t.labels[cell]);
   }
   return row;
+}
+
+void add_short_rows(const Round& round, std::int32_t below, KnitGraph& graph) {
+  std::int32_t worked = 0;
+  for (const Pass& pass : passes_of(round)) {
+    GraphShortRow row{below, 0, 0, pass.wrong_side(), 0};
+    for (const PassStitch& stitch : pass.stitches) {
+      if (!stitch.in_short_row) {
+        ++worked;
+        continue;
+      }
+      if (row.stitches++ == 0) row.first = stitch.column;
+      row.worked = worked;
+    }
+    if (row.stitches > 0) graph.short_rows.push_back(row);
+  }
 }
 
 }  // namespace
@@ -58,6 +75,7 @@ KnitGraph graph_of(const Rounds& rounds) {
     }
     if (worked != static_cast<std::int32_t>(graph.rows.back().size()))
       throw Bug("a round does not work all its stitches");
+    if (!round.pairs.empty()) add_short_rows(round, static_cast<std::int32_t>(graph.rows.size()) - 1, graph);
     graph.rows.push_back(std::move(row));
   }
   return graph;

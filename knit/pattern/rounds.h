@@ -17,6 +17,8 @@ struct Round {
   std::int32_t number = 2;
   std::vector<Operation> operations;
   std::int32_t before = 0, after = 0;  // stitches
+  // Of short rows, worked before the round or within it (passes.h); they leave both counts as they are.
+  std::vector<ShortRowPair> pairs = {};
   friend bool operator==(const Round&, const Round&) = default;
 };
 
@@ -38,15 +40,30 @@ struct GraphStitch {
   std::int32_t first = 0, count = 0;
   friend bool operator==(const GraphStitch&, const GraphStitch&) = default;
 };
+// What is worked between two turns, or between a turn and the beginning of the round, on stitches that the next round works
+// once more. Each stitch hangs on the one that is on top of its column, and hands its own up.
+struct GraphShortRow {
+  std::int32_t row = 0;  // of `rows`, that it stands on: 0 is the cast on
+  std::int32_t first =
+      0;  // on which stitch of it, in working order; negative: before the beginning of the round
+  std::int32_t stitches = 0;  // rising from there, on the wrong side falling
+  bool wrong_side = false;
+  std::int32_t worked = 0;  // so many stitches of the row above are there by then
+  friend bool operator==(const GraphShortRow&, const GraphShortRow&) = default;
+};
 struct KnitGraph {
-  std::vector<std::vector<GraphStitch>> rows;  // the cast on first: its stitches have nothing below
+  // The cast on first: its stitches have nothing below. Above short rows a stitch is worked on what they left of its column,
+  // and `first` still counts those of the row below.
+  std::vector<std::vector<GraphStitch>> rows;
+  std::vector<GraphShortRow> short_rows = {};  // in working order
   friend bool operator==(const KnitGraph&, const KnitGraph&) = default;
 };
 
 // Read off labels and links, without the operations: what a written pattern must lead back to. Of a single chain of rows.
 KnitGraph graph_of(const State& state);
 
-// Works the operations on live stitches. Requires that every round consumes exactly what is there.
+// Works the operations on live stitches. Requires that every round consumes exactly what is there, and that its short rows can
+// be worked.
 KnitGraph graph_of(const Rounds& rounds);
 
 }  // namespace knit

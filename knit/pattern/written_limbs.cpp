@@ -41,11 +41,18 @@ std::vector<RoundLine> lines_of(const LimbPiece& piece, const PatternOptions& op
     const bool slips = piece.rounds[i].slips_back;
     Rounds one;
     one.rounds = {rounds.rounds[i]};
-    RoundLine line = round_lines(one, options).front();
+    std::vector<RoundLine> told = round_lines(one, options);
+    RoundLine line = std::move(told.back());
+    told.pop_back();
+    for (RoundLine& row : told) {
+      row.rows_before = before;
+      lines.push_back(std::move(row));
+    }
     line.rows_before = before;
     line.moves_marker = slips;
     if (slips) line.words = "Slip last st back, " + lower_first(line.words);
-    const bool same = !slips && !lines.empty() && !lines.back().moves_marker &&
+    const bool joins = i > 0 && rounds.rounds[i].pairs.empty() && rounds.rounds[i - 1].pairs.empty();
+    const bool same = joins && !slips && !lines.empty() && !lines.back().moves_marker &&
                       lines.back().words == line.words && lines.back().stitches == line.stitches;
     if (same)
       lines.back().last = line.last;
@@ -163,7 +170,7 @@ class Writer {
     for (const RoundLine& line : lines(first)) {
       if (twin >= 0 && line.last >= from) break;
       add(line, first, end);
-      if (stuffed > 0 && !as_twin && line.last >= stuffed) {
+      if (stuffed > 0 && !as_twin && !line.short_row && line.last >= stuffed) {
         remark(stuff_and_close);
         stuffed = 0;
       }
@@ -271,6 +278,7 @@ WrittenPattern write_pattern(const LimbPlan& plan, const Gauge& gauge, const Pat
   const PatternSizes sizes = sizes_of(plan, gauge);
   Writer writer(plan, gauge, options);
   Used used;
+  used.turns = options.turns;
   for (std::int32_t i = 0; i < plan.count(); ++i) add_used(rounds_of(plan.piece(i)), writer.lines(i), used);
   const bool binds_off = std::any_of(plan.pieces.begin(), plan.pieces.end(), [](const LimbPiece& piece) {
     return piece.end.kind == LimbEndKind::closed && !is_drawn_in(piece.last_count());
@@ -302,6 +310,7 @@ PatternSizes sizes_of(const LimbPlan& plan, const Gauge& gauge) {
     most = std::max(most, piece.first_count());
     for (const LimbRound& round : piece.rounds) {
       stitches += round.after;
+      for (const ShortRowPair& pair : round.pairs) stitches += 2 * (pair.last - pair.first + 1);
       most = std::max(most, round.after);
     }
   }

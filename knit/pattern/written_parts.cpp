@@ -41,11 +41,14 @@ void add_used(const Rounds& rounds, const std::vector<RoundLine>& lines, Used& u
     used.mixed = used.mixed || (up && down);
     used.hands.insert(here.begin(), here.end());
     used.most_markers = std::max(used.most_markers, markers_in(round));
+    used.short_rows = used.short_rows || !round.pairs.empty();
+    for (const ShortRowPair& pair : round.pairs) used.over_beginning = used.over_beginning || pair.first < 0;
   }
   for (const RoundLine& line : lines) {
     used.repeats = used.repeats || line.words.find('[') != std::string::npos;
     used.stars = used.stars || line.words.find('*') != std::string::npos;
-    used.markers = used.markers || line.words.find("sm, ") != std::string::npos;
+    // A short row slips the marker of the round.
+    used.markers = used.markers || (line.label.empty() && line.words.find("sm, ") != std::string::npos);
     const auto words = static_cast<std::size_t>(std::count(line.words.begin(), line.words.end(), ','));
     used.longest_text = std::max(used.longest_text, words + 1);
   }
@@ -55,7 +58,7 @@ std::string level_of(const Used& used) {
   constexpr std::size_t close_reading = 16;
   constexpr std::size_t too_long = 40;
   if (used.mixed || used.longest_text > too_long) return "Complex";
-  if (used.turned || used.longest_text > close_reading) return "Intermediate";
+  if (used.short_rows || used.turned || used.longest_text > close_reading) return "Intermediate";
   return used.increases() || used.decreases() ? "Easy" : "Basic";
 }
 
@@ -122,9 +125,12 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
     bool used;
     const char *word, *meaning;
   };
-  const std::array<Entry, 12> entries{{
+  const bool german = used.short_rows && used.turns == ShortRowTurns::german;
+  const std::array<Entry, 18> entries{{
       {binds_off, "BO", "bind off"},
+      {used.short_rows, "BOR", "beginning of the round, at its marker"},
       {true, "CO", "cast on"},
+      {german, "DS", "double stitch: the stitch worked last, turned and pulled up; see the notes"},
       {true, "k", "knit; K4 is knit 4 stitches"},
       {used.has(Hand::k2tog), "k2tog", "knit 2 stitches together; leans right"},
       {used.sections, "m", "marker"},
@@ -132,12 +138,16 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
        "make 1 left: lift the bar between the stitches from front to back, knit it through the back"},
       {used.has(Hand::m1r), "m1r",
        "make 1 right: lift the bar between the stitches from back to front, knit it through the front"},
+      {used.short_rows, "p", "purl; p4 is purl 4 stitches"},
       {used.stars, "rep", "repeat"},
       {true, "rnd(s)", "round(s)"},
-      {used.markers, "sm", "slip marker"},
+      {used.short_rows, "RS, WS", "right side, wrong side of the work"},
+      {used.markers || used.over_beginning, "sm", "slip marker"},
       {used.has(Hand::ssk), "ssk",
        "slip 2 stitches knitwise one at a time, knit them together through the back; leans left"},
       {true, "st(s)", "stitch(es)"},
+      {german, "turn", "turn the work"},
+      {used.short_rows && !german, "w&t", "wrap and turn; see the notes"},
   }};
   std::vector<std::pair<std::string, std::string>> list;
   for (const Entry& entry : entries) {
@@ -177,6 +187,37 @@ void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::stri
         "main "
         "stitch, move the marker to before both.");
   }
+}
+
+void add_short_row_notes(const Used& used, std::vector<std::string>& notes) {
+  if (!used.short_rows) return;
+  if (used.turns == ShortRowTurns::german) {
+    notes.emplace_back(
+        "Short rows are German: turn where it is said, slip the stitch worked last to the right needle with "
+        "the "
+        "yarn in front, and pull the yarn up and over to the back until both legs of the stitch below lie on "
+        "the "
+        "needle: a double stitch (DS). It counts one; work both legs as one stitch when you come to it. "
+        "Before a "
+        "purl stitch bring the yarn to the front again.");
+  } else {
+    notes.emplace_back(
+        "To wrap and turn (w&t), slip the next stitch, bring the yarn to the other side of the work, slip "
+        "the "
+        "stitch back and turn. A wrapped stitch counts one; work it together with its wrap when you come to "
+        "it.");
+  }
+  notes.emplace_back(
+      "A short row leaves as many stitches as there were. In parentheses after it stands where the work is "
+      "turned: so many stitches, double or wrapped ones too, after the beginning of the round (BOR) or "
+      "before "
+      "it. (cont.) says that the round was begun in the first of the short rows.");
+  if (used.over_beginning)
+    notes.emplace_back(
+        "A short row that goes past the BOR slips its marker (sm); to BOR means up to the marker.");
+  if (used.markers)
+    notes.emplace_back(
+        "Short rows do not name the markers of the main lines: slip them as you come to them.");
 }
 
 std::string start_sentence(std::int32_t cast_on, const Gauge& gauge, const std::string& place_marker) {

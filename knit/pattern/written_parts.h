@@ -15,6 +15,9 @@ namespace knit {
 struct Used {
   std::set<Hand> hands;
   bool repeats = false, stars = false, markers = false;
+  bool short_rows = false;      // told by `turns`
+  bool over_beginning = false;  // short rows past the beginning of the round
+  ShortRowTurns turns = ShortRowTurns::german;
   bool sections = false;         // markers part the round into sections, each shaped alike
   bool turned = false;           // shaping that leans to both sides
   bool mixed = false;            // increases and decreases in one round
@@ -52,6 +55,7 @@ inline bool go_on_circular(std::int32_t stitches, const Gauge& gauge) {
 std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& used, bool binds_off);
 // `tight_start`: increases follow right on a cast on.
 void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::string>& notes);
+void add_short_row_notes(const Used& used, std::vector<std::string>& notes);
 
 // `place_marker`: how the markers are placed.
 std::string start_sentence(std::int32_t cast_on, const Gauge& gauge,

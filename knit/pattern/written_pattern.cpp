@@ -64,6 +64,7 @@ std::vector<std::string> note_lines(const Rounds& rounds, std::span<const RoundL
   }
   const bool tight = !rounds.rounds.empty() && rounds.rounds.front().after > rounds.cast_on;
   add_shaping_notes(used, tight, notes);
+  add_short_row_notes(used, notes);
   return notes;
 }
 
@@ -82,8 +83,9 @@ std::vector<WrittenPattern::Instruction> instructions_of(const Rounds& rounds, s
   for (RoundLine& line : lines) {
     const std::int32_t first = line.first;
     const std::int32_t last = line.last;
+    const bool complete = !line.short_row;
     instructions.push_back({std::move(line), {}});
-    tell_stuffing(first, last);
+    if (complete) tell_stuffing(first, last);
   }
   instructions.push_back({std::nullopt, closing_sentence(rounds.last_count())});
   return instructions;
@@ -112,10 +114,15 @@ std::string place_sections(const ShortForm& form) {
 WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const PatternOptions& options,
                              const std::string& mesh_name) {
   const PatternSizes sizes = sizes_of(rounds, gauge);
-  const std::optional<ShortForm> form =
-      options.form == PatternForm::short_form ? short_form(rounds, stuffed_after(rounds)) : std::nullopt;
+  // The short form has no words for short rows.
+  const bool has_pairs = std::any_of(rounds.rounds.begin(), rounds.rounds.end(),
+                                     [](const Round& round) { return !round.pairs.empty(); });
+  const std::optional<ShortForm> form = options.form == PatternForm::short_form && !has_pairs
+                                            ? short_form(rounds, stuffed_after(rounds))
+                                            : std::nullopt;
   std::vector<RoundLine> lines = form ? form->lines : round_lines(rounds, options);
   Used used;
+  used.turns = options.turns;
   add_used(rounds, lines, used);
   if (form) {
     used.sections = true;
@@ -202,6 +209,9 @@ PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge) {
   if (!is_drawn_in(counts.back())) sizes.height_cm += step / 2.0;
   std::int64_t stitches = 0;
   for (const std::int32_t count : counts) stitches += count;
+  for (const Round& round : rounds.rounds) {
+    for (const ShortRowPair& pair : round.pairs) stitches += 2 * (pair.last - pair.first + 1);
+  }
   add_yarn(stitches, sizes);
   return sizes;
 }

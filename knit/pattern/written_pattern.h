@@ -29,6 +29,9 @@ namespace knit {
 // How rounds are told. By itself: shortly where they were planned in a rhythm, written out elsewhere.
 enum class PatternForm : std::uint8_t { by_itself, full, short_form };
 
+// How hands turn in a short row. The fabric is the same.
+enum class ShortRowTurns : std::uint8_t { german, wrap };
+
 struct PatternOptions {
   std::string title;                // empty: the mesh's name
   std::string yarn;                 // what the person calls it; empty: by weight class alone
@@ -41,6 +44,7 @@ struct PatternOptions {
   PatternForm form = PatternForm::by_itself;
   // What a person calls pieces, by their letters: {"A", "Tail"}. One capitalised word each (is_piece_word).
   std::map<std::string, std::string> piece_names = {};
+  ShortRowTurns turns = ShortRowTurns::german;
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
 };
 
@@ -79,6 +83,10 @@ struct RoundLine {
   bool moves_marker = false;                    // back by a stitch
   // In the short form, after each shaping round: "(64, 72, 80 sts)".
   std::vector<std::int32_t> counts = {};
+  // Of short rows: "Short row 1 (RS)", "Next row (RS)" or "Rnd 8 (cont.)" in place of the round's label, and in place of the
+  // count where the work is turned: "5 sts after BOR".
+  std::string label = {}, place = {};
+  bool short_row = false;  // it belongs to the round and does not complete it
   [[nodiscard]] std::string text() const;
 };
 

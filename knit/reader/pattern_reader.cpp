@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "knit/import/quoting.h"
+#include "knit/pattern/passes.h"
 #include "knit/reader/limbs_reader.h"
 #include "knit/reader/named_rounds.h"
 #include "knit/reader/published_reader.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
+#include "knit/reader/short_needles.h"
 
 namespace knit {
 
@@ -34,12 +36,17 @@ class Reader {
     for (const TextLine& line : pattern_lines(text)) {
       line_ = line.number;
       const Tokens tokens = tokens_of(line.text);
-      if (const auto label = label_of(tokens))
+      // Rows to and fro have a "Next row (RS)" too.
+      const auto row = short_row_line(tokens);
+      if (row && (needles_ || row->kind != ShortRowLine::Kind::next_row))
+        short_row(*row);
+      else if (const auto label = label_of(tokens))
         round_line(*label, std::span(tokens).subspan(label->tokens));
       else
         prose(tokens);
       if (stopped_) break;
     }
+    if (needles_ && !needles_failed_) blame("the text ends, and the round after the short rows is missing.");
     return std::move(read_);
   }
 
@@ -71,7 +78,7 @@ class Reader {
       return;
     }
     place_markers(tokens);
-    if (read_.rounds_read == 0 || closed_) return;
+    if ((read_.rounds_read == 0 && !needles_) || closed_) return;
     if (const auto closing = closing_in(tokens)) close(*closing);
   }
 
@@ -146,12 +153,83 @@ class Reader {
   void close(const ClosingWords& closing) {
     closed_ = true;
     closed_line_ = line_;
+    if (needles_ && !needles_failed_)
+      blame("the stitches are closed, and the round after the short rows is missing.");
+    needles_.reset();
     const std::int64_t there = counts_.empty() ? closing.number.value_or(0) : counts_.front();
     const std::int64_t number = closing.number.value_or(there);
     read_.closed_with = static_cast<std::int32_t>(std::min(number, most_number));
     if (counts_.empty() || std::find(counts_.begin(), counts_.end(), number) != counts_.end()) return;
     blame("closes " + stitches_text(number) + ", and " + std::to_string(there) +
           (there == 1 ? " is" : " are") + " on the needles.");
+  }
+
+  // --- Short rows ----------------------------------------------------------------------------------------------
+
+  void short_row(const ShortRowLine& row) {
+    const bool is_round = row.kind == ShortRowLine::Kind::round;
+    const std::string name = name_of_round(row.number, row.number);
+    if (closed_) {
+      blame((is_round ? name : "a short row") + " comes after the stitches were closed in line " +
+            std::to_string(closed_line_) + ".");
+      stopped_ = true;
+      return;
+    }
+    if (!has_cast_on_ && read_.mistakes.empty())
+      blame("short rows begin and no stitches are cast on; say \"CO 6 sts\" before it.");
+    const std::size_t mistakes_before = read_.mistakes.size();
+    if (is_round) {
+      number_in_turn(true, row.number, row.number);
+      ++read_.rounds_read;
+    }
+    if (!needles_ && counts_.size() == 1) {
+      needles_.emplace(counts_.front());
+      needles_failed_ = false;
+    }
+    const bool known = needles_ && !needles_failed_ && !counts_.empty();
+    if (known || !row.mistake.empty()) work_short_row(row, known, mistakes_before);
+    if (is_round) end_short_rows(row, mistakes_before);
+  }
+
+  void work_short_row(const ShortRowLine& row, bool known, std::size_t mistakes_before) {
+    spend(counts_.empty() ? 0 : counts_.front());
+    const std::string mistake = row.mistake.empty() && known ? needles_->work(row) : row.mistake;
+    if (mistake.empty()) return;
+    if (read_.mistakes.size() == mistakes_before) blame(mistake);
+    needles_failed_ = true;
+  }
+
+  // "Rnd 8 (cont.)" was worked, or a mistake before it leaves what it says.
+  void end_short_rows(const ShortRowLine& row, std::size_t mistakes_before) {
+    const bool sound =
+        needles_ && !needles_failed_ && !counts_.empty() && read_.mistakes.size() == mistakes_before;
+    if (!sound) {
+      needles_.reset();
+      return go_on_with(row.stated);
+    }
+    const std::int64_t live = counts_.front();
+    ShortNeedles::Worked worked = needles_->worked();
+    needles_.reset();
+    read_.stitches += worked.made;
+    counts_ = {worked.made};
+    markers_.clear();
+    WorkedRound round;
+    round.told = worked.told;
+    round.made = worked.made;
+    round.operations = std::move(worked.operations);
+    pending_ = std::move(worked);
+    keep(std::move(round), live);
+  }
+
+  // An ordinary round after short rows that stand alone.
+  void round_after_short_rows(const std::string& name) {
+    if (!needles_) return;
+    if (!needles_failed_) {
+      const std::string why = needles_->keeps_from_round();
+      if (!why.empty()) blame(name + " " + why);
+      pending_ = needles_->worked();
+    }
+    needles_.reset();
   }
 
   // --- Rounds --------------------------------------------------------------------------------------------------
@@ -166,6 +244,7 @@ class Reader {
       stopped_ = true;
       return;
     }
+    round_after_short_rows(name);
     if (!label.mistake.empty()) blame((label.first ? name : "the round") + label.mistake);
     if (const auto number = cast_on_in(words)) return labelled_cast_on(*number, first, words);
     if (!has_cast_on_ && read_.rounds_read == 0 && read_.mistakes.empty())
@@ -352,8 +431,30 @@ class Reader {
       return;
     }
     const auto row = static_cast<std::int32_t>(read_.rounds.rounds.size() + 2);
-    read_.rounds.rounds.push_back({row, std::move(round.operations), static_cast<std::int32_t>(live),
-                                   static_cast<std::int32_t>(round.made)});
+    Round kept{row,
+               std::move(round.operations),
+               static_cast<std::int32_t>(live),
+               static_cast<std::int32_t>(round.made),
+               {}};
+    if (pending_ && !add_short_rows(kept)) {
+      sound_ = false;
+      return;
+    }
+    pending_.reset();
+    read_.rounds.rounds.push_back(std::move(kept));
+  }
+
+  // Whether pairs are all that is to be said of them: those of other orders are no mistake.
+  bool add_short_rows(Round& round) {
+    round.pairs = std::move(pending_->pairs);
+    if (!pending_->told || !can_be_worked(round)) return false;
+    const Rounds alone{round.before, {round}};
+    if (graph_of(alone).short_rows != pending_->short_rows) return false;
+    for (GraphShortRow short_row : pending_->short_rows) {
+      short_row.row = round.number - 2;
+      read_.short_rows.push_back(short_row);
+    }
+    return true;
   }
 
   void spend(std::int64_t stitches) {
@@ -371,6 +472,9 @@ class Reader {
   Counts also_next_;  // round numbers that would do as well, after one out of turn
   Counts counts_, wrong_made_;
   std::map<std::string, RoundWords> named_;
+  std::optional<ShortNeedles> needles_;          // since the last whole round
+  std::optional<ShortNeedles::Worked> pending_;  // of the round that is kept next
+  bool needles_failed_ = false;
   std::int64_t sections_ = 0;  // that markers part the round into; 0: none is placed
   Markers markers_;            // among the stitches of the first of `counts_`; empty: not known
 };

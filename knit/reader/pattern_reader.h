@@ -4,7 +4,7 @@
 // Reads plain text, Markdown and knitspeak: rounds ("Rnd 7:", "Rnds 8-12:", "Round 3:", "Row 4:"), operations
 // (k, k4, knit, m1, m1r, m1l, kfb, k2tog, ssk, s2kp ... as listed in the source), repeats ("[K4, m1l] 6 times",
 // "(k1, m1) 6x", "*k1, m1l; rep from * to end", "..., repeat from *", "rep from * 5 more times"), plain rounds
-// ("Knit.", "K all sts"), cast on, bind off, draw through, markers, stated counts "(30 sts)". Other lines are not
+// ("Knit.", "K all sts"), short rows (short_needles.h), cast on, bind off, draw through, markers, stated counts "(30 sts)". Other lines are not
 // pattern and are passed over; a line that begins like a round and cannot be read is a mistake. Nothing is repaired.
 // A text with headings of pieces is read by limbs_reader.h, one that puts stitches on holders and takes them again by
 // published_reader.h.
@@ -27,6 +27,8 @@ struct ReadPattern {
   // The rounds before the first mistake, repeats unfolded; numbered as rows are, whatever the labels say. Every
   // round takes exactly what is there.
   Rounds rounds;
+  // Between these rounds, as they were worked on the needles.
+  std::vector<GraphShortRow> short_rows = {};
   std::vector<PatternMistake> mistakes;  // by line
   std::size_t rounds_read = 0;           // without the cast on, with those that have mistakes
   std::int64_t stitches = 0;             // cast on and made in all, as far as it could be worked

@@ -2,6 +2,7 @@
 // spelling. Stage pattern counts them; knit/pattern folds and writes them.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,13 @@ struct Operation {
   Hand hand = Hand::knit;
   bool at_main = false;  // it works a main stitch
   friend bool operator==(const Operation&, const Operation&) = default;
+};
+
+// Two short rows between a round and the next: from stitch `first` to stitch `last` of the round below, there and back, each
+// stitch on one. `first` < 0: from so many stitches before the beginning of the round (BOR) to `last` >= 0 behind it.
+struct ShortRowPair {
+  std::int32_t first = 0, last = 0;
+  friend auto operator<=>(const ShortRowPair&, const ShortRowPair&) = default;
 };
 
 // In working order. The cell that a decrease takes in is part of the decrease.
