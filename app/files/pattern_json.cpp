@@ -31,10 +31,20 @@ Json operations_json(const std::vector<knit::Operation>& operations) {
 }
 
 Json round_json(const knit::Round& round) {
-  return {{"number", round.number},
-          {"before", round.before},
-          {"after", round.after},
-          {"operations", operations_json(round.operations)}};
+  Json json{{"number", round.number},
+            {"before", round.before},
+            {"after", round.after},
+            {"operations", operations_json(round.operations)}};
+  for (const knit::ShortRowPair& pair : round.pairs) json["pairs"].push_back({pair.first, pair.last});
+  return json;
+}
+
+Json short_row_json(const knit::GraphShortRow& row) {
+  return {{"row", row.row},
+          {"first", row.first},
+          {"stitches", row.stitches},
+          {"side", row.wrong_side ? "WS" : "RS"},
+          {"worked", row.worked}};
 }
 
 Json cast_on_stitch() { return {{"hand", "cast on"}, {"below", Json::array()}}; }
@@ -57,15 +67,18 @@ std::string listed(std::string_view name, const std::vector<Json>& lines) {
 std::string pattern_json(const knit::Rounds& rounds) {
   std::vector<Json> worked, graph;
   for (const knit::Round& round : rounds.rounds) worked.push_back(round_json(round));
-  for (const std::vector<knit::GraphStitch>& row : knit::graph_of(rounds).rows) {
+  const knit::KnitGraph whole = knit::graph_of(rounds);
+  for (const std::vector<knit::GraphStitch>& row : whole.rows) {
     Json stitches = Json::array();
     for (const knit::GraphStitch& stitch : row)
       stitches.push_back(graph.empty() ? cast_on_stitch() : stitch_json(stitch));
     graph.push_back(std::move(stitches));
   }
+  std::vector<Json> short_rows;
+  for (const knit::GraphShortRow& row : whole.short_rows) short_rows.push_back(short_row_json(row));
   return "{\n  \"format\": \"knit-mesh pattern\",\n  \"version\": 1,\n  \"cast_on\": " +
          std::to_string(rounds.cast_on) + ",\n" + listed("rounds", worked) + ",\n" + listed("graph", graph) +
-         "\n}\n";
+         (short_rows.empty() ? "" : ",\n" + listed("short_rows", short_rows)) + "\n}\n";
 }
 
 namespace {
@@ -170,6 +183,21 @@ Json graph_json(const knit::LimbPiece& piece) {
   return rows;
 }
 
+// `row`: of the piece's graph, -1 for what it begins on.
+std::vector<knit::GraphShortRow> short_rows_of(const knit::LimbPiece& piece) {
+  std::vector<knit::GraphShortRow> rows;
+  std::int32_t below = piece.is_cast_on() ? 0 : -1;
+  for (const knit::LimbRound& round : piece.rounds) {
+    const knit::Rounds alone{round.before, {{2, round.operations, round.before, round.after, round.pairs}}};
+    for (knit::GraphShortRow row : knit::graph_of(alone).short_rows) {
+      row.row = below;
+      rows.push_back(row);
+    }
+    ++below;
+  }
+  return rows;
+}
+
 // Stitches that follow each other, one run: [piece, first, count, step], or ["gap 2", first, count, step]; the step is -1 where
 // they run backwards.
 Json live_json(const knit::LimbNames& names, const std::vector<knit::NeedleStitch>& needle) {
@@ -198,11 +226,13 @@ Json piece_json(const knit::LimbNames& names, const knit::LimbPlan& plan, std::i
   if (!piece.is_cast_on()) json["live"] = live_json(names, needle.begin);
   std::int32_t next = piece.is_cast_on() ? 2 : 1;
   for (const knit::LimbRound& round : piece.rounds) {
-    Json line = round_json({next++, round.operations, round.before, round.after});
+    Json line = round_json({next++, round.operations, round.before, round.after, round.pairs});
     if (round.slips_back) line["slips_back"] = true;
     json["rounds"].push_back(std::move(line));
   }
   json["graph"] = graph_json(piece);
+  for (const knit::GraphShortRow& row : short_rows_of(piece))
+    json["short_rows"].push_back(short_row_json(row));
   json["rows"] = piece.rows;
   json["starts"] = piece.starts;
   json["end"] = end_json(names, plan, piece);

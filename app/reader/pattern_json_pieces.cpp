@@ -183,8 +183,8 @@ bool PiecesJsonReader::make(std::size_t piece) {
   now_ = piece;
   piece_ = "pieces[" + std::to_string(piece) + "]";
   fields_ = document_.entry("pieces", piece);
-  only_fields(*fields_,
-              {"name", "twin_of", "inner", "begin", "live", "rounds", "graph", "rows", "starts", "end"});
+  only_fields(*fields_, {"name", "twin_of", "inner", "begin", "live", "rounds", "graph", "short_rows", "rows",
+                         "starts", "end"});
   if (fields_->has("inner")) fields_->flag("inner");
   if (fails()) return false;
   if (goes_on_ && *goes_on_ != piece)
@@ -283,6 +283,8 @@ bool PiecesJsonReader::rounds() {
   for (std::size_t i = 0; i < count; ++i) {
     if (!work(i, fields_->entry("rounds", i))) return false;
   }
+  if (const auto fault = short_rows_fault(fields_->json(), read_.limbs.back().short_rows); !fault.empty())
+    return fail("", piece_ + ".short_rows" + fault);
   return true;
 }
 
@@ -298,6 +300,8 @@ bool PiecesJsonReader::work(std::size_t index, JsonFields fields) {
     return fail(place, "the pattern is longer than can be read.");
   if (const auto fault = row_fault(fields_->array("graph")[row], round); !fault.empty())
     return fail("", listed_at(piece_, "graph", row) + fault);
+  for (const knit::GraphShortRow& short_row : short_rows_of(round, static_cast<std::int32_t>(row) - 1))
+    read_.limbs.back().short_rows.push_back(short_row);
   const std::size_t n = needle_.size();
   if (round.slips_back) std::rotate(needle_.begin(), needle_.end() - 1, needle_.end());
   Loop made;

@@ -19,7 +19,7 @@ class TubeJsonReader {
   explicit TubeJsonReader(const PatternDocument& document) : fields_(document) {}
 
   knit::ReadPattern run() {
-    only_fields(fields_, {"format", "version", "cast_on", "rounds", "graph"});
+    only_fields(fields_, {"format", "version", "cast_on", "rounds", "graph", "short_rows"});
     const auto cast_on = static_cast<std::int32_t>(fields_.whole("cast_on", 1, knit::most_stitches));
     const std::size_t rounds = fields_.array("rounds").size(), rows = fields_.array("graph").size();
     if (fields_.fault().empty() && rows != rounds + 1)
@@ -31,6 +31,7 @@ class TubeJsonReader {
       fail("graph[0]", cast_on_fault(fields_.json()["graph"][0], cast_on));
     }
     for (std::size_t i = 0; i < rounds && !fails(); ++i) work(i);
+    if (!fails()) fail("short_rows", short_rows_fault(fields_.json(), read_.short_rows));
     return std::move(read_);
   }
 
@@ -50,7 +51,10 @@ class TubeJsonReader {
     fail(row, row_fault(fields_.json()["graph"][index + 1], round));
     ++read_.rounds_read;
     read_.stitches += round.after;
-    read_.rounds.rounds.push_back({number_of, std::move(round.operations), live, round.after});
+    const std::vector<knit::GraphShortRow> made = short_rows_of(round, static_cast<std::int32_t>(index));
+    read_.short_rows.insert(read_.short_rows.end(), made.begin(), made.end());
+    read_.rounds.rounds.push_back(
+        {number_of, std::move(round.operations), live, round.after, std::move(round.pairs)});
   }
   void fail(const std::string& place, const std::string& fault) {
     if (read_.mistakes.empty() && !fault.empty()) read_.mistakes.push_back({0, place + fault});

@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "knit/pattern/passes.h"
 #include "knit/reader/reader_work.h"
 
 namespace app {
@@ -49,6 +50,17 @@ std::string length_fault(const RowJson& row, std::int64_t count) {
          std::to_string(count) + ".";
 }
 
+void read_pairs(JsonFields& fields, JsonRound& round) {
+  for (const RowJson& pair : fields.array("pairs")) {
+    const auto column = [](const RowJson& value) {
+      return value.is_number_integer() && value >= -knit::most_stitches && value <= knit::most_stitches;
+    };
+    if (!pair.is_array() || pair.size() != 2 || !column(pair[0]) || !column(pair[1]))
+      return fields.set_fault("pairs", "must hold [first, last] of each pair of short rows.");
+    round.pairs.push_back({pair[0].get<std::int32_t>(), pair[1].get<std::int32_t>()});
+  }
+}
+
 }  // namespace
 
 void only_fields(JsonFields& fields, std::initializer_list<std::string_view> known) {
@@ -61,7 +73,7 @@ void only_fields(JsonFields& fields, std::initializer_list<std::string_view> kno
 
 JsonRound json_round(JsonFields& fields) {
   JsonRound round;
-  only_fields(fields, {"number", "before", "after", "operations", "slips_back"});
+  only_fields(fields, {"number", "before", "after", "operations", "slips_back", "pairs"});
   const auto count = [&](const char* key) {
     return static_cast<std::int32_t>(fields.whole(key, 0, knit::most_stitches));
   };
@@ -83,7 +95,34 @@ JsonRound json_round(JsonFields& fields) {
     }
     round.operations.insert(round.operations.end(), times, {hand, main});
   }
+  if (fields.has("pairs")) read_pairs(fields, round);
   return round;
+}
+
+std::vector<knit::GraphShortRow> short_rows_of(const JsonRound& round, std::int32_t below) {
+  const knit::Rounds alone{round.before, {{2, round.operations, round.before, round.after, round.pairs}}};
+  std::vector<knit::GraphShortRow> rows = knit::graph_of(alone).short_rows;
+  for (knit::GraphShortRow& row : rows) row.row = below;
+  return rows;
+}
+
+std::string short_rows_fault(const RowJson& fields, const std::vector<knit::GraphShortRow>& made) {
+  RowJson wanted = RowJson::array();
+  for (const knit::GraphShortRow& row : made)
+    wanted.push_back({{"row", row.row},
+                      {"first", row.first},
+                      {"stitches", row.stitches},
+                      {"side", row.wrong_side ? "WS" : "RS"},
+                      {"worked", row.worked}});
+  const RowJson& there = fields.contains("short_rows") ? fields["short_rows"] : RowJson::array();
+  if (!there.is_array()) return ": must be a list of short rows, [ ... ].";
+  for (std::size_t i = 0; i < std::min(there.size(), wanted.size()); ++i) {
+    if (there[i] != wanted[i])
+      return "[" + std::to_string(i) + "]: must be " + wanted[i].dump() + ", as the pairs say.";
+  }
+  if (there.size() == wanted.size()) return "";
+  return ": " + std::to_string(there.size()) + " are told, the pairs make " + std::to_string(wanted.size()) +
+         ".";
 }
 
 std::string round_fault(const JsonRound& round, std::int32_t number, std::int64_t live) {
@@ -100,6 +139,12 @@ std::string round_fault(const JsonRound& round, std::int32_t number, std::int64_
   if (all.produced != round.after)
     return "makes " + knit::stitches_text(all.produced) + ", \"after\" says " + std::to_string(round.after) +
            ".";
+  if (round.pairs.empty()) return "";
+  if (round.slips_back) return "short rows stand before a last stitch that is slipped back.";
+  if (!knit::can_be_worked({2, round.operations, round.before, round.after, round.pairs}))
+    return "its pairs of short rows cannot be worked: each needs 3 stitches, turns between plain ones, and "
+           "lies over the "
+           "beginning of the round or a stitch away from it.";
   return "";
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/base/json_fields.h"
-#include "knit/stitches/operations.h"
+#include "knit/pattern/rounds.h"
 
 namespace app {
 
@@ -18,6 +18,7 @@ struct JsonRound {
   std::int32_t number = 0, before = 0, after = 0;
   bool slips_back = false;
   std::vector<knit::Operation> operations;
+  std::vector<knit::ShortRowPair> pairs;
 };
 JsonRound json_round(JsonFields& fields);
 
@@ -27,6 +28,9 @@ std::string round_fault(const JsonRound& round, std::int32_t number, std::int64_
 // Where a row of the graph does not say what the round makes: "[4]: ..." after the row's place; empty: it does. A round's
 // stitches hang on those of the row below, told from the marker.
 std::string row_fault(const nlohmann::json& row, const JsonRound& round);
+// The short rows of rounds, each with its number in the list of rows below; empty: they are told as the pairs make them.
+std::vector<knit::GraphShortRow> short_rows_of(const JsonRound& round, std::int32_t below);
+std::string short_rows_fault(const nlohmann::json& fields, const std::vector<knit::GraphShortRow>& made);
 std::string cast_on_fault(const nlohmann::json& row, std::int64_t count);
 
 // Blames a field that stands there and says nothing.

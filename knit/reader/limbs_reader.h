@@ -2,7 +2,7 @@
 // Knows nothing of how patterns are written here; rounds are read by reader_grammar.h and worked by reader_work.h.
 //
 // Understood are headings ("Limb D: 5 rnds, 5 sts at the end", "Limbs B and C (make 2): ..."), remarks in brackets, which
-// prove nothing, Rejoin, Divide, Join, Remove the waste yarn, Break yarn, Do not break yarn, Graft, Bind off, rounds, and
+// prove nothing, short rows (short_needles.h), Rejoin, Divide, Join, Remove the waste yarn, Break yarn, Do not break yarn, Graft, Bind off, rounds, and
 // "Work as for". Everything else within a piece is a mistake. Every number is proved: counts in lines and after them,
 // rounds and last count against the heading, first and last stitch taken off a holder, gaps cast on once and picked up once,
 // nothing left on needle, holders and waste yarn. Nothing is repaired: the first mistake ends the reading.
@@ -31,6 +31,8 @@ struct ReadLimb {
   std::string name;
   std::vector<std::int32_t> live;  // what its first round is worked on, from the marker; a cast on: nothing
   std::vector<std::vector<std::int32_t>> rows;  // from the marker; the cast on first
+  // In working order; `row` is the one of `rows` that they stand on, -1: `live`.
+  std::vector<GraphShortRow> short_rows = {};
   friend bool operator==(const ReadLimb&, const ReadLimb&) = default;
 };
 

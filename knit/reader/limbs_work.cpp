@@ -219,7 +219,9 @@ bool LimbWorker::hold(std::size_t piece, Holder holder) {
 
 bool LimbWorker::line(std::string_view words) {
   if (words.size() > most_letters_in_line) return fail("the line is longer than can be read.");
+  if (const auto row = short_row_line(tokens_of(words))) return short_row(*row);
   if (label_at(words, 0)) return round(words);
+  if (needles_) return fail("the round after the short rows is missing.");
   LimbScan at(words);
   if (at.take("Rejoin yarn: ")) return rejoin(at);
   if (at.take("Remove the waste yarn of ")) return loops(at);
@@ -372,6 +374,7 @@ bool LimbWorker::work_as(std::int32_t first, std::int32_t last, std::string_view
   for (std::int32_t number = first; number <= last; ++number) {
     const Worked round = rounds[static_cast<std::size_t>(number) - 1];
     if (round.cast_on && (!needs_no_stitches() || begun_)) return fail(name_of(now_) + " is begun already.");
+    if (needles_) return fail("the round after the short rows is missing.");
     if (!round.cast_on && !begin_round(number)) return false;
     if (!work(number, round)) return false;
   }
@@ -425,6 +428,10 @@ bool LimbWorker::work(std::int32_t number, const Worked& round) {
   }
   if (!is_short_enough()) return false;
   needle_ = made;
+  for (GraphShortRow short_row : round.short_rows) {
+    short_row.row = static_cast<std::int32_t>(read_.limbs.back().rows.size()) - 1;
+    read_.limbs.back().short_rows.push_back(short_row);
+  }
   read_.limbs.back().rows.push_back(std::move(made));
   pieces_[now_].rounds.push_back(round);
   if (!round.cast_on) ++read_.rounds_read;
@@ -451,7 +458,7 @@ bool LimbWorker::work_words(std::int32_t first, std::int32_t last, std::string_v
   if (!read.mistake.empty()) return fail(range + read.mistake);
   if (!read.stated) return fail(range + " has no count of sts at its end.");
   for (std::int32_t number = first; number <= last; ++number) {
-    if (!begin_round(number)) return false;
+    if (!begin_round(number) || !take_short_rows(number, worked)) return false;
     WorkedRound round = work_round(read.nodes, on_needle());
     const std::string name = "Rnd " + std::to_string(number);
     if (!round.mistake.empty()) return fail(name + round.mistake);

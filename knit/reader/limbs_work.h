@@ -8,6 +8,7 @@
 
 #include "knit/reader/limbs_lines.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/short_needles.h"
 
 namespace knit {
 
@@ -33,6 +34,7 @@ class LimbWorker {
     bool cast_on = false, provisional = false, slips = false;
     std::vector<Operation> operations;
     std::int32_t after = 0;
+    std::vector<GraphShortRow> short_rows = {};  // before it or within it; `row` is 0
   };
   struct Piece {
     std::string name;
@@ -92,6 +94,10 @@ class LimbWorker {
   bool work_as(std::int32_t first, std::int32_t last, std::string_view words);
   bool begin_round(std::int32_t number);
   bool work(std::int32_t number, const Worked& round);
+  bool short_row(const ShortRowLine& row);
+  bool end_short_rows(const ShortRowLine& row);
+  // Those that stand alone before an ordinary round; they are the first round's.
+  bool take_short_rows(std::int32_t number, Worked& round);
   bool work_words(std::int32_t first, std::int32_t last, std::string_view words);
   std::optional<Loop> slipped_back(bool slips) const;
 
@@ -124,8 +130,9 @@ class LimbWorker {
   ReadLimbs read_;
   Loop needle_;
   bool has_needle_ = false, yarn_ = false, ended_ = false, begun_ = false;
-  std::optional<std::size_t> goes_on_;  // the piece that the yarn goes on with
-  std::string whose_;                   // the piece whose stitches are on the needle
+  std::optional<std::size_t> goes_on_;   // the piece that the yarn goes on with
+  std::optional<ShortNeedles> needles_;  // while short rows are worked: the needle's stitches
+  std::string whose_;                    // the piece whose stitches are on the needle
   const LimbHeading* heading_ = nullptr;
   std::map<std::size_t, Holder> holders_;
   std::map<std::size_t, Loop> waste_;

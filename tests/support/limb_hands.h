@@ -119,6 +119,11 @@ class PlanHands {
       done += takes;
     }
     CHECK(done == live.size());
+    const knit::Rounds alone{round.before, {{2, round.operations, round.before, round.after, round.pairs}}};
+    for (knit::GraphShortRow short_row : knit::graph_of(alone).short_rows) {
+      short_row.row = static_cast<std::int32_t>(made_.limbs.back().rows.size()) - 1;
+      made_.limbs.back().short_rows.push_back(short_row);
+    }
     needle_ = row;
     made_.limbs.back().rows.push_back(row);
     ++made_.rounds_read;
@@ -166,7 +171,9 @@ inline bool same_graph(const knit::ReadLimbs& a, const knit::ReadLimbs& b) {
       a.limbs.size() != b.limbs.size())
     return false;
   for (std::size_t i = 0; i < a.limbs.size(); ++i)
-    if (a.limbs[i].live != b.limbs[i].live || a.limbs[i].rows != b.limbs[i].rows) return false;
+    if (a.limbs[i].live != b.limbs[i].live || a.limbs[i].rows != b.limbs[i].rows ||
+        a.limbs[i].short_rows != b.limbs[i].short_rows)
+      return false;
   return true;
 }
 
