@@ -260,6 +260,30 @@ TEST_CASE("short rows: the reader says what does not add up") {
         "line 3: not understood: \"hop\".");
 }
 
+TEST_CASE("short rows: the chart has a row for each, with its hook and the marked stitch") {
+  Rounds rounds = plain_rounds(10, {{1, 4}});
+  rounds.rounds.push_back(plain_round(3, 10, {{-2, 2}}));
+  const Chart chart = chart_of(rounds);
+  // A double stitch is worked in the row that comes to it next: those of the wrong side in the round above.
+  CHECK(chart_grid(chart) ==
+        "   |==========|\n"
+        "10 |  V   V   | 3\n"
+        "   |  ::::::::| s3\n"
+        "s2 |  (::::   |\n"
+        "   |::::::)  V| s1\n"
+        "10 |    V     | 2\n"
+        "s2 |:::::    (|\n"
+        "   |::::)    :| s1\n"
+        "10 |oooooooooo| 1\n"
+        "    10\n");
+  const std::string key = chart_key({&chart});
+  CHECK(key.find("V     a double or wrapped stitch") != std::string::npos);
+  CHECK(key.find("s1    a short row") != std::string::npos);
+  CHECK(chart.row_of(2) == 3);
+  CHECK(chart.row_of(3) == 7);
+  CHECK_FALSE(has_short_rows(chart_of(plain_rounds(10, {}))));
+}
+
 TEST_CASE("short rows: after a mistake among them the next count stands") {
   const ReadPattern read = read_pattern(
       "CO 12 sts (Rnd 1).\nShort row 1 (RS): K5, turn. (6 sts after BOR)\nShort row 2 (WS): DS, p3, turn. (2 "

@@ -77,7 +77,7 @@ class Grid {
     std::string out = "<g fill=\"" + std::string(chart_colour::grey) + "\">\n";
     for (std::size_t y = 0; y < rows_; ++y) {
       for (std::size_t x = 0, end = 0; x < columns_; x = end + 1) {
-        for (end = x; end < columns_ && at(end, y).symbol == ChartSymbol::no_stitch;) ++end;
+        for (end = x; end < columns_ && knit::has_no_stitch(at(end, y).symbol);) ++end;
         if (end > x) out += rectangle(" class=\"none\"", x, y, end - x, 1);
       }
     }

@@ -40,6 +40,12 @@ inline constexpr std::array<ChartStroke, 3> picked_up{
 inline constexpr std::array<ChartStroke, 1> on_holder{{{{.20, .50}, {.80, .50}}}};
 inline constexpr std::array<ChartStroke, 2> grafted{
     {{{.18, .40}, {.82, .40}, ChartPoint{.50, .14}}, {{.18, .66}, {.82, .66}, ChartPoint{.50, .92}}}};
+// Of short rows: a V, and a hook from the row's end up and back.
+inline constexpr std::array<ChartStroke, 2> marked{{{{.24, .22}, {.50, .80}}, {{.50, .80}, {.76, .22}}}};
+inline constexpr std::array<ChartStroke, 3> turn_left{
+    {{{.96, .62}, {.52, .62}}, {{.52, .62}, {.52, .16}, ChartPoint{.22, .39}}, {{.52, .16}, {.80, .16}}}};
+inline constexpr std::array<ChartStroke, 3> turn_right{
+    {{{.04, .62}, {.48, .62}}, {{.48, .62}, {.48, .16}, ChartPoint{.78, .39}}, {{.48, .16}, {.20, .16}}}};
 }  // namespace chart_strokes
 
 struct ChartShape {
@@ -48,7 +54,7 @@ struct ChartShape {
   std::span<const ChartStroke> strokes;  // in drawing order
 };
 // In the key's order.
-inline constexpr std::array<ChartShape, 13> chart_shapes{{
+inline constexpr std::array<ChartShape, 16> chart_shapes{{
     {knit::ChartSymbol::knit, "", {}},
     {knit::ChartSymbol::m1r, "knit-m1r", chart_strokes::m1r},
     {knit::ChartSymbol::m1l, "knit-m1l", chart_strokes::m1l},
@@ -61,6 +67,9 @@ inline constexpr std::array<ChartShape, 13> chart_shapes{{
     {knit::ChartSymbol::picked_up, "knit-picked-up", chart_strokes::picked_up},
     {knit::ChartSymbol::on_holder, "knit-on-holder", chart_strokes::on_holder},
     {knit::ChartSymbol::grafted, "knit-grafted", chart_strokes::grafted},
+    {knit::ChartSymbol::marked, "knit-marked", chart_strokes::marked},
+    {knit::ChartSymbol::turn_left, "knit-turn-left", chart_strokes::turn_left},
+    {knit::ChartSymbol::turn_right, "knit-turn-right", chart_strokes::turn_right},
     {knit::ChartSymbol::no_stitch, "", {}},
 }};
 const ChartShape& shape_of(knit::ChartSymbol symbol);

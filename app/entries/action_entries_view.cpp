@@ -287,6 +287,15 @@ void add_switch(EntryList& list, const char* words, bool knit::PatternOptions::*
   list.add({words, group::the_pattern, "", SetPatternOptions{std::move(options)}, "", "", true});
 }
 
+void add_turns(EntryList& list) {
+  knit::PatternOptions options = list.session.view->pattern;
+  const bool wraps = options.turns == knit::ShortRowTurns::wrap;
+  options.turns = wraps ? knit::ShortRowTurns::german : knit::ShortRowTurns::wrap;
+  list.add({"Wrap and turn in short rows: on or off", group::the_pattern,
+            wraps ? "On: German short rows otherwise." : "Off: German short rows.",
+            SetPatternOptions{std::move(options)}, "", "", true});
+}
+
 void add_short_form(EntryList& list) {
   knit::PatternOptions options = list.session.view->pattern;
   const auto& document = list.session.document;
@@ -333,6 +342,7 @@ void add_pattern(EntryList& list) {
   add_switch(list, "Markers at main lines: on or off", &knit::PatternOptions::markers);
   add_switch(list, "Repeats with stars: on or off", &knit::PatternOptions::stars);
   add_short_form(list);
+  add_turns(list);
   list.add({"Knit along from round...", group::the_pattern, "One round at a time, large.",
             ActionPrompt{"Round", "1",
                          [](const Session& /*session*/, const std::string& typed) -> Read {

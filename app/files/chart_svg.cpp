@@ -140,6 +140,8 @@ class Drawing {
     if (look_.tint_mains && any_chart(any_main)) entries.push_back({nullptr, "main line"});
     if (any_chart(any_laid))
       entries.push_back({nullptr, "a row that knits nothing", chart_colour::laid_tint});
+    if (any_chart(knit::has_short_rows))
+      entries.push_back({nullptr, "a short row, from its number\'s side", "none", "s1"});
     if (any_chart(any_slips)) entries.push_back({nullptr, "slip the last st back first", "none", slip_sign});
     return entries;
   }
@@ -191,7 +193,12 @@ class Drawing {
       const bool crowded = step > 1 && (row < static_cast<std::size_t>(step) ||
                                         row + static_cast<std::size_t>(step) >= chart_.rows.size());
       if (!first && !last && (r.number % step != 0 || crowded)) continue;
+      if (r.short_row > 0 && step > 1) continue;
       const double y = top_ + grid_height_ - (static_cast<double>(row) + 0.5) * square_ + 0.36 * label_;
+      if (r.short_row > 0) {
+        out += text_at(r.wrong_side ? left : right, y, r.wrong_side ? at_left : size, knit::name_of(r));
+        continue;
+      }
       if (!r.laid) out += text_at(right, y, size, word_of(r));
       if (look_.counts && (r.laid ? first : is_worked(r) || first))
         out += text_at(left, y, at_left + (r.stitches == count ? " fill=\"#999\"" : ""),
@@ -210,7 +217,7 @@ class Drawing {
     return symbol != ChartSymbol::cast_on && symbol != ChartSymbol::bind_off;
   }
   static std::string word_of(const knit::ChartRow& row) {
-    if (is_worked(row)) return std::to_string(row.number) + (row.slips_back ? " <" : "");
+    if (is_worked(row)) return knit::name_of(row);
     return first_symbol(row) == ChartSymbol::cast_on ? "CO" : "BO";
   }
 
@@ -235,7 +242,7 @@ class Drawing {
                                       : "Start at the bottom; read every round from right to left.");
   }
   static std::string swatch(const KeyEntry& entry) {
-    const bool none = entry.shape != nullptr && entry.shape->symbol == ChartSymbol::no_stitch;
+    const bool none = entry.shape != nullptr && knit::has_no_stitch(entry.shape->symbol);
     const std::string_view fill = entry.shape == nullptr ? entry.fill : none ? chart_colour::grey : "#fff";
     std::string out = "<rect class=\"key\" width=\"1\" height=\"1\" fill=\"" + std::string(fill) +
                       "\" stroke=\"#555\" stroke-width=\".05\"/>\n";

@@ -63,6 +63,8 @@ void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternP
   if (pattern.stars) link.add("--stars");
   if (pattern.form != knit::PatternForm::by_itself)
     link.add("--pattern-form", pattern.form == knit::PatternForm::short_form ? "short" : "full");
+  if (pattern.turns != knit::ShortRowTurns::usual)
+    link.add("--turns", pattern.turns == knit::ShortRowTurns::wrap ? "wrap" : "german");
   for (const auto& [letters, word] : pieces.names) {
     std::string named = letters;
     named.append("=").append(word);

@@ -159,7 +159,7 @@ std::string pattern_file_text(const Session& session, PatternFormat format,
     case PatternFormat::knitspeak:
       break;
   }
-  return pattern_knitspeak(rounds);
+  return pattern_knitspeak(rounds, session.view->pattern.turns);
 }
 
 std::string chart_file_text(const Session& session) {

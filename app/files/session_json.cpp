@@ -56,6 +56,8 @@ Json pattern_json(const knit::PatternOptions& pattern, const PatternPieces& piec
                {"stars", pattern.stars}};
   if (pattern.form != knit::PatternForm::by_itself)
     json["form"] = pattern.form == knit::PatternForm::short_form ? "short" : "full";
+  if (pattern.turns != knit::ShortRowTurns::usual)
+    json["turns"] = pattern.turns == knit::ShortRowTurns::wrap ? "wrap" : "german";
   if (pattern.needle_mm) json["needle-mm"] = *pattern.needle_mm;
   if (!pieces.names.empty()) json["piece-names"] = pieces.names;
   if (!pieces.order.empty()) json["piece-order"] = pieces.order;
@@ -260,6 +262,10 @@ void read_pattern(JsonFields fields, knit::PatternOptions& pattern) {
   if (fields.has("form"))
     pattern.form =
         fields.choice("form", forms) == 1 ? knit::PatternForm::short_form : knit::PatternForm::full;
+  constexpr std::array<std::string_view, 2> turns{"german", "wrap"};
+  if (fields.has("turns"))
+    pattern.turns =
+        fields.choice("turns", turns) == 1 ? knit::ShortRowTurns::wrap : knit::ShortRowTurns::german;
   if (fields.has("needle-mm")) pattern.needle_mm = fields.number("needle-mm", 0.5, 50.0);
 }
 

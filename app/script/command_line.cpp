@@ -43,7 +43,7 @@ struct Words {
   std::vector<std::string> piece_names;
   std::string piece_order;
   bool markers = false, stars = false;
-  std::string pattern_form;
+  std::string pattern_form, turns;
   std::vector<std::string> beside;  // PARAM=VALUE
   bool explain = false, ways_on = false, presenting = false, follow = false, fit_size = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
@@ -170,6 +170,10 @@ void declare_pattern(CLI::App& app, Words& words) {
   app.add_option("--needle-mm", words.needle, "the needle, for the pattern; else the usual one")
       ->group("Pattern");
   app.add_flag("--markers", words.markers, "the pattern puts markers at main stitches")->group("Pattern");
+  app.add_option("--turns", words.turns,
+                 "short rows turn in German short rows (german) or by wrap and turn (wrap)")
+      ->group("Pattern")
+      ->type_name("HOW");
   app.add_flag("--stars", words.stars, "the pattern writes repeats as *...; rep from *")->group("Pattern");
   app.add_option(
          "--pattern-form", words.pattern_form,
@@ -399,6 +403,10 @@ std::optional<std::string> read_pattern_words(const Words& words, CommandLine& l
   line.pattern = {words.title, words.yarn, words.colour, std::nullopt, words.markers, words.stars, {}, {}};
   if (!words.pattern_form.empty() && words.pattern_form != "short" && words.pattern_form != "full")
     return "--pattern-form cannot be " + knit::quoted(words.pattern_form) + "; give short or full.";
+  if (!words.turns.empty() && words.turns != "german" && words.turns != "wrap")
+    return "--turns cannot be " + knit::quoted(words.turns) + "; give german or wrap.";
+  if (!words.turns.empty())
+    line.pattern.turns = words.turns == "wrap" ? knit::ShortRowTurns::wrap : knit::ShortRowTurns::german;
   if (!words.pattern_form.empty())
     line.pattern.form =
         words.pattern_form == "short" ? knit::PatternForm::short_form : knit::PatternForm::full;

@@ -37,6 +37,7 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
   pattern.markers = pattern.markers || given.markers;
   pattern.stars = pattern.stars || given.stars;
   if (given.form != knit::PatternForm::by_itself) pattern.form = given.form;
+  if (given.turns != knit::ShortRowTurns::usual) pattern.turns = given.turns;
   return pattern;
 }
 

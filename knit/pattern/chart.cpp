@@ -1,8 +1,10 @@
 #include "knit/pattern/chart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "knit/model/words.h"
+#include "knit/pattern/passes.h"
 #include "knit/pattern/wales.h"
 
 namespace knit {
@@ -32,14 +34,74 @@ class ChartMaker {
     for (const Round& round : rounds.rounds) made_by_.push_back(&round);
   }
 
-  [[nodiscard]] Chart make() const {
+  [[nodiscard]] Chart make() {
+    marked_.assign(columns_.of.size(), 0);
     Chart chart{columns_.width, {cast_on()}};
-    for (std::size_t row = 1; row < wales_.rows.size(); ++row) chart.rows.push_back(worked(row));
+    for (std::size_t row = 1; row < wales_.rows.size(); ++row) add_round(row, chart);
     chart.rows.push_back(bind_off());
     return chart;
   }
 
  private:
+  // A mark stays on its wale until that is worked: in a later short row, in the round, or in the next one.
+  void add_round(std::size_t row, Chart& chart) {
+    ChartRow round = worked(row);
+    const Round& worked_round = *made_by_[row];
+    if (worked_round.pairs.empty()) {
+      for (std::size_t i = 0; i < wales_.rows[row].size(); ++i) work_mark(row, i, round);
+    } else {
+      std::int32_t number = 0;
+      std::size_t made = 0;
+      for (const Pass& pass : passes_of(worked_round)) {
+        ChartRow short_row = blank(row, number + 1, pass.wrong_side());
+        bool any = false;
+        for (const PassStitch& stitch : pass.stitches) {
+          if (!stitch.in_short_row) {
+            work_mark(row, made++, round);
+            continue;
+          }
+          any = true;
+          ChartSquare& square = square_of(row, stitch.column, short_row);
+          square.symbol = take_mark(wale_below(row, stitch.column)) ? ChartSymbol::marked : ChartSymbol::knit;
+        }
+        if (pass.turns()) turn(row, pass, short_row);
+        if (!any) continue;
+        ++number;
+        chart.rows.push_back(std::move(short_row));
+      }
+    }
+    chart.rows.push_back(std::move(round));
+  }
+
+  [[nodiscard]] std::size_t wale_below(std::size_t row, std::int32_t column) const {
+    const std::vector<Wale>& below = wales_.rows[row - 1];
+    const auto count = static_cast<std::int32_t>(below.size());
+    return static_cast<std::size_t>(below[static_cast<std::size_t>((column + count) % count)]);
+  }
+  [[nodiscard]] ChartSquare& square_of(std::size_t row, std::int32_t column, ChartRow& short_row) const {
+    return short_row.squares[static_cast<std::size_t>(columns_.of[wale_below(row, column)])];
+  }
+  [[nodiscard]] ChartRow blank(std::size_t row, std::int32_t number, bool wrong_side) const {
+    ChartRow made{made_by_[row]->number, static_cast<std::int32_t>(wales_.rows[row - 1].size()), {}};
+    made.squares.resize(static_cast<std::size_t>(columns_.width));
+    made.short_row = number;
+    made.wrong_side = wrong_side;
+    return made;
+  }
+  bool take_mark(std::size_t wale) { return std::exchange(marked_[wale], std::uint8_t{0}) != 0; }
+  void work_mark(std::size_t row, std::size_t stitch, ChartRow& round) {
+    const auto wale = static_cast<std::size_t>(wales_.rows[row][stitch]);
+    ChartSquare& square = round.squares[static_cast<std::size_t>(columns_.of[wale])];
+    if (take_mark(wale) && square.symbol == ChartSymbol::knit) square.symbol = ChartSymbol::marked;
+  }
+  // The stitch beyond the row is marked; there stands the hook.
+  void turn(std::size_t row, const Pass& pass, ChartRow& short_row) {
+    const std::int32_t beyond = pass.stitches.back().column + (pass.wrong_side() ? -1 : 1);
+    marked_[wale_below(row, beyond)] = 1;
+    square_of(row, beyond, short_row).symbol =
+        pass.wrong_side() ? ChartSymbol::turn_right : ChartSymbol::turn_left;
+  }
+
   // One of these for every stitch of a row; mains as in the round that makes row `mains_of`.
   [[nodiscard]] ChartRow all_alike(std::size_t row, ChartSymbol symbol, std::size_t mains_of) const {
     const std::vector<std::uint8_t> main = main_wales(mains_of);
@@ -87,6 +149,7 @@ class ChartMaker {
   const Rounds& rounds_;
   Wales wales_;
   WaleColumns columns_;
+  std::vector<std::uint8_t> marked_;            // per wale
   std::vector<const Round*> made_by_{nullptr};  // each row; the cast on by none
 };
 
@@ -94,8 +157,18 @@ class ChartMaker {
 
 Chart chart_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back) {
   Chart chart = ChartMaker(rounds, slips_back).make();
-  for (std::size_t i = 0; i < slips_back.size(); ++i) chart.rows[i + 1].slips_back = slips_back[i] != 0;
+  std::size_t row = 0;
+  for (const std::uint8_t slips : slips_back) {
+    do ++row;
+    while (chart.rows[row].short_row != 0);
+    chart.rows[row].slips_back = slips != 0;
+  }
   return chart;
+}
+
+std::string name_of(const ChartRow& row) {
+  if (row.short_row > 0) return "s" + std::to_string(row.short_row);
+  return std::to_string(row.number) + (row.slips_back ? " <" : "");
 }
 
 namespace {
@@ -103,6 +176,10 @@ namespace {
 constexpr const char* how_to_read =
     "Read from the bottom up, every round from right to left. At the right stands the round's\n"
     "number, at the left how many stitches there are after it.\n";
+
+constexpr const char* how_short_rows_read =
+    "     s1    a short row before the round above it, worked from the side\n"
+    "           where its number stands: on the WS from left to right\n";
 
 std::string right_aligned(const std::string& words, std::size_t width) {
   return std::string(width - std::min(width, words.size()), ' ') + words;
@@ -145,16 +222,27 @@ const ChartSign& sign_of(ChartSymbol symbol) {
 
 std::string chart_grid(const Chart& chart) {
   std::size_t counts = 0;
-  for (const ChartRow& row : chart.rows) counts = std::max(counts, std::to_string(row.stitches).size());
+  for (const ChartRow& row : chart.rows) {
+    counts = std::max(counts, std::to_string(row.stitches).size());
+    if (row.short_row > 0) counts = std::max(counts, name_of(row).size());
+  }
   std::string text;
   for (std::size_t i = chart.rows.size(); i-- > 0;) {
     const ChartRow& row = chart.rows[i];
     const bool ends = row.stitches == 0;  // the bind off: no round, and nothing is left
-    text += right_aligned(ends ? "" : std::to_string(row.stitches), counts) + " |" + squares_of(row) + "|" +
-            (ends || row.laid ? "" : " " + std::to_string(row.number)) + (row.slips_back ? " <" : "") + "\n";
+    std::string left = ends ? "" : std::to_string(row.stitches);
+    if (row.short_row > 0) left = row.wrong_side ? name_of(row) : "";
+    const bool numbered = !ends && !row.laid && !(row.short_row > 0 && row.wrong_side);
+    text += right_aligned(left, counts) + " |" + squares_of(row) + "|" +
+            (numbered ? " " + name_of(row) : "") + (!numbered && row.slips_back ? " <" : "") + "\n";
   }
   const std::string ruler = ruler_of(chart);
   return ruler.empty() ? text : text + std::string(counts + 2, ' ') + ruler + "\n";
+}
+
+bool has_short_rows(const Chart& chart) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(),
+                     [](const ChartRow& row) { return row.short_row > 0; });
 }
 
 bool has_symbol(const Chart& chart, ChartSymbol symbol) {
@@ -174,6 +262,8 @@ std::string chart_key(const std::vector<const Chart*>& charts) {
     text += sign.sign == ' ' ? "  (blank)  " : std::string("     ") + sign.sign + "     ";
     text.append(sign.meaning).append("\n");
   }
+  if (std::any_of(charts.begin(), charts.end(), [](const Chart* chart) { return has_short_rows(*chart); }))
+    text += how_short_rows_read;
   return text;
 }
 

@@ -30,8 +30,17 @@ enum class ChartSymbol : std::uint8_t {
   held,       // of a holder, that has its piece's letter
   picked_up,  // along a gap
   on_holder,  // goes on a holder, of its own piece
-  grafted
+  grafted,
+  // Of short rows: a double or wrapped stitch in the row that works it, and where a short row turns, at its end.
+  marked,
+  turn_left,
+  turn_right
 };
+// A grey square.
+inline bool has_no_stitch(ChartSymbol symbol) {
+  return symbol == ChartSymbol::no_stitch || symbol == ChartSymbol::turn_left ||
+         symbol == ChartSymbol::turn_right;
+}
 
 struct ChartSquare {
   ChartSymbol symbol = ChartSymbol::no_stitch;
@@ -47,12 +56,24 @@ struct ChartRow {
   bool laid =
       false;  // knits nothing: what lies on the needle before the first round, or where stitches go in the end
   bool slips_back = false;  // the last stitch of the round before is taken together with the first
+  // A short row before the round, or the way home after one: its number there, from 1; 0: the round itself. Its squares are
+  // no stitches of the round. It is worked from the right, on the wrong side from the left.
+  std::int32_t short_row = 0;
+  bool wrong_side = false;
   friend bool operator==(const ChartRow&, const ChartRow&) = default;
 };
 struct Chart {
   std::int32_t columns = 0;
   std::vector<ChartRow> rows;  // the cast on first
+  // Where the round of this number stands; past the end: nowhere.
+  [[nodiscard]] std::size_t row_of(std::int32_t round) const {
+    std::size_t row = 0;
+    while (row < rows.size() && (rows[row].number != round || rows[row].short_row != 0)) ++row;
+    return row;
+  }
 };
+// What stands beside a row: "12", "12 <", "s1".
+std::string name_of(const ChartRow& row);
 
 // Columns are chosen so that a stitch stands above the one it is worked from wherever it can, and main wales
 // keep their column all the way.
@@ -70,7 +91,7 @@ struct ChartSign {
   char sign;
   std::string_view meaning;
 };
-inline constexpr std::array<ChartSign, 13> chart_signs{{
+inline constexpr std::array<ChartSign, 16> chart_signs{{
     {ChartSymbol::knit, ' ', "k: knit"},
     {ChartSymbol::m1r, 'R', "m1r: make 1 right"},
     {ChartSymbol::m1l, 'L', "m1l: make 1 left"},
@@ -83,6 +104,9 @@ inline constexpr std::array<ChartSign, 13> chart_signs{{
     {ChartSymbol::picked_up, 'u', "picked up along a gap"},
     {ChartSymbol::on_holder, '-', "goes on a holder"},
     {ChartSymbol::grafted, '~', "grafted"},
+    {ChartSymbol::marked, 'V', "a double or wrapped stitch: work it as one"},
+    {ChartSymbol::turn_left, ')', "turn here, to the WS"},
+    {ChartSymbol::turn_right, '(', "turn here, to the RS"},
     {ChartSymbol::no_stitch, ':', "no stitch: skip it"},
 }};
 const ChartSign& sign_of(ChartSymbol symbol);
@@ -94,6 +118,7 @@ inline constexpr std::int32_t widest_text_chart = 100;
 std::string chart_grid(const Chart& chart);
 // Of all charts together: a line for each symbol that is there.
 std::string chart_key(const std::vector<const Chart*>& charts);
+bool has_short_rows(const Chart& chart);
 bool has_symbol(const Chart& chart, ChartSymbol symbol);
 
 // The document's last section, with an empty line before it. Of a chart that is too wide it says where the

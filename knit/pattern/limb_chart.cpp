@@ -79,9 +79,12 @@ PieceChart chart_of_piece(const LimbPiece& piece, const PieceNeedle& needle) {
   made.rows.assign(rows.size(), 0);
   made.starts.assign(rows.size(), 0);
   const std::size_t first = piece.is_cast_on() ? 0 : 1;
-  for (std::size_t i = 0; i < piece.rows.size() && first + i < rows.size(); ++i) {
-    made.rows[first + i] = piece.rows[i];
-    made.starts[first + i] = piece.starts[i];
+  // Short rows have no row of the piece.
+  for (std::size_t i = 0, at = first; i < piece.rows.size() && at < rows.size(); ++at) {
+    if (rows[at].short_row != 0) continue;
+    made.rows[at] = piece.rows[i];
+    made.starts[at] = piece.starts[i];
+    ++i;
   }
   return made;
 }

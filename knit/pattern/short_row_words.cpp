@@ -40,7 +40,7 @@ class WordList {
 class LineWriter {
  public:
   LineWriter(const Round& round, ShortRowTurns turns)
-      : round_(round), german_(turns == ShortRowTurns::german) {}
+      : round_(round), german_(turns != ShortRowTurns::wrap) {}
 
   ShortRowLines run() {
     ShortRowLines told;

@@ -125,7 +125,7 @@ std::vector<std::pair<std::string, std::string>> abbreviations_of(const Used& us
     bool used;
     const char *word, *meaning;
   };
-  const bool german = used.short_rows && used.turns == ShortRowTurns::german;
+  const bool german = used.short_rows && used.turns != ShortRowTurns::wrap;
   const std::array<Entry, 18> entries{{
       {binds_off, "BO", "bind off"},
       {used.short_rows, "BOR", "beginning of the round, at its marker"},
@@ -191,7 +191,7 @@ void add_shaping_notes(const Used& used, bool tight_start, std::vector<std::stri
 
 void add_short_row_notes(const Used& used, std::vector<std::string>& notes) {
   if (!used.short_rows) return;
-  if (used.turns == ShortRowTurns::german) {
+  if (used.turns != ShortRowTurns::wrap) {
     notes.emplace_back(
         "Short rows are German: turn where it is said, slip the stitch worked last to the right needle with "
         "the "

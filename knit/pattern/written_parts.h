@@ -17,7 +17,7 @@ struct Used {
   bool repeats = false, stars = false, markers = false;
   bool short_rows = false;      // told by `turns`
   bool over_beginning = false;  // short rows past the beginning of the round
-  ShortRowTurns turns = ShortRowTurns::german;
+  ShortRowTurns turns = ShortRowTurns::usual;
   bool sections = false;         // markers part the round into sections, each shaped alike
   bool turned = false;           // shaping that leans to both sides
   bool mixed = false;            // increases and decreases in one round

@@ -29,8 +29,8 @@ namespace knit {
 // How rounds are told. By itself: shortly where they were planned in a rhythm, written out elsewhere.
 enum class PatternForm : std::uint8_t { by_itself, full, short_form };
 
-// How hands turn in a short row. The fabric is the same.
-enum class ShortRowTurns : std::uint8_t { german, wrap };
+// How hands turn in a short row: in German short rows, unless they are to wrap and turn. The fabric is the same.
+enum class ShortRowTurns : std::uint8_t { usual, german, wrap };
 
 struct PatternOptions {
   std::string title;                // empty: the mesh's name
@@ -44,7 +44,7 @@ struct PatternOptions {
   PatternForm form = PatternForm::by_itself;
   // What a person calls pieces, by their letters: {"A", "Tail"}. One capitalised word each (is_piece_word).
   std::map<std::string, std::string> piece_names = {};
-  ShortRowTurns turns = ShortRowTurns::german;
+  ShortRowTurns turns = ShortRowTurns::usual;
   friend bool operator==(const PatternOptions&, const PatternOptions&) = default;
 };
 

@@ -45,7 +45,7 @@ std::uint64_t key_of(std::uint64_t planned, const knit::Parameters& parameters,
     knit::hash_into(hasher, std::string_view(word));
   }
   hasher.add((options.markers ? 1U : 0U) + (options.stars ? 2U : 0U) +
-             4U * static_cast<unsigned>(options.form));
+             4U * static_cast<unsigned>(options.form) + 16U * static_cast<unsigned>(options.turns));
   return hasher.value();
 }
 
@@ -121,8 +121,10 @@ bool says(const knit::RoundLine& line, std::int32_t round) {
 
 std::string ChartCache::line_of(std::int32_t round) const {
   if (round == 1) return pattern_.start;
+  std::string before;  // its short rows
   for (const knit::RoundLine& line : written_out_) {
-    if (says(line, round)) return line.text();
+    if (says(line, round) && !line.short_row) return before + line.text();
+    if (says(line, round)) before += line.text() + "\n";
   }
   return line_in_pattern(round);
 }
@@ -133,8 +135,12 @@ std::string ChartCache::short_line_of(std::int32_t round) const {
 }
 
 std::string ChartCache::line_in_pattern(std::int32_t round) const {
+  std::string before;
   for (const auto& instruction : pattern_.instructions) {
-    if (instruction.round && says(*instruction.round, round)) return instruction.round->text();
+    if (!instruction.round || !says(*instruction.round, round)) continue;
+    before += instruction.round->text();
+    if (!instruction.round->short_row) return before;
+    before += "\n";
   }
   return "";
 }

@@ -43,7 +43,9 @@ class ChartCache {
   }
   // The cast on is the first; the chart's last row, the bind off, is none.
   [[nodiscard]] std::int32_t rounds() const {
-    return std::max(0, static_cast<std::int32_t>(chart_.rows.size()) - 1);
+    const auto short_rows = std::count_if(chart_.rows.begin(), chart_.rows.end(),
+                                          [](const knit::ChartRow& row) { return row.short_row > 0; });
+    return std::max(0, static_cast<std::int32_t>(std::ssize(chart_.rows) - short_rows) - 1);
   }
 
  private:

@@ -41,13 +41,16 @@ knit::Label label_of(knit::ChartSymbol symbol) {
     case knit::ChartSymbol::picked_up:
     case knit::ChartSymbol::on_holder:
     case knit::ChartSymbol::grafted:
+    case knit::ChartSymbol::marked:
+    case knit::ChartSymbol::turn_left:
+    case knit::ChartSymbol::turn_right:
       break;
   }
   return knit::Label::knit;
 }
 
 Colour ground_of(const knit::ChartSquare& square, bool lit) {
-  if (square.symbol == knit::ChartSymbol::no_stitch) return theme().hovered;
+  if (knit::has_no_stitch(square.symbol)) return theme().hovered;
   if (lit) return theme().lit_paper;
   return square.main ? theme().main_paper : theme().paper;
 }
@@ -192,11 +195,25 @@ void handle_zoom_and_drag(PanelFrame& frame, const Box& box) {
 }
 
 // Beside every band, as on paper; the counts beside the last.
+// At the side where it begins, where there is room for a line.
+void draw_short_row_number(const PanelFrame& frame, const Sheet& sheet, std::size_t row, float height) {
+  if (sheet.side() < height) return;
+  const knit::ChartRow& round = sheet.chart.rows[row];
+  const std::string words = knit::name_of(round);
+  const float down = 0.5f * (sheet.side() - height), gap = frame.units(6.0f);
+  const ImVec2 right = sheet.at(row, 0), left = sheet.at(row, sheet.bands.columns - 1);
+  const float x =
+      round.wrong_side ? left.x - ImGui::CalcTextSize(words.c_str()).x - gap : right.x + sheet.side() + gap;
+  ImGui::GetWindowDrawList()->AddText(ImVec2(x, (round.wrong_side ? left.y : right.y) + down),
+                                      style::packed(theme().faint_text), words.c_str());
+}
+
 void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) {
   const float needed = ImGui::GetTextLineHeight();
   const auto every = static_cast<std::size_t>(std::max(1.0f, std::ceil(needed / sheet.side())));
   const knit::ChartRow& round = sheet.chart.rows[row];
-  if (sheet.piece != nullptr && sheet.round_of(row) == 0) return;
+  if (sheet.piece != nullptr && sheet.round_of(row) == 0 && round.short_row == 0) return;
+  if (round.short_row > 0) return draw_short_row_number(frame, sheet, row, needed);
   const std::int32_t hand = current_round(frame);
   const std::int32_t number = sheet.piece != nullptr ? sheet.round_of(row) : round.number;
   const bool current = number == hand;
@@ -205,7 +222,7 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   if (!current && (row % every != 0 || crowded)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = style::packed(current ? theme().anchor : theme().faint_text);
-  const std::string words = std::to_string(round.number) + (round.slips_back ? " <" : "");
+  const std::string words = knit::name_of(round);
   const float down = 0.5f * (sheet.side() - needed);
   for (std::size_t band = 0; band < sheet.bands.count; ++band) {
     const ImVec2 right = sheet.at(row, sheet.first_of(band));
@@ -276,8 +293,9 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
 void draw_span(const PanelFrame& frame, const Sheet& sheet, const RoundSpan& span) {
   const RoundSpan rounds{sheet.own_row(span.first), sheet.own_row(span.last)};
   const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
-  auto first = static_cast<std::size_t>(std::clamp(rounds.first, 1, rows) - 1);
-  auto last = static_cast<std::size_t>(std::clamp(rounds.last, 1, rows) - 1);
+  auto first = sheet.chart.row_of(std::clamp(rounds.first, 1, rows));
+  auto last = std::min(sheet.chart.row_of(std::clamp(rounds.last, 1, rows)), sheet.chart.rows.size() - 1);
+  first = std::min(first, last);
   if (sheet.piece != nullptr) {
     const auto in_span = [&](std::int32_t row) { return row > 0 && rounds.holds(row); };
     const std::vector<std::int32_t>& all = sheet.piece->rows;
@@ -331,6 +349,7 @@ std::string words_for(const Sheet& sheet, const SquarePlace& place) {
   const knit::ChartRow& round = sheet.chart.rows[place.row];
   const knit::ChartSquare& square = round.squares[place.column];
   std::string words = "Rnd " + std::to_string(round.number);
+  if (round.short_row > 0) words = "Short row " + std::to_string(round.short_row) + " before " + words;
   if (round.laid) words = place.row == 0 ? "Before Rnd 1" : "At the end";
   if (sheet.stitch_at(place.row, square))
     words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);

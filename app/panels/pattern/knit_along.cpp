@@ -205,7 +205,7 @@ void draw_knit_along(PanelFrame& frame) {
     const std::int32_t round = std::clamp(*along, 1, last);
     draw_turning(frame, round, last);
     draw_round_line(frame, cache.line_of(round));
-    draw_strip(frame, cache.chart().rows[static_cast<std::size_t>(round) - 1]);
+    draw_strip(frame, cache.chart().rows[cache.chart().row_of(round)]);
     draw_rhythm(frame, cache, round);
   }
   ImGui::End();

@@ -254,6 +254,15 @@ void draw_style(PanelFrame& frame, knit::PatternOptions options) {
       "Says where stitch markers are placed and slipped.");
   box("Repeats with stars", "pattern/stars", options.stars,
       "*K4, m1l; rep from * to end, in place of [K4, m1l] 6 times, where a round is one repeat.");
+  bool wraps = options.turns == knit::ShortRowTurns::wrap;
+  if (ImGui::Checkbox("Wrap and turn", &wraps)) {
+    knit::PatternOptions chosen = options;
+    chosen.turns = wraps ? knit::ShortRowTurns::wrap : knit::ShortRowTurns::german;
+    wish_options(frame, chosen);
+  }
+  frame.mark("pattern/turns");
+  tooltip(frame,
+          "Short rows turn by wrap and turn (w&t), in place of German short rows with a double stitch (DS).");
 }
 
 void draw_save(PanelFrame& frame) {

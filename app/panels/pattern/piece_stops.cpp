@@ -34,11 +34,14 @@ std::string round_words(const PlannedPieces& pieces, const LimbPiece& piece, std
   const knit::LimbRound& round = piece.rounds[static_cast<std::size_t>(number - 1 - cast_on)];
   knit::Rounds one;
   one.cast_on = round.before;
-  one.rounds = {{number, round.operations, round.before, round.after}};
-  knit::RoundLine line = knit::round_lines(one, pieces.options).front();
+  one.rounds = {{number, round.operations, round.before, round.after, round.pairs}};
+  const std::vector<knit::RoundLine> lines = knit::round_lines(one, pieces.options);
+  knit::RoundLine line = lines.back();
+  std::string before;
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) before += lines[i].text() + "\n";
   if (round.slips_back) line.words = "Slip last st back, " + with_small_letter(line.words);
   line.moves_marker = round.slips_back;
-  return line.text();
+  return before + line.text();
 }
 
 // Holders by the piece that they go by and their number, and waste yarn by its piece.
