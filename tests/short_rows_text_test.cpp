@@ -4,6 +4,7 @@
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/reader/pattern_reader.h"
+#include "knit/stitches/appendix.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_short_rows.h"
 #include "tests/support/repeated.h"
@@ -282,6 +283,12 @@ TEST_CASE("short rows: the chart has a row for each, with its hook and the marke
   CHECK(chart.row_of(2) == 3);
   CHECK(chart.row_of(3) == 7);
   CHECK_FALSE(has_short_rows(chart_of(plain_rounds(10, {}))));
+}
+
+TEST_CASE("short rows: a list of labels says on which row and stitch it stands") {
+  CHECK(text_of(LabelRow{12, std::nullopt, {Label::knit, Label::main, Label::knit}, 2, -5}) ==
+        "12.2 @-5: [0, 6, 0]");
+  CHECK(text_of(LabelRow{12, std::nullopt, {Label::knit}}) == "12: [0]");
 }
 
 TEST_CASE("short rows: after a mistake among them the next count stands") {

@@ -43,9 +43,9 @@ inline constexpr std::array<ChartStroke, 2> grafted{
 // Of short rows: a V, and a hook from the row's end up and back.
 inline constexpr std::array<ChartStroke, 2> marked{{{{.24, .22}, {.50, .80}}, {{.50, .80}, {.76, .22}}}};
 inline constexpr std::array<ChartStroke, 3> turn_left{
-    {{{.96, .62}, {.52, .62}}, {{.52, .62}, {.52, .16}, ChartPoint{.22, .39}}, {{.52, .16}, {.80, .16}}}};
+    {{{.86, .62}, {.52, .62}}, {{.52, .62}, {.52, .16}, ChartPoint{.22, .39}}, {{.52, .16}, {.80, .16}}}};
 inline constexpr std::array<ChartStroke, 3> turn_right{
-    {{{.04, .62}, {.48, .62}}, {{.48, .62}, {.48, .16}, ChartPoint{.78, .39}}, {{.48, .16}, {.20, .16}}}};
+    {{{.14, .62}, {.48, .62}}, {{.48, .62}, {.48, .16}, ChartPoint{.78, .39}}, {{.48, .16}, {.20, .16}}}};
 }  // namespace chart_strokes
 
 struct ChartShape {

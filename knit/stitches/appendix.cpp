@@ -34,6 +34,7 @@ std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* 
 std::string text_of(const LabelRow& row) {
   std::string text = row.row > 0 ? std::to_string(row.row) : "";
   if (row.into) text += (text.empty() ? "> " : " > ") + std::to_string(*row.into);
+  if (row.short_row > 0) text += "." + std::to_string(row.short_row) + " @" + std::to_string(row.at);
   text += ": [";
   for (std::size_t i = 0; i < row.labels.size(); ++i) {
     if (i > 0) text += ", ";
