@@ -300,7 +300,8 @@ bool PiecesJsonReader::work(std::size_t index, JsonFields fields) {
     return fail(place, "the pattern is longer than can be read.");
   if (const auto fault = row_fault(fields_->array("graph")[row], round); !fault.empty())
     return fail("", listed_at(piece_, "graph", row) + fault);
-  for (const knit::GraphShortRow& short_row : short_rows_of(round, static_cast<std::int32_t>(row) - 1))
+  const std::int32_t below = static_cast<std::int32_t>(index) - (is_cast_on_ ? 0 : 1);
+  for (const knit::GraphShortRow& short_row : short_rows_of(round, below))
     read_.limbs.back().short_rows.push_back(short_row);
   const std::size_t n = needle_.size();
   if (round.slips_back) std::rotate(needle_.begin(), needle_.end() - 1, needle_.end());

@@ -73,8 +73,11 @@ class ChartMaker {
     chart.rows.push_back(std::move(round));
   }
 
+  [[nodiscard]] const std::vector<Wale>& stitches_below(std::size_t made) const {
+    return wales_.rows[made - 1];
+  }
   [[nodiscard]] std::size_t wale_below(std::size_t row, std::int32_t column) const {
-    const std::vector<Wale>& below = wales_.rows[row - 1];
+    const std::vector<Wale>& below = stitches_below(row);
     const auto count = static_cast<std::int32_t>(below.size());
     return static_cast<std::size_t>(below[static_cast<std::size_t>((column + count) % count)]);
   }
@@ -82,7 +85,7 @@ class ChartMaker {
     return short_row.squares[static_cast<std::size_t>(columns_.of[wale_below(row, column)])];
   }
   [[nodiscard]] ChartRow blank(std::size_t row, std::int32_t number, bool wrong_side) const {
-    ChartRow made{made_by_[row]->number, static_cast<std::int32_t>(wales_.rows[row - 1].size()), {}};
+    ChartRow made{made_by_[row]->number, static_cast<std::int32_t>(stitches_below(row).size()), {}};
     made.squares.resize(static_cast<std::size_t>(columns_.width));
     made.short_row = number;
     made.wrong_side = wrong_side;

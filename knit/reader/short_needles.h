@@ -84,7 +84,6 @@ class ShortNeedles {
   [[nodiscard]] std::string turned_at(const ShortRowLine& line) const;
   void add_short_rows(const std::vector<bool>& of_round, Worked& worked) const;
 
-  enum class Turned : std::uint8_t { no, turn, done };
   std::int32_t columns_;
   std::vector<Loop> loops_;
   std::vector<Stitch> stitches_;
