@@ -140,7 +140,8 @@ TEST_CASE("sweep side: the usual range of every parameter can be swept, one that
     const SweepAxis axis = usual_axis(info, wide_band(), 200);
     CHECK_FALSE(fault_of(SweepPlan{axis, std::nullopt}));
     const auto value = present_value(info, wide_band());
-    REQUIRE(value);
+    CHECK((value || info.key == "rhythm-simplicity"));  // what auto stands for there only a run says
+    if (!value) continue;
     CHECK(axis.from <= *value);
     CHECK(axis.to >= *value);
   }

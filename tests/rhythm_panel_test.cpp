@@ -128,7 +128,7 @@ TEST_CASE("the rhythm's knobs and its slider are there where they are read") {
   desk.open(in_rhythm());
   for (const char* control : {"knob/counts", "knob/rhythm-tolerance", "knob/rhythm-changes",
                               "knob/rhythm-style", "knob/rhythm-simplicity", "rhythm/dial", "rhythm/length",
-                              "rhythm/deviation", "plot/rhythm", "plot/rhythm-seen"})
+                              "rhythm/deviation", "rhythm/fit-size", "plot/rhythm", "plot/rhythm-seen"})
     CHECK(desk.ui.controls.count(control) == 1);
 }
 
