@@ -9,6 +9,7 @@
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/rounds.h"
 #include "knit/rhythm/rhythm_plan.h"
+#include "tests/support/belly.h"
 #include "tests/support/promises.h"
 #include "tests/support/scrub.h"
 
@@ -155,4 +156,49 @@ TEST_CASE("the step of a rhythm says what it is and what it costs, never less th
   CHECK(told().find("is knitted plain, 58 rounds") != std::string::npos);
   step.none = NoRhythm::few_rows;
   CHECK(told().find("has no rhythm, as it is worked on live stitches") != std::string::npos);
+}
+
+TEST_CASE("a body with a belly is knitted from its back with its halves shaped apart and mirrored") {
+  Parameters p = in_rhythm();
+  give_width(p, 0.1);
+  Timeline timeline(make_input(belly_mesh()), p);
+  timeline.extend_to_end();
+  const State& state = timeline.furthest();
+  REQUIRE(state.finished());
+  REQUIRE(state.rhythms.size() == 1);
+  const TubeRhythm& rhythm = *state.rhythms.front();
+  REQUIRE(rhythm.mirror);
+  REQUIRE_FALSE(rhythm.plan.fronts.empty());
+  CHECK(counts_made(state) == rhythm.plan.counts);
+  const auto planned = all_steps<RhythmPlanned>(timeline);
+  REQUIRE(planned.size() == 1);
+  CHECK(planned.front().apart);
+  CHECK(narrate({{Stage::cast_on, 1, 1}, planned.front()}, p).find("front and back halves differ") !=
+        std::string::npos);
+  std::size_t shaping = 0;
+  for (const auto& row : state.fabric.rows()) {
+    const glm::dvec3& begin = row->stitches.front().position;
+    CHECK(std::abs(rhythm.mirror->height(begin)) < 1e-9);
+    CHECK(glm::dot(begin - rhythm.mirror->point, rhythm.mirror->back) >
+          glm::dot(row->stitches[row->stitches.size() / 2].position - rhythm.mirror->point,
+                   rhythm.mirror->back));
+    if (row->on.empty()) continue;
+    const Join* join = state.fabric.join_into(row->id);
+    REQUIRE(join != nullptr);
+    CHECK(join->rule == Rule::repeat);
+    CHECK(join->mains.size() == 4);
+    shaping += join->change() != 0 ? 1 : 0;
+  }
+  CHECK(shaping > 6);
+  CHECK(broken_promise(state).empty());
+  const std::vector<std::uint64_t> hashes = hashes_forward(timeline);
+  check_at_random(timeline, hashes, 20);
+  timeline.seek(timeline.position_of({Stage::rows, 6, 0}));
+  Parameters tighter = p;
+  tighter.rhythm.tolerance = 2.0;
+  timeline.edit_from_here(tighter);
+  timeline.extend_to_end();
+  REQUIRE(timeline.furthest().finished());
+  REQUIRE(timeline.furthest().rhythms.size() == 2);
+  CHECK_FALSE(timeline.furthest().rhythms.back()->plan.fronts.empty());
 }

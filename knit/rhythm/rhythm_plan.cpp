@@ -80,28 +80,6 @@ double preference(std::int32_t changes) {
   }
 }
 
-double score_of(const RhythmPlan& plan, const RhythmStart& start) {
-  // A round from the live stitches to a count of the rhythm is no repeat: a line of its own.
-  double lines = start.live > 0 && plan.counts.front() != start.live ? 1.0 : 0.0;
-  std::set<std::int32_t> steps;
-  for (const RhythmSegment& segment : plan.segments) {
-    lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;
-    if (segment.change != 0) steps.insert(std::abs(segment.change));
-  }
-  const auto is_change = [&](std::size_t row) {
-    return row < plan.roles.size() && plan.roles[row] == RowRole::change;
-  };
-  std::int32_t shaping = 0;
-  std::int32_t unrested = 0;
-  for (std::size_t row = 0; row < plan.roles.size(); ++row) {
-    shaping += is_change(row) ? 1 : 0;
-    unrested += is_change(row) && is_change(row + 1) ? 1 : 0;
-  }
-  const double more_steps = steps.empty() ? 0.0 : static_cast<double>(steps.size()) - 1.0;
-  return lines + 0.3 * std::max(0, unrested - 2) + 0.04 * shaping + preference(plan.changes) + more_steps +
-         15.0 * std::abs(plan.size - 1.0);
-}
-
 std::vector<double> opening_half(std::span<const double> ideals) {
   std::vector<double> half;
   for (std::size_t row = 0; row < (ideals.size() + 1) / 2; ++row)
@@ -158,6 +136,28 @@ IdealsAt resized_ideals(std::vector<double> ideals) {
   };
 }
 
+double rhythm_score(const RhythmPlan& plan, const RhythmStart& start) {
+  // A round from the live stitches to a count of the rhythm is no repeat: a line of its own.
+  double lines = start.live > 0 && plan.counts.front() != start.live ? 1.0 : 0.0;
+  std::set<std::pair<std::int32_t, std::int32_t>> steps;
+  for (const RhythmSegment& segment : plan.segments) {
+    lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;
+    if (segment.change != 0) steps.emplace(std::abs(segment.change), std::abs(segment.front));
+  }
+  const auto is_change = [&](std::size_t row) {
+    return row < plan.roles.size() && plan.roles[row] == RowRole::change;
+  };
+  std::int32_t shaping = 0;
+  std::int32_t unrested = 0;
+  for (std::size_t row = 0; row < plan.roles.size(); ++row) {
+    shaping += is_change(row) ? 1 : 0;
+    unrested += is_change(row) && is_change(row + 1) ? 1 : 0;
+  }
+  const double more_steps = steps.empty() ? 0.0 : static_cast<double>(steps.size()) - 1.0;
+  return lines + 0.3 * std::max(0, unrested - 2) + 0.04 * shaping + preference(plan.changes) + more_steps +
+         15.0 * std::abs(plan.size - 1.0);
+}
+
 std::span<const double> rhythm_dials() { return dials; }
 
 bool is_mirrored(std::span<const double> ideals) {
@@ -191,7 +191,7 @@ std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const Rhyt
   plan.roles = roles_of(plan.segments);
   plan.seen = seen_deviation(plan.counts, ideals.subspan(static_cast<std::size_t>(start.row)));
   plan.seen.row += start.row;
-  plan.score = score_of(plan, start);
+  plan.score = rhythm_score(plan, start);
   return plan;
 }
 
@@ -222,7 +222,7 @@ std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettin
       std::optional<RhythmPlan> plan = plan_family(sized, family, dial, start, part);
       if (!plan) continue;
       plan->size = size;
-      plan->score = score_of(*plan, start);
+      plan->score = rhythm_score(*plan, start);
       plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
       plans.push_back(*std::move(plan));
     }

@@ -36,6 +36,9 @@ std::span<const double> rhythm_dials();
 std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const RhythmFamily& family, double dial,
                                       const RhythmStart& start = {}, const Heard& heard = {});
 
+// What the plan's lines are worth, the less the better.
+double rhythm_score(const RhythmPlan& plan, const RhythmStart& start);
+
 // Whether the piece is alike from both ends.
 bool is_mirrored(std::span<const double> ideals);
 

@@ -8,6 +8,7 @@ namespace {
 
 RhythmSegment turned_round(RhythmSegment segment) {
   segment.change = -segment.change;
+  segment.front = -segment.front;
   if (segment.kind == SegmentKind::plain || segment.rows == 1) return segment;
   segment.kind = segment.kind == SegmentKind::pre ? SegmentKind::post : SegmentKind::pre;
   return segment;
@@ -18,15 +19,24 @@ bool changes_at(const RhythmSegment& segment, std::int32_t row_of_turn) {
   return row_of_turn == (segment.kind == SegmentKind::pre ? segment.rows - 1 : 0);
 }
 
-}  // namespace
-
-std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const RhythmSegment> segments) {
+std::vector<std::int32_t> summed(std::int32_t first, std::span<const RhythmSegment> segments,
+                                 std::int32_t RhythmSegment::*change) {
   std::vector<std::int32_t> counts{first};
   for (const RhythmSegment& segment : segments) {
     for (std::int32_t i = 0; i < segment.length(); ++i)
-      counts.push_back(counts.back() + (changes_at(segment, i % segment.rows) ? segment.change : 0));
+      counts.push_back(counts.back() + (changes_at(segment, i % segment.rows) ? segment.*change : 0));
   }
   return counts;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const RhythmSegment> segments) {
+  return summed(first, segments, &RhythmSegment::change);
+}
+
+std::vector<std::int32_t> fronts_of(std::int32_t first, std::span<const RhythmSegment> segments) {
+  return summed(first, segments, &RhythmSegment::front);
 }
 
 std::vector<RowRole> roles_of(std::span<const RhythmSegment> segments) {

@@ -21,8 +21,9 @@ struct RhythmSegment {
   std::int32_t rows = 1;    // of one turn: p, or L
   std::int32_t change = 0;  // stitches, with its sign; plain: 0
   std::int32_t times = 1;
+  std::int32_t front = 0;  // of the change, what the front half takes, where the halves are shaped apart
   [[nodiscard]] std::int32_t length() const { return rows * times; }
-  [[nodiscard]] auto fields() const { return std::tie(kind, rows, change, times); }
+  [[nodiscard]] auto fields() const { return std::tie(kind, rows, change, times, front); }
   friend bool operator==(const RhythmSegment&, const RhythmSegment&) = default;
 };
 
@@ -31,6 +32,8 @@ enum class RowRole : std::uint8_t { first, plain, change, rest };
 
 // The counts of all rows, `first` among them.
 std::vector<std::int32_t> counts_of(std::int32_t first, std::span<const RhythmSegment> segments);
+// The same of the front half.
+std::vector<std::int32_t> fronts_of(std::int32_t first, std::span<const RhythmSegment> segments);
 std::vector<RowRole> roles_of(std::span<const RhythmSegment> segments);
 
 // The closing half of a piece of `rows` rows whose opening half, its last plain stretch left out, is `opening`: both, with

@@ -90,6 +90,7 @@ struct RhythmPlanned {
   NoRhythm none;
   float local, belt, score;  // seen, in % of the row and of the widest
   bool within;               // the tolerance
+  bool apart = false;        // front and back halves differ
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   [[nodiscard]] bool unusual(const Parameters& /*parameters*/) const {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "knit/mesh/mirror_plane.h"
 #include "knit/model/bug.h"
+#include "knit/rhythm/joint_plan.h"
 #include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
+#include "knit/rows/body_halves.h"
 #include "knit/rows/contour_rows.h"
 #include "knit/rows/dealing.h"
 #include "knit/rows/follow.h"
@@ -226,7 +229,8 @@ RhythmPlanned planned_words(const TubeRhythm& made) {
           static_cast<float>(plan.seen.local),
           static_cast<float>(plan.seen.belt),
           static_cast<float>(plan.score),
-          plan.within};
+          plan.within,
+          !plan.fronts.empty()};
 }
 
 // Stitches that the tube's first row is worked on, or stands against at the edge of a ring; 0: it is cast on.
@@ -249,6 +253,36 @@ const TubeRhythm* rhythm_of_twin(const RowWish& wish, const ContourAt& at, TubeI
   return nullptr;
 }
 
+// In which the mesh mirrors; of the whole piece sought once.
+void seek_mirror(const RowWish& wish, const ContourAt& at, TubeRhythm& made) {
+  if (!at.rhythms.empty() && at.rhythms.back()->mirror_sought) {
+    made.mirror = at.rhythms.back()->mirror;
+  } else {
+    const RowFrame frame = row_frame(at.timing.ends.direction, wish.rows.start_direction);
+    made.mirror = find_mirror_plane(at.input.mesh, frame.along, frame.right);
+  }
+  made.mirror_sought = true;
+}
+
+// Front and back halves apart, where the tube is not round and begins at its back. A plan goes on from one of its kind only: its
+// mains stand where they stand.
+std::optional<RhythmPlan> plan_halves(const RowWish& wish, const ContourAt& at, TubeRhythm& made,
+                                      const RhythmStart& start) {
+  if (!may_plan_jointly(wish.rhythm) || start.live > 0) return {};
+  seek_mirror(wish, at, made);
+  const Tube& tube = at.plan.tube(made.tube);
+  if (!made.mirror || tube.rows() < fewest_rows_in_rhythm) return {};
+  std::int32_t front = 0;
+  if (start.row > 0) {
+    const TubeRhythm* before = rhythm_of(at.rhythms, made.tube);
+    if (before == nullptr || !before->is_joint(start.row)) return {};
+    front = before->front(start.row);
+  }
+  const auto ideals = half_ideals(tube, *made.mirror, wish.stitch.width);
+  if (!ideals || !wants_joint_plan(*ideals, wish.rhythm)) return {};
+  return plan_joint(*ideals, wish.rhythm, start, front, wish.heard);
+}
+
 RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourWork& work,
                         std::optional<TubeRhythm>& made) {
   const TubeId id = current_tube(at.plan, work);
@@ -267,7 +301,9 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
   const std::int32_t live = work.row == 0 ? at.fabric.live(id).size() : 0;
   std::optional<LiveRhythm> plan;
   if (live == 0) {
-    if (auto alone = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard))
+    if (auto halves = plan_halves(wish, at, *made, start))
+      plan = LiveRhythm{start.row, *std::move(halves)};
+    else if (auto alone = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard))
       plan = LiveRhythm{start.row, *std::move(alone)};
   } else if (tube.rows() < fewest_rows_in_rhythm) {
     made->none = NoRhythm::few_rows;
@@ -398,6 +434,13 @@ CountChosen count(const RowsSettings& rows, const RhythmSettings& rhythm, const 
           current_curve(at.plan, work).length / chosen.count};
 }
 
+// Where a round begins whose halves are shaped apart.
+std::optional<double> back_of_halves(const ContourAt& at, const ContourWork& work) {
+  const TubeRhythm* rhythm = rhythm_of(at.rhythms, current_tube(at.plan, work));
+  if (rhythm == nullptr || !rhythm->is_joint(work.row)) return {};
+  return back_arc(current_curve(at.plan, work), *rhythm->mirror);
+}
+
 RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const ContourAt& at,
                        ContourWork& work) {
   const Ring& curve = current_curve(at.plan, work);
@@ -405,6 +448,8 @@ RoundBegun begin_round(const RowsSettings& rows, const StitchSize& stitch, const
   RoundBegun step{0, 0.0, 0.0, 0.0};
   if (at.begins_on_curve) {
     step.arc = 0.0;
+  } else if (const auto back = back_of_halves(at, work)) {
+    step.arc = *back;
   } else if (!live.empty() && rows.round_start == RoundStart::follow) {
     const BegunRound begun =
         at.links.empty()

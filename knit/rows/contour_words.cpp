@@ -138,8 +138,10 @@ std::string RhythmPlanned::sentence(const Telling& at) const {
            "; the circumference is never seen more than " + seen + " off.";
   const std::string planned = name + " is planned whole: " + plural(rhythms, "rhythm", "rhythms") + ", " +
                               std::to_string(shaping) + " of " + plural(rounds, "round", "rounds") +
-                              " shape, each by " + std::to_string(changes) + " at most in " +
-                              plural(sections, "equal section", "equal sections");
+                              " shape, each by " + std::to_string(changes) + " at most " +
+                              (apart ? "beside mains at the back, the sides and the front, as front and back "
+                                       "halves differ"
+                                     : "in " + plural(sections, "equal section", "equal sections"));
   if (within) return planned + "; the circumference is never seen more than " + seen + " off.";
   return planned + ". No rhythm stays within " + short_number(at.parameters.rhythm.tolerance) +
          " %: this one is off by " + seen + " at row " + std::to_string(row) +

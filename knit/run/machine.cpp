@@ -82,8 +82,13 @@ std::optional<RepeatedRound> repeated_round(const State& state, const WorkedRow&
     const TubeRhythm& rhythm = *state.rhythms[i];
     if (rhythm.tube != row.tube || !rhythm.has(row.level - 1) || !rhythm.has(row.level)) continue;
     if (rhythm.count(row.level - 1) != row.below || rhythm.count(row.level) != row.above) return {};
-    return RepeatedRound{
+    RepeatedRound round{
         row.below, row.above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level), row.id};
+    if (rhythm.is_joint(row.level - 1)) {
+      round.front_below = rhythm.front(row.level - 1);
+      round.front_above = rhythm.front(row.level);
+    }
+    return round;
   }
   return {};
 }

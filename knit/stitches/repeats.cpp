@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include "knit/stitches/links.h"
 
@@ -85,30 +87,68 @@ SectionShaping shaping_of(const RepeatedRound& round, std::int32_t m, std::int32
   return change > 0 ? growing(m, round.style, round.turn) : shrinking(m, round.style, round.turn);
 }
 
+// A main and the stitches up to the next one.
+struct Section {
+  std::int32_t below = 0, above = 0;
+  SectionShaping shaping;
+};
+
+std::vector<Section> equal_sections(const RepeatedRound& round) {
+  const std::int32_t before = round.below / round.sections;
+  const std::int32_t after = round.above / round.sections;
+  const Section section{before, after, shaping_of(round, before, after - before)};
+  return std::vector<Section>(static_cast<std::size_t>(round.sections), section);
+}
+
+// One more or fewer, right after the section's own main or right before the next.
+SectionShaping one_beside_main(std::int32_t m, std::int32_t change, bool after_main) {
+  if (change > 0) return {after_main ? increase_after(1, m, Label::m1l) : increase_after(m, m, Label::m1r)};
+  return {after_main && m > 2 ? decrease_at(1, Label::ssk) : decrease_at(m - 2, Label::k2tog)};
+}
+
+// Back to side, side to front, and the same the other way round.
+std::vector<Section> sections_of_halves(const RepeatedRound& round) {
+  std::vector<Section> sections;
+  for (const std::int32_t quarter : {0, 1, 2, 3}) {
+    const bool front = quarter == 1 || quarter == 2;
+    const std::int32_t below = (front ? round.front_below : round.below - round.front_below) / 2;
+    const std::int32_t above = (front ? round.front_above : round.above - round.front_above) / 2;
+    const std::int32_t change = above - below;
+    Section section{below, above, {}};
+    if (std::abs(change) == 2)
+      section.shaping = shaping_of(round, below, change);
+    else if (change != 0)
+      section.shaping = one_beside_main(below, change, quarter % 2 == 0);
+    sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
 }  // namespace
 
 Join plan_repeats(const RepeatedRound& round) {
-  const std::int32_t before = round.below / round.sections;
-  const std::int32_t after = round.above / round.sections;
-  const std::int32_t section = std::max(before, after);
-  const SectionShaping shaping = shaping_of(round, before, after - before);
+  const std::vector<Section> sections =
+      round.front_below > 0 ? sections_of_halves(round) : equal_sections(round);
   Join join;
   join.to = round.row;
   join.below = round.below;
   join.above = round.above;
   join.rule = Rule::repeat;
-  join.spacing = section;
-  join.labels.assign(static_cast<std::size_t>(section * round.sections), Label::knit);
-  for (std::int32_t cell = 0; cell < section * round.sections; ++cell) join.partner.push_back(cell);
-  for (std::int32_t i = 0; i < round.sections; ++i) {
-    const std::int32_t begin = i * section;
-    join.mains.push_back(i * after);
+  std::int32_t begin = 0, begin_above = 0;
+  for (const Section& section : sections) {
+    const std::int32_t cells = std::max(section.below, section.above);
+    join.spacing = std::max(join.spacing, cells);
+    join.mains.push_back(begin_above);
     join.placed.push_back({begin, Label::main});
-    for (const Shaping& shape : shaping) {
+    for (std::int32_t cell = 0; cell < cells; ++cell) join.partner.push_back(begin + cell);
+    for (const Shaping& shape : section.shaping) {
       join.placed.push_back({begin + shape.cell, shape.label});
       join.partner[static_cast<std::size_t>(begin + shape.cell)] = begin + shape.partner;
     }
+    begin += cells;
+    begin_above += section.above;
   }
+  join.labels.assign(static_cast<std::size_t>(begin), Label::knit);
   for (const PlacedLabel& placed : join.placed)
     join.labels[static_cast<std::size_t>(placed.cell)] = placed.label;
   link_by_partners(join);

@@ -7,6 +7,8 @@
 //   lines    Km, m1l                        K(m - 2), k2tog
 //   centre   half, m1r or m1l, half         half, ssk or k2tog, half; the odd stitch on either side in turn
 //   stagger  as lines and centre in turn    alike
+// Where front and back halves are shaped apart, in pairs: 2 more or fewer in a half stand at its own main, on both sides of it; 4 more
+// or fewer at the side mains too, on the half's side of them. Each half is its own mirror image.
 // Mains are wales: shaping works with the cell beside it that is none, where there is one, and never across a main.
 #pragma once
 
@@ -23,6 +25,8 @@ struct RepeatedRound {
   RhythmStyle style = RhythmStyle::pairs;
   std::int32_t turn = 0;  // shaping rounds before it
   std::int32_t row = 2;   // the row made
+  // Stitches of the front half, where halves are shaped apart; then there are four mains, at the back, side, front and side.
+  std::int32_t front_below = 0, front_above = 0;
 };
 
 // Requires that a section changes by at most two, doubles or halves at most, and keeps a stitch. `from` is left open.

@@ -1,0 +1,26 @@
+// The front and the back of a tube that lies in a mesh's mirror plane: what each half of its rows holds.
+//
+// A row's curve crosses the plane at the back and at the front; of several crossings the outermost count. From its first row on
+// that is longer than 0.15 of the longest, where the side mains stand half way between, they are carried as wales over
+// the rows: from a place on one curve to the nearest place on the next, which stands at right angles to it. A side main keeps
+// between 0.06 and 0.94 of its way from back to front. Rows before that are parted like it. What stands in front of the side
+// mains is the front half. Cost: the points of all curves. Rhythm study, section 5.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "knit/model/mirror_plane.h"
+#include "knit/model/ring.h"
+#include "knit/rhythm/joint_plan.h"
+#include "knit/tubes/plan.h"
+
+namespace knit {
+
+// Along the curve to where it crosses the plane farthest at the back. None: it does not cross it.
+std::optional<double> back_arc(const Ring& curve, const MirrorPlane& plane);
+
+// In stitches. None: some row does not cross the plane, or is not its own mirror image in it to a tenth.
+std::optional<HalfIdeals> half_ideals(const Tube& tube, const MirrorPlane& plane, double stitch_width);
+
+}  // namespace knit
