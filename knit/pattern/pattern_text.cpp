@@ -83,6 +83,9 @@ std::string escaped(const std::string& text) {
 }  // namespace
 
 bool is_told_by_items(const WrittenPattern::Instruction& instruction) {
+  // A named round is one line, like a round.
+  const std::size_t colon = instruction.remark.find(':');
+  if (instruction.remark.substr(0, colon).find(" rnd") != std::string::npos) return false;
   return !instruction.round && instruction.kind == WrittenPattern::Instruction::Kind::step &&
          instruction.remark.size() > columns && instruction.remark.find(": ") != std::string::npos;
 }

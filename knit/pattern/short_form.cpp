@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "knit/pattern/fold.h"
+#include "knit/pattern/halves_form.h"
 #include "knit/pattern/pattern_words.h"
 
 namespace knit {
@@ -167,20 +168,7 @@ std::vector<NamedRound> named_rounds(Naming& naming, std::int32_t sections) {
   for (std::int32_t& shape : naming.of_round) {
     if (shape >= 0) shape = place[static_cast<std::size_t>(shape)];
   }
-  const auto name_all = [&](auto belongs, const std::string& name) {
-    std::vector<NamedRound*> same;
-    for (NamedRound& round : named) {
-      if (belongs(round.change)) same.push_back(&round);
-    }
-    std::stable_sort(same.begin(), same.end(), [](const NamedRound* a, const NamedRound* b) {
-      return std::abs(a->change) > std::abs(b->change);
-    });
-    for (std::size_t i = 0; i < same.size(); ++i)
-      same[i]->name = same.size() == 1 ? name : name + " " + static_cast<char>('A' + i);
-  };
-  name_all([](std::int32_t change) { return change > 0; }, "inc rnd");
-  name_all([](std::int32_t change) { return change < 0; }, "dec rnd");
-  name_all([](std::int32_t change) { return change == 0; }, "shift rnd");
+  give_names(named);
   return named;
 }
 
@@ -194,9 +182,9 @@ constexpr std::size_t most_parts =
 //   best(i) = min over lines from i to j of characters + 40 + best(j);   best(R) = 0.   Ties: the longer line.
 class Lines {
  public:
-  Lines(const Rounds& rounds, const Naming& naming, const std::vector<NamedRound>& named,
+  Lines(const Rounds& rounds, const std::vector<std::int32_t>& kinds, const std::vector<NamedRound>& named,
         std::span<const std::int32_t> breaks)
-      : rounds_(rounds), kinds_(naming.of_round), named_(named), breaks_(breaks) {}
+      : rounds_(rounds), kinds_(kinds), named_(named), breaks_(breaks) {}
 
   std::vector<RoundLine> run() {
     const std::size_t all = kinds_.size();
@@ -318,7 +306,19 @@ std::optional<ShortForm> with_sections(const Rounds& rounds, std::int32_t sectio
   form.sections = sections;
   form.stitches_each = rounds.cast_on / sections;
   form.named = named_rounds(*naming, sections);
-  form.lines = Lines(rounds, *naming, form.named, breaks).run();
+  form.lines = Lines(rounds, naming->of_round, form.named, breaks).run();
+  return form;
+}
+
+std::optional<ShortForm> with_halves(const Rounds& rounds, std::int32_t quarter,
+                                     std::span<const std::int32_t> breaks) {
+  auto halves = halves_form(rounds, quarter);
+  if (!halves) return std::nullopt;
+  ShortForm form;
+  form.sections = 4;
+  form.marks.assign(halves->marks.begin(), halves->marks.end());
+  form.named = std::move(halves->named);
+  form.lines = Lines(rounds, halves->of_round, form.named, breaks).run();
   return form;
 }
 
@@ -336,14 +336,35 @@ std::string NamedRound::text() const {
   return capitalised_words(name) + ": " + words + ". (" + sign + stitches_text(std::abs(change)) + ")";
 }
 
+void give_names(std::vector<NamedRound>& named) {
+  const auto name_all = [&](auto belongs, const std::string& name) {
+    std::vector<NamedRound*> same;
+    for (NamedRound& round : named) {
+      if (belongs(round.change)) same.push_back(&round);
+    }
+    std::stable_sort(same.begin(), same.end(), [](const NamedRound* a, const NamedRound* b) {
+      return std::abs(a->change) > std::abs(b->change);
+    });
+    for (std::size_t i = 0; i < same.size(); ++i)
+      same[i]->name = same.size() == 1 ? name : name + " " + static_cast<char>('A' + i);
+  };
+  name_all([](std::int32_t change) { return change > 0; }, "inc rnd");
+  name_all([](std::int32_t change) { return change < 0; }, "dec rnd");
+  name_all([](std::int32_t change) { return change == 0; }, "shift rnd");
+}
+
 std::optional<ShortForm> short_form(const Rounds& rounds, std::span<const std::int32_t> breaks) {
-  std::optional<ShortForm> best;
+  std::optional<ShortForm> best, halves;
   for (std::int32_t sections = 2; sections <= rounds.cast_on; ++sections) {
     if (rounds.cast_on % sections != 0) continue;
     auto form = with_sections(rounds, sections, breaks);
     if (form && (!best || length_of(*form) < length_of(*best))) best = std::move(form);
   }
-  return best;
+  for (std::int32_t quarter = 1; !best && 2 * quarter < rounds.cast_on; ++quarter) {
+    auto form = with_halves(rounds, quarter, breaks);
+    if (form && (!halves || length_of(*form) < length_of(*halves))) halves = std::move(form);
+  }
+  return best ? best : halves;
 }
 
 }  // namespace knit

@@ -30,10 +30,16 @@ struct NamedRound {
 
 struct ShortForm {
   std::int32_t sections = 0, stitches_each = 0;  // at the cast on; a marker stands behind each
-  std::vector<NamedRound> named;                 // in the order of use
-  std::vector<RoundLine> lines;                  // the second round on
+  std::vector<std::int32_t>
+      marks;                      // where halves are shaped apart: stitches of the cast on before each marker
+  std::vector<NamedRound> named;  // in the order of use
+  std::vector<RoundLine> lines;   // the second round on
 };
 
+// "inc rnd", or "inc rnd A" where several grow: A is the one that changes most. They stand in the order of use.
+void give_names(std::vector<NamedRound>& named);
+
+// Where sections are not alike, halves may be (halves_form.h).
 // Nothing where the rounds have no sections that stay alike (every shaping round the same in each of them), or no way
 // to shape comes twice: then nothing is gained. Of several numbers of sections the one with the fewest characters.
 // `breaks`: rounds after which something else is told, so that no line goes on beyond them.

@@ -104,6 +104,10 @@ std::vector<std::string> finishing_lines(const Rounds& rounds) {
 }
 
 std::string place_sections(const ShortForm& form) {
+  if (form.marks.size() == 3) {
+    return "Place markers (m) after " + std::to_string(form.marks[0]) + ", " + std::to_string(form.marks[1]) +
+           " and " + stitches_text(form.marks[2]) + ": side, front and side; the round begins at the back.";
+  }
   const std::string every = form.stitches_each == 1 ? "st" : stitches_text(form.stitches_each);
   return "Place a marker (m) after every " + every + ": " + std::to_string(form.sections) +
          " markers, the last where the round begins.";

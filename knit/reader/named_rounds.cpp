@@ -113,6 +113,38 @@ std::optional<PlacedMarkers> markers_placed_in(std::span<const Token> line) {
   return std::nullopt;
 }
 
+std::optional<NamedMarkers> named_markers_in(std::span<const Token> line) {
+  TokenCursor at(line);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    at.back_to(i);
+    if (!at.take({"place"}) || !at.take({"markers"})) continue;
+    if (at.take({"("})) {
+      at.take({"m"});
+      at.take({")"});
+    }
+    if (!at.take({"after"})) continue;
+    NamedMarkers placed;
+    while (at.peek().is_number()) {
+      placed.after.push_back(at.peek().value);
+      at.skip();
+      while (at.take({",", "and"})) {
+      }
+    }
+    if (placed.after.empty() || !is_stitches_word(at.peek())) continue;
+    at.skip();
+    if (!at.take({":", ","})) continue;
+    while (at.sees({"side", "front", "back"}) && placed.names.size() < placed.after.size()) {
+      const auto* const name = std::find(marker_names.begin(), marker_names.end(), at.peek().text);
+      placed.names.push_back(static_cast<MarkerName>(name - marker_names.begin()));
+      at.skip();
+      while (at.take({",", "and"})) {
+      }
+    }
+    if (placed.names.size() == placed.after.size()) return placed;
+  }
+  return std::nullopt;
+}
+
 std::optional<NamedWords> named_words_in(std::span<const Token> line) {
   TokenCursor at(line);
   NamedWords named;

@@ -1,6 +1,7 @@
 // The short form of a pattern: rounds that are named once and then worked by name, and markers between sections.
 //
 //   "Place a marker (m) after every 2 sts: 4 markers."
+//   "Place markers (m) after 2, 6 and 10 sts: side, front and side"
 //   "Inc rnd: [K1, m1l, k to next m, m1r] 4 times. (+8 sts)"
 //   "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
 // Nothing is worked here: `pattern_reader` does that.
@@ -20,6 +21,14 @@ struct PlacedMarkers {
   std::int64_t every = 1, markers = 0;
 };
 std::optional<PlacedMarkers> markers_placed_in(std::span<const Token> line);
+
+// "Place markers (m) after 2, 6 and 10 sts: side, front and side": as many places as names; the round's beginning is not among
+// them.
+struct NamedMarkers {
+  std::vector<std::int64_t> after;
+  std::vector<MarkerName> names;
+};
+std::optional<NamedMarkers> named_markers_in(std::span<const Token> line);
 
 struct NamedWords {
   std::string name;  // "inc rnd", "dec rnd b"

@@ -1,6 +1,7 @@
 #include "knit/reader/pattern_reader.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -88,7 +89,23 @@ class Reader {
       blame("the " + named.name + " is told twice; give each way to shape a name of its own.");
   }
 
+  // Of halves that are shaped apart.
+  void place_named_markers(const NamedMarkers& placed) {
+    const bool rise = std::adjacent_find(placed.after.begin(), placed.after.end(), std::greater_equal<>()) ==
+                      placed.after.end();
+    if (!rise || placed.after.front() < 1 || placed.after.back() >= counts_.front()) {
+      blame("the markers do not stand one after the other among " + stitches_text(counts_.front()) + ".");
+      return;
+    }
+    sections_ = 0;
+    markers_ = placed.after;
+    markers_.push_back(counts_.front());
+    marker_names_ = placed.names;
+  }
+
   void place_markers(std::span<const Token> tokens) {
+    const auto named = counts_.size() == 1 ? named_markers_in(tokens) : std::nullopt;
+    if (named) return place_named_markers(*named);
     const auto placed = markers_placed_in(tokens);
     if (!placed || counts_.size() != 1) return;
     if (placed->markers < 1 || placed->every < 1 || placed->markers * placed->every != counts_.front()) {
@@ -388,7 +405,7 @@ class Reader {
     Markers markers;
     std::string why;
     for (const std::int64_t live : counts_) {
-      WorkedRound round = work_round(words.nodes, live, markers_among(live));
+      WorkedRound round = work_round(words.nodes, live, markers_among(live), marker_names_);
       spend(round.made);
       if (!round.mistake.empty()) {
         if (why.empty()) why = round.mistake;
@@ -476,6 +493,7 @@ class Reader {
   std::optional<ShortNeedles::Worked> pending_;  // of the round that is kept next
   bool needles_failed_ = false;
   std::int64_t sections_ = 0;  // that markers part the round into; 0: none is placed
+  MarkerNames marker_names_;   // where they have names
   Markers markers_;            // among the stitches of the first of `counts_`; empty: not known
 };
 

@@ -142,8 +142,9 @@ class Parser {
       if (*count < 1) fail(": " + node.words + " is no stitch at all.");
       node.inside.push_back(std::move(one));
     }
-    if (const auto tail = to_next_marker(node)) {
-      node.tail = *tail;
+    if (const auto target = to_marker(node)) {
+      node.tail = target->tail;
+      node.marker = target->name;
       node.to_marker = node.varies = true;
       node.bare = false;
     } else if (const auto times = times_here()) {
@@ -153,17 +154,26 @@ class Parser {
     return finished(std::move(node), depth);
   }
 
-  // "k to next m", "k to 2 sts before next m": the stitches that are kept.
-  std::optional<std::int64_t> to_next_marker(const WorkNode& node) {
+  // "k to next m", "k to 2 sts before front m": the stitches that are kept, and which marker.
+  struct MarkerAhead {
+    std::int64_t tail = 0;
+    MarkerName name = MarkerName::next;
+  };
+  std::optional<MarkerAhead> to_marker(const WorkNode& node) {
     const std::size_t begin = at_.at();
     if (markers_ != MarkerWords::known || !node.bare || !at_.take({"to"})) return std::nullopt;
-    std::int64_t tail = 0;
+    MarkerAhead target;
     if (at_.peek().is_number() && is_stitches_word(at_.peek(1)) && at_.sees({"before"}, 2)) {
-      tail = at_.peek().value;
+      target.tail = at_.peek().value;
       at_.skip(3);
     }
     at_.take({"the"});
-    if (at_.take({"next"}) && at_.take({"m", "marker"})) return tail;
+    const auto* const name = std::find(marker_names.begin(), marker_names.end(), at_.peek().text);
+    if (name != marker_names.end()) {
+      target.name = static_cast<MarkerName>(name - marker_names.begin());
+      at_.skip();
+      if (at_.take({"m", "marker"})) return target;
+    }
     at_.back_to(begin);
     return std::nullopt;
   }

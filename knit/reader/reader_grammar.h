@@ -3,10 +3,12 @@
 // Recursive descent over tokens, at most two repeats deep. Nothing is worked here: `pattern_work.h` does that.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "knit/reader/reader_words.h"
@@ -23,6 +25,10 @@ struct RoundLabel {
 // Nothing where the line does not begin like a round.
 std::optional<RoundLabel> label_of(std::span<const Token> line);
 
+// Which marker is meant: whichever comes next, or one that has a name, at or ahead.
+enum class MarkerName : std::uint8_t { next, side, front, back };
+inline constexpr std::array<std::string_view, 4> marker_names{"next", "side", "front", "back"};
+
 // A stitch or a repeat, worked `times` times or over and over until `tail` stitches are left.
 struct WorkNode {
   std::optional<StitchKind> stitch;  // none: `inside`
@@ -30,6 +36,7 @@ struct WorkNode {
   bool open = false;
   bool to_marker = false;  // up to `tail` stitches before the next marker, not `times` times
   bool varies = false;     // something inside goes up to a marker, so that what it takes depends on markers
+  MarkerName marker = MarkerName::next;  // where `to_marker`
   std::int64_t times = 1, tail = 0;
   std::int64_t takes = 0, makes = 0;  // one time through; at most `most_number`
   bool bare = false;                  // "knit" without a number

@@ -75,7 +75,8 @@ class Worker {
 // Stitch by stitch, beside the markers.
 class MarkedWorker {
  public:
-  MarkedWorker(std::int64_t live, const Markers& markers) : live_(live), markers_(markers) {}
+  MarkedWorker(std::int64_t live, const Markers& markers, const MarkerNames& names)
+      : live_(live), markers_(markers), names_(names) {}
 
   WorkedRound run(const std::vector<WorkNode>& nodes) {
     for (const WorkNode& node : nodes) {
@@ -127,8 +128,21 @@ class MarkedWorker {
     for (std::int64_t i = 0; i < node.times && sound(); ++i) once(node);
   }
 
+  // The one that the words mean.
+  [[nodiscard]] Markers::const_iterator ahead_of_here(const WorkNode& node) const {
+    if (node.marker == MarkerName::next) return std::upper_bound(markers_.begin(), markers_.end(), at_);
+    for (std::size_t i = 0; i < std::min(markers_.size(), names_.size()); ++i) {
+      if (markers_[i] >= at_ && names_[i] == node.marker)
+        return markers_.begin() + static_cast<std::ptrdiff_t>(i);
+    }
+    return markers_.end();
+  }
+
   void up_to_marker(const WorkNode& node) {
-    const auto ahead = std::upper_bound(markers_.begin(), markers_.end(), at_);
+    const auto ahead = ahead_of_here(node);
+    if (ahead == markers_.end() && node.marker != MarkerName::next)
+      return fail(": it goes to the " + std::string(marker_names[static_cast<std::size_t>(node.marker)]) +
+                  " marker, and none is ahead.");
     if (ahead == markers_.end())
       return fail(markers_.empty() ? ": it goes to the next marker, and none is placed."
                                    : ": it goes to the next marker, and none is ahead.");
@@ -153,6 +167,7 @@ class MarkedWorker {
 
   std::int64_t live_;
   const Markers& markers_;
+  const MarkerNames& names_;
   std::size_t next_ = 0;
   std::int64_t at_ = 0;
   WorkedRound round_;
@@ -188,8 +203,9 @@ std::string stitches_text(std::int64_t count) {
   return std::to_string(count) + (count == 1 ? " stitch" : " stitches");
 }
 
-WorkedRound work_round(const std::vector<WorkNode>& nodes, std::int64_t live, const Markers& markers) {
-  if (varies(nodes)) return MarkedWorker(live, markers).run(nodes);
+WorkedRound work_round(const std::vector<WorkNode>& nodes, std::int64_t live, const Markers& markers,
+                       const MarkerNames& names) {
+  if (varies(nodes)) return MarkedWorker(live, markers, names).run(nodes);
   WorkedRound round = Worker(live).run(nodes);
   if (!markers.empty() && round.mistake.empty() && round.told) round.markers = moved_markers(round, markers);
   return round;

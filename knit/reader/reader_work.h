@@ -14,6 +14,8 @@ inline constexpr std::int64_t most_stitches = 100'000;
 
 // Behind so many stitches a marker stands, ascending; the last is the round's beginning. Empty: none is placed.
 using Markers = std::vector<std::int64_t>;
+// Of the same markers but the beginning's; none where sections are alike.
+using MarkerNames = std::vector<MarkerName>;
 
 struct WorkedRound {
   std::vector<Operation> operations;
@@ -25,7 +27,8 @@ struct WorkedRound {
 
 // The operations take exactly `live` stitches wherever there is no mistake. An increase at a marker is made before it:
 // a marker is slipped once the stitch behind it is worked.
-WorkedRound work_round(const std::vector<WorkNode>& nodes, std::int64_t live, const Markers& markers = {});
+WorkedRound work_round(const std::vector<WorkNode>& nodes, std::int64_t live, const Markers& markers = {},
+                       const MarkerNames& names = {});
 
 // What a round takes, where that does not depend on what is there.
 std::optional<std::int64_t> fixed_takes(const std::vector<WorkNode>& nodes);
