@@ -73,3 +73,24 @@ TEST_CASE("of more than six rhythms only how many rounds shape and how far apart
         "9 rounds of 6 to 12 increases, 1 to 4 rounds apart, then 4 rounds of 6 decreases, one after the "
         "other");
 }
+
+TEST_CASE("the words of halves that are shaped apart say which half and how far each is off") {
+  TubeRhythm rhythm;
+  rhythm.plan.counts = {8, 12, 14, 14, 12};
+  rhythm.plan.fronts = {4, 6, 8, 8, 8};
+  rhythm.plan.segments = {
+      {SegmentKind::pre, 1, 4, 1, 2}, {SegmentKind::pre, 1, 2, 1, 2}, {SegmentKind::pre, 2, -2, 1, 0}};
+  rhythm.plan.front_off = 2.85;
+  rhythm.plan.back_off = 7.25;
+  rhythm.plan.within = true;
+  const std::vector<std::string> told = rhythm_sentences(rhythm, 14.0, 22.0);
+  REQUIRE(told.size() == 4);
+  CHECK(
+      told[0] ==
+      "Shaped in a rhythm: 4 increases in front and back alike once, then 2 increases in front once, then 2 "
+      "decreases at the back once.");
+  CHECK(
+      told[1] ==
+      "Front and back halves differ: the front has 8 stitches at its widest, the back 6; they are never seen "
+      "more than 2.9 % and 7.3 % off. The round begins at the middle of the back.");
+}

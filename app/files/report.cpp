@@ -434,29 +434,33 @@ void add_lengths(const knit::State& state, Json& json) {
   json["characters"]["short"] = characters;
 }
 
-Json segments_json(const std::vector<knit::RhythmSegment>& segments) {
+Json segments_json(const knit::RhythmPlan& plan) {
   constexpr std::array<std::string_view, 3> kinds{"plain", "change-last", "change-first"};
   Json all = Json::array();
-  for (const knit::RhythmSegment& segment : segments) {
+  for (const knit::RhythmSegment& segment : plan.segments) {
     all.push_back({{"kind", kinds.at(static_cast<std::size_t>(segment.kind))},
                    {"rows", segment.rows},
                    {"change", segment.change},
                    {"times", segment.times}});
+    if (!plan.fronts.empty()) all.back()["front"] = segment.front;
   }
   return all;
 }
 
 Json rhythm_json(const knit::State& state, const knit::TubeRhythm& rhythm, const knit::Gauge& gauge) {
   const knit::RhythmPlan& plan = rhythm.plan;
-  return {{"from", rhythm.from + 1},
-          {"first", plan.counts.front()},
-          {"changes", plan.changes},
-          {"sections", plan.sections},
-          {"style", knit::rhythm_style_names.at(static_cast<std::size_t>(rhythm.settings.style))},
-          {"segments", segments_json(plan.segments)},
-          {"seen", {{"local", plan.seen.local}, {"belt", plan.seen.belt}, {"rms", plan.seen.rms}}},
-          {"within", plan.within},
-          {"what", rhythm_sentences_of(state, rhythm, gauge)}};
+  Json json{{"from", rhythm.from + 1},
+            {"first", plan.counts.front()},
+            {"changes", plan.changes},
+            {"sections", plan.sections},
+            {"style", knit::rhythm_style_names.at(static_cast<std::size_t>(rhythm.settings.style))},
+            {"segments", segments_json(plan)},
+            {"seen", {{"local", plan.seen.local}, {"belt", plan.seen.belt}, {"rms", plan.seen.rms}}},
+            {"within", plan.within},
+            {"what", rhythm_sentences_of(state, rhythm, gauge)}};
+  if (!plan.fronts.empty())
+    json["halves"] = {{"fronts", plan.fronts}, {"front_off", plan.front_off}, {"back_off", plan.back_off}};
+  return json;
 }
 
 // Of one tube it is told at the top too.

@@ -39,6 +39,26 @@ std::string no_less_percent(double percent) {
   return short_number(std::ceil(10.0 * percent - 1e-6) / 10.0) + " %";
 }
 
+std::string which_half(const RhythmSegment& segment) {
+  if (segment.front == segment.change) return "in front";
+  if (segment.front == 0) return "at the back";
+  if (2 * segment.front == segment.change) return "in front and back alike";
+  return "(" + std::to_string(std::abs(segment.front)) + " in front)";
+}
+
+// Of halves that are shaped apart.
+std::string halves_sentence(const RhythmPlan& plan) {
+  std::int32_t front = 0, back = 0;
+  for (std::size_t row = 0; row < plan.counts.size(); ++row) {
+    front = std::max(front, plan.fronts[row]);
+    back = std::max(back, plan.counts[row] - plan.fronts[row]);
+  }
+  return "Front and back halves differ: the front has " + stitch_count_text(front) +
+         " at its widest, the back " + std::to_string(back) + "; they are never seen more than " +
+         no_less_percent(plan.front_off) + " and " + no_less_percent(plan.back_off) +
+         " off. The round begins at the middle of the back.";
+}
+
 std::string width_sentence(std::int32_t widest, double widest_ideal, double stitches_in_10_cm) {
   const auto around = [&](double stitches) {
     return short_number(std::round(100.0 * stitches / stitches_in_10_cm) / 10.0) + " cm";
@@ -103,15 +123,15 @@ constexpr std::ptrdiff_t most_in_mind = 6;
 
 }  // namespace
 
-std::string segments_sentence(std::span<const RhythmSegment> segments) {
+std::string segments_sentence(std::span<const RhythmSegment> segments, bool halves) {
   const auto shapes = [](const RhythmSegment& segment) { return segment.change != 0; };
-  if (std::count_if(segments.begin(), segments.end(), shapes) > most_in_mind)
+  if (!halves && std::count_if(segments.begin(), segments.end(), shapes) > most_in_mind)
     return stretches_sentence(segments);
   std::string words;
   const RhythmSegment* before = nullptr;
   for (const RhythmSegment& segment : segments) {
     if (segment.change == 0) continue;
-    if (before != nullptr && segment.change == before->change) {
+    if (before != nullptr && segment.change == before->change && segment.front == before->front) {
       words += and_then(*before, segment);
       before = &segment;
       continue;
@@ -120,7 +140,7 @@ std::string segments_sentence(std::span<const RhythmSegment> segments) {
     words += (words.empty() ? "" : ", then ") +
              (segment.change > 0 ? plural(stitches, "increase", "increases")
                                  : plural(stitches, "decrease", "decreases")) +
-             " " + so_often(segment);
+             (halves ? " " + which_half(segment) : "") + " " + so_often(segment);
     before = &segment;
   }
   return words;
@@ -131,10 +151,11 @@ std::vector<std::string> rhythm_sentences(const TubeRhythm& rhythm, double wides
   if (rhythm.none != NoRhythm::no || rhythm.plan.counts.empty()) return {};
   const RhythmPlan& plan = rhythm.plan;
   std::vector<std::string> sentences;
-  const std::string shaping = segments_sentence(plan.segments);
+  const std::string shaping = segments_sentence(plan.segments, !plan.fronts.empty());
   const std::string from =
       rhythm.from > 0 ? "From round " + std::to_string(rhythm.from + 1) + " on shaped" : "Shaped";
   if (!shaping.empty()) sentences.push_back(from + " in a rhythm: " + shaping + ".");
+  if (!plan.fronts.empty()) sentences.push_back(halves_sentence(plan));
   const std::string off = no_less_percent(plan.seen.worst());
   if (plan.within) {
     sentences.push_back("The circumference is never seen more than " + off + " off the shape's.");
