@@ -88,7 +88,7 @@ const std::vector<Arrow> arrows{
      {"glm/"}},
     {"knit/short_rows",
      {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows"},
-     {"glm/", "Eigen/"}},
+     {"glm/"}},
     {"knit/settle", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
     {"knit/stitches", {"knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows"}, {"glm/"}},
     {"knit/order", {"knit/model", "knit/fabric", "knit/tubes", "knit/stitches"}, {}},

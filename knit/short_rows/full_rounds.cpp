@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
+#include "knit/mesh/ranking.h"
 #include "knit/model/ties.h"
 
 namespace knit {
@@ -62,7 +64,7 @@ class Marcher {
     const double rank = nearest_share * static_cast<double>(advance_.size() - 1);
     const auto below = static_cast<std::ptrdiff_t>(std::floor(rank));
     const auto at = advance_.begin() + below;
-    std::nth_element(advance_.begin(), at, advance_.end());
+    put_least_first(std::span(advance_), static_cast<std::size_t>(below), std::less<>());
     const double next = *std::min_element(at + 1, advance_.end());
     return *at + (rank - std::floor(rank)) * (next - *at);
   }

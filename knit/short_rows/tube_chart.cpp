@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 
+#include "knit/model/words.h"
 #include "knit/short_rows/annulus.h"
 
 namespace knit {
@@ -148,13 +148,8 @@ Between between(const TubeChart& chart, double level) {
 std::string sentence_of(const ChartRefusal& refusal) {
   if (refusal.reason == ChartRefusal::Reason::not_solved)
     return "no short rows: the equations of this tube's chart cannot be solved; mend triangles without area";
-  std::array<char, 160> text{};
-  std::snprintf(
-      text.data(), text.size(),
-      "no short rows: this tube's chart is off by %.2f, and at most %.1f is right; a finer mesh near its "
-      "short loops helps",
-      refusal.residual, greatest_residual);
-  return text.data();
+  return "no short rows: this tube's chart is off by " + percent_text(refusal.residual) + ", and at most " +
+         percent_text(greatest_residual) + " is right; a finer mesh near its short loops helps";
 }
 
 std::variant<TubeChart, ChartRefusal> make_tube_chart(const TubePart& part, double stitch_height,

@@ -49,12 +49,12 @@ bool crosses(const Triangle& triangle, const std::vector<double>& field, double 
 // Triangles that a level crosses, loop by loop.
 std::vector<std::vector<std::uint32_t>> loops_at(const std::vector<Triangle>& triangles,
                                                  const std::vector<double>& field, double value) {
-  struct Crossing {
+  struct CrossedEdge {
     Edge edge;
     std::uint32_t number;
   };
   std::vector<std::uint32_t> crossed;
-  std::vector<Crossing> crossings;
+  std::vector<CrossedEdge> crossings;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (!crosses(triangles[t], field, value)) continue;
     const Triangle f = alone_first(triangles[t], field, value);
@@ -63,7 +63,7 @@ std::vector<std::vector<std::uint32_t>> loops_at(const std::vector<Triangle>& tr
     crossings.push_back({edge_of(f[0], f[2]), number});
     crossed.push_back(t);
   }
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+  std::sort(crossings.begin(), crossings.end(), [](const CrossedEdge& a, const CrossedEdge& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.number < b.number;
   });
   UnionFind joined(crossed.size());
@@ -230,6 +230,8 @@ std::optional<std::size_t> TubeCutter::cut(const LevelLoop& loop) {
         std::clamp((loop.value - field_[a]) / (field_[b] - field_[a]), least_share, 1.0 - least_share);
     return (1.0 - share) * points_[a] + share * points_[b];
   };
+  across_.clear();
+  barrier_.clear();
   const std::vector<std::vector<std::uint32_t>> loops = loops_at(triangles_, field_, loop.value);
   const std::vector<std::uint32_t>* meant = nullptr;
   double nearest = INFINITY;
@@ -273,16 +275,16 @@ std::optional<std::size_t> TubeCutter::cut(const LevelLoop& loop) {
   return loops_.size() - 1;
 }
 
-std::variant<TubePart, NoPart> TubeCutter::part(std::size_t low, std::size_t high,
-                                                double stitch_width) const {
-  std::vector<Edge> barrier;
-  for (const Loop& loop : loops_)
-    for (const Edge& side : loop.sides) barrier.push_back(edge_of(side[0], side[1]));
-  std::sort(barrier.begin(), barrier.end());
-  const std::vector<HalfEdge> across = across_sides(triangles_);
+std::variant<TubePart, NoPart> TubeCutter::part(std::size_t low, std::size_t high, double stitch_width) {
+  if (across_.empty()) {
+    across_ = across_sides(triangles_);
+    for (const Loop& loop : loops_)
+      for (const Edge& side : loop.sides) barrier_.push_back(edge_of(side[0], side[1]));
+    std::sort(barrier_.begin(), barrier_.end());
+  }
   const auto corner = [&](HalfEdge h) { return triangles_[h / 3][h % 3]; };
   const auto side_of = [&](const Edge& side) {
-    for (HalfEdge h = 0; h < across.size(); ++h)
+    for (HalfEdge h = 0; h < across_.size(); ++h)
       if (corner(h) == side[0] && corner(next_in_triangle(h)) == side[1]) return h;
     return no_half_edge;
   };
@@ -295,9 +297,10 @@ std::variant<TubePart, NoPart> TubeCutter::part(std::size_t low, std::size_t hig
   met[above / 3] = 1;
   for (std::size_t i = 0; i < region.size(); ++i) {
     for (HalfEdge h = 3 * region[i]; h < 3 * region[i] + 3; ++h) {
-      const HalfEdge beyond = across[h];
+      const HalfEdge beyond = across_[h];
       if (beyond == no_half_edge || met[beyond / 3] != 0) continue;
-      if (std::binary_search(barrier.begin(), barrier.end(), edge_of(corner(h), corner(next_in_triangle(h)))))
+      if (std::binary_search(barrier_.begin(), barrier_.end(),
+                             edge_of(corner(h), corner(next_in_triangle(h)))))
         continue;
       met[beyond / 3] = 1;
       region.push_back(beyond / 3);

@@ -44,7 +44,7 @@ enum class NoPart : std::uint8_t {
 std::string sentence_of(NoPart why);
 
 // Cuts a mesh along loops, one after the other, and takes out the parts between two of them.
-// Cost of a cut and of a part: the triangles of the mesh.
+// Cost of a cut: the triangles of the mesh. Of a part: those of the part; once for all, an order of the mesh's sides.
 class TubeCutter {
  public:
   TubeCutter(const Input& input, const std::vector<double>& field);
@@ -53,7 +53,7 @@ class TubeCutter {
   std::optional<std::size_t> cut(const LevelLoop& loop);
 
   // Above one loop and below another, once all loops are cut. Limbs that are pruned and caps between the two stay in it.
-  std::variant<TubePart, NoPart> part(std::size_t low, std::size_t high, double stitch_width) const;
+  std::variant<TubePart, NoPart> part(std::size_t low, std::size_t high, double stitch_width);
 
  private:
   struct Loop {
@@ -64,6 +64,9 @@ class TubeCutter {
   std::vector<double> field_;
   std::vector<Triangle> triangles_;  // all the same way round
   std::vector<Loop> loops_;
+  // Once parts are taken: the loops' sides, the lower number first, rising; and what lies across each side.
+  std::vector<std::array<VertexId, 2>> barrier_;
+  std::vector<HalfEdge> across_;
 };
 
 // Of one tube. Requires low.value < high.value, and curves in working order.
