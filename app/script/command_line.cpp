@@ -21,6 +21,7 @@
 #include "knit/import/quoting.h"
 #include "knit/model/stage.h"
 #include "knit/pattern/limb_words.h"
+#include "knit/reader/world_words.h"
 
 namespace app {
 
@@ -36,7 +37,7 @@ struct Words {
   FigureWords figures;
   std::string index_sizes, index_placement = "thesis", check_file;
   std::string check_line, check_size, check_gauge;
-  bool check_window = false;
+  bool check_window = false, check_json = false;
   std::string theme, scale, repair, piece;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
@@ -46,7 +47,8 @@ struct Words {
   std::string pattern_form, turns;
   std::vector<std::string> beside;  // PARAM=VALUE
   bool explain = false, ways_on = false, presenting = false, follow = false, fit_size = false;
-  bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false;
+  bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false,
+       list_stitch_words = false;
 };
 
 std::string list_parameters_text() {
@@ -200,6 +202,8 @@ void declare(CLI::App& app, Words& words) {
   app.add_option("--size", words.size, "size of the picture or window, WIDTHxHEIGHT (1440x900)");
   app.add_flag("--list-examples", words.list_examples, "list the examples");
   app.add_flag("--list-lessons", words.list_lessons, "list the lessons");
+  app.add_flag("--list-stitch-words", words.list_stitch_words,
+               "list the stitch words that check knows, with what each takes and makes");
   app.add_flag("--list-parameters", words.list_parameters,
                "list the parameters with range, unit and default");
   CLI::App* index = app.add_subcommand("index", "print the label arrays for a list of row sizes, one a line");
@@ -220,6 +224,7 @@ void declare(CLI::App& app, Words& words) {
   check->add_option("--gauge", words.check_gauge, "stitches x rows on 10 cm, for the shape (22x32)");
   check->add_option("--theme", words.theme, "dark or light");
   check->add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5");
+  check->add_flag("--json", words.check_json, "print every line's verdict as JSON, for editors");
   refuse_empty_values(*check);
 }
 
@@ -575,7 +580,8 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
   }
   if (!words.index_sizes.empty()) return index_answer(words.index_sizes, words.index_placement);
   if (!words.check_file.empty() && !words.check_window && words.figures.picture.empty())
-    return check_file(words.check_file);
+    return check_file(words.check_file, words.check_json ? CheckForm::json : CheckForm::lines);
+  if (words.list_stitch_words) return Answer{exit_done, knit::trade_words_table(), ""};
   if (words.list_parameters) return Answer{exit_done, list_parameters_text(), ""};
   if (words.list_lessons) return Answer{exit_done, lessons_text(assets), ""};
   if (words.list_examples) {

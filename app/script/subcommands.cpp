@@ -1,11 +1,13 @@
 #include "app/script/subcommands.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -13,6 +15,7 @@
 #include "app/base/text.h"
 #include "app/reader/pattern_json_reader.h"
 #include "knit/model/words.h"
+#include "knit/reader/checked_pattern.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/stitches/appendix.h"
 #include "knit/stitches/placement.h"
@@ -33,39 +36,116 @@ std::string summary_of(const knit::ReadPattern& read) {
                                 : counted(read.mistakes.size(), "mistake.", "mistakes."));
 }
 
+std::string verdict_words(knit::PatternVerdict verdict) {
+  switch (verdict) {
+    case knit::PatternVerdict::holds:
+      return "every count holds";
+    case knit::PatternVerdict::does_not_add_up:
+      return "it does not add up";
+    case knit::PatternVerdict::not_understood:
+      return "not understood";
+  }
+  return {};
+}
+
+std::string_view name_of(knit::PatternVerdict verdict) {
+  constexpr std::array<std::string_view, 3> names{"holds", "does not add up", "not understood"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+std::string_view name_of(knit::LineVerdict verdict) {
+  constexpr std::array<std::string_view, 5> names{"holds", "does not add up", "not understood", "not claimed",
+                                                  "no instruction"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+std::string summary_of(const knit::CheckedPattern& checked) {
+  return counted(checked.rounds, "round", "rounds") + "; " + counted(checked.worked, "line", "lines") + " worked, " +
+         std::to_string(checked.not_understood) + " not understood, " + std::to_string(checked.no_instructions) +
+         (checked.no_instructions == 1 ? " no instruction: " : " no instructions: ") + verdict_words(checked.verdict) + ".";
+}
+
+nlohmann::json json_of(const knit::CheckedSize& size) {
+  nlohmann::json lines = nlohmann::json::array(), pieces = nlohmann::json::array();
+  for (const knit::CheckedLine& line : size.lines) {
+    nlohmann::json one{{"line", line.number}, {"verdict", name_of(line.verdict)}};
+    if (line.stitches) one["stitches"] = *line.stitches;
+    if (!line.sentence.empty()) one["sentence"] = line.sentence;
+    if (line.word_length > 0) one["at"] = line.word_at, one["length"] = line.word_length;
+    lines.push_back(std::move(one));
+  }
+  for (const knit::CheckedPiece& piece : size.pieces) {
+    nlohmann::json rounds = nlohmann::json::array();
+    for (const knit::CheckedRound& round : piece.rounds) rounds.push_back({{"line", round.line}, {"stitches", round.stitches}});
+    pieces.push_back({{"name", piece.name}, {"made", piece.made}, {"flat", piece.flat}, {"rounds", std::move(rounds)}});
+  }
+  return {{"name", size.name}, {"verdict", name_of(size.verdict)}, {"lines", std::move(lines)}, {"pieces", std::move(pieces)}};
+}
+
+std::string json_text(const knit::CheckedPattern& checked) {
+  nlohmann::json sizes = nlohmann::json::array();
+  for (const knit::CheckedSize& size : checked.sizes) sizes.push_back(json_of(size));
+  const nlohmann::json all{{"verdict", name_of(checked.verdict)},
+                           {"worked", checked.worked},
+                           {"not_understood", checked.not_understood},
+                           {"no_instructions", checked.no_instructions},
+                           {"rounds", checked.rounds},
+                           {"remark", checked.remark},
+                           {"sizes", std::move(sizes)}};
+  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+int exit_of(knit::PatternVerdict verdict) {
+  if (verdict == knit::PatternVerdict::holds) return exit_done;
+  return verdict == knit::PatternVerdict::does_not_add_up ? 1 : exit_not_understood;
+}
+
 Answer cannot_read(const std::string& name, const std::string& why) {
   return {exit_usage, "", "check: cannot read " + name + ": " + why + "."};
 }
 
-}  // namespace
-
-Answer check_text(std::string_view text, const std::string& name) {
-  knit::ReadPattern read;
-  if (begins_like_json(text)) {
-    JsonPattern json = read_pattern_json(text);
-    if (const auto* why = std::get_if<NoPattern>(&json))
-      return {exit_usage, "", "check: " + name + " cannot be read: " + *why};
-    auto* limbs = std::get_if<knit::ReadLimbs>(&json);
-    read =
-        limbs != nullptr ? knit::as_pattern(std::move(*limbs)) : std::get<knit::ReadPattern>(std::move(json));
-  } else {
-    read = knit::read_pattern(text);
-  }
-  if (read.rounds_read == 0 && read.mistakes.empty()) {
-    return {exit_usage, "",
-            "check: " + name +
-                " holds no pattern; rounds begin like \"Rnd 7:\", after a cast on like \"CO 6 sts\"."};
-  }
+// Of this program's JSON: mistakes have places, not lines.
+Answer json_answer(const knit::ReadPattern& read) {
   std::string out;
   for (const knit::PatternMistake& mistake : read.mistakes) out += mistake.sentence + "\n";
   return {read.mistakes.empty() ? exit_done : 1, out + summary_of(read) + "\n", ""};
 }
 
-Answer check_file(const std::filesystem::path& path) {
+}  // namespace
+
+Answer check_text(std::string_view text, const std::string& name, CheckForm form) {
+  if (begins_like_json(text)) {
+    JsonPattern json = read_pattern_json(text);
+    if (const auto* why = std::get_if<NoPattern>(&json))
+      return {exit_usage, "", "check: " + name + " cannot be read: " + *why};
+    auto* limbs = std::get_if<knit::ReadLimbs>(&json);
+    const knit::ReadPattern read =
+        limbs != nullptr ? knit::as_pattern(std::move(*limbs)) : std::get<knit::ReadPattern>(std::move(json));
+    if (read.rounds_read > 0 || !read.mistakes.empty()) return json_answer(read);
+  }
+  const knit::CheckedPattern checked = knit::check_pattern(text);
+  if (!checked.is_pattern) {
+    return {exit_usage, "",
+            "check: " + name +
+                " holds no pattern; rounds begin like \"Rnd 7:\", after a cast on like \"CO 6 sts\"."};
+  }
+  if (form == CheckForm::json) return {exit_of(checked.verdict), json_text(checked), ""};
+  std::string out;
+  const bool many = checked.sizes.size() > 1;
+  for (const knit::CheckedSize& size : checked.sizes) {
+    if (many) out += "size " + size.name + ": " + verdict_words(size.verdict) + ".\n";
+    for (const knit::CheckedLine& line : size.lines) {
+      if (!line.sentence.empty()) out += line.sentence + "\n";
+    }
+  }
+  if (!checked.remark.empty()) out += checked.remark + "\n";
+  return {exit_of(checked.verdict), out + summary_of(checked) + "\n", ""};
+}
+
+Answer check_file(const std::filesystem::path& path, CheckForm form) {
   if (path == "-") {
     const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
     return std::cin.bad() ? cannot_read("standard input", "it broke off")
-                          : check_text(text, "standard input");
+                          : check_text(text, "standard input", form);
   }
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return cannot_read(path.string(), "it does not exist");
@@ -75,7 +155,7 @@ Answer check_file(const std::filesystem::path& path) {
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in.is_open() || in.bad())
     return cannot_read(path.string(), errno != 0 ? std::strerror(errno) : "it could not be read whole");
-  return check_text(text, path.string());
+  return check_text(text, path.string(), form);
 }
 
 std::string placements_of_index() {

@@ -1,29 +1,238 @@
 #include "knit/reader/checked_pattern.h"
 
-#include "knit/reader/pattern_reader.h"
+#include <algorithm>
+#include <utility>
+
+#include "knit/model/words.h"
+#include "knit/reader/limbs_reader.h"
 #include "knit/reader/reader_text.h"
+#include "knit/reader/reader_work.h"
+#include "knit/reader/reader_grammar.h"
+#include "knit/reader/world_worker.h"
 
 namespace knit {
 
-CheckedPattern check_pattern(std::string_view text) {
-  const ReadPattern read = read_pattern(text);
-  CheckedPattern checked;
-  CheckedSize& size = checked.sizes.emplace_back();
-  for (const TextLine& line : pattern_lines(text)) {
-    CheckedLine& told = size.lines.emplace_back();
-    told.number = line.number;
-    for (const PatternMistake& mistake : read.mistakes) {
-      if (mistake.line != line.number) continue;
-      told.verdict = LineVerdict::does_not_add_up;
-      told.sentence = mistake.sentence;
+namespace {
+
+constexpr std::int64_t most_tried = 240;  // stitches that a stitch pattern without a cast on is tried on
+constexpr std::size_t most_tried_text = 20'000;
+
+std::vector<std::string_view> physical_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+  }
+  return lines;
+}
+
+bool casts_on(const Atoms& line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i].is("co") || (is_any(line[i], {"cast", "casting"}) && i + 1 < line.size() && line[i + 1].is("on"))) return true;
+    if (is_any(line[i], {"pick"}) && i + 1 < line.size() && line[i + 1].is("up")) return true;
+    if (is_any(line[i], {"held", "holder"})) return true;
+  }
+  return false;
+}
+
+// "80 (88, 96)": the numbers, where a cast on tells them.
+std::vector<std::int64_t> sizes_in(const Atoms& line) {
+  for (std::size_t i = 0; i + 3 < line.size(); ++i) {
+    if (!line[i].is_number() || !is_any(line[i + 1], {"(", "["}) || !line[i + 2].is_number()) continue;
+    std::vector<std::int64_t> numbers{line[i].value};
+    std::size_t j = i + 2;
+    while (j < line.size() && line[j].is_number()) {
+      numbers.push_back(line[j].value);
+      ++j;
+      if (j + 1 < line.size() && is_any(line[j], {",", ":", ";", "/", "-"}) && line[j + 1].is_number()) ++j;
+      while (j + 2 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) && line[j + 2].is_number()) j += 2;
+    }
+    if (j < line.size() && is_any(line[j], {")", "]"}) && !(numbers.size() == 2 && numbers[0] == numbers[1])) return numbers;
+  }
+  return {};
+}
+
+// "multiple of 4 plus 1", "multiple of 6 sts + 2"
+std::int64_t told_multiple(const std::vector<Atoms>& lines, std::string& words) {
+  for (const Atoms& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      if (!is_any(line[i], {"multiple", "multiples", "mult"})) continue;
+      std::size_t j = i + 1;
+      while (j < line.size() && !line[j].is_number() && j < i + 4) ++j;
+      if (j >= line.size() || !line[j].is_number() || line[j].value < 1 || line[j].value > 1000) continue;
+      const std::int64_t each = line[j].value;
+      std::int64_t more = 0;
+      for (std::size_t k = j + 1; k + 1 < std::min(line.size(), j + 6); ++k) {
+        if (is_any(line[k], {"plus", "+"}) && line[k + 1].is_number()) more = line[k + 1].value;
+      }
+      words = "a multiple of " + std::to_string(each) + (more > 0 ? " plus " + std::to_string(more) : "");
+      return each * 3 + more;
     }
   }
-  if (!read.mistakes.empty()) size.verdict = checked.verdict = PatternVerdict::does_not_add_up;
-  checked.rounds = checked.worked = read.rounds_read;
-  CheckedPiece& piece = size.pieces.emplace_back();
-  piece.rounds.push_back({1, read.rounds.cast_on});
-  for (const Round& round : read.rounds.rounds) piece.rounds.push_back({1, round.after});
+  return 0;
+}
+
+struct Text {
+  std::vector<TextLine> lines;
+  std::vector<Atoms> atoms;
+  std::vector<std::string_view> physical;
+};
+
+void set_verdict(CheckedPattern& checked) {
+  checked.verdict = PatternVerdict::holds;
+  for (const CheckedSize& size : checked.sizes) {
+    if (size.verdict == PatternVerdict::does_not_add_up) checked.verdict = size.verdict;
+    if (size.verdict == PatternVerdict::not_understood && checked.verdict == PatternVerdict::holds) checked.verdict = size.verdict;
+  }
+}
+
+void count_lines(CheckedPattern& checked, const Text& text) {
+  std::size_t before = 0;
+  for (const TextLine& line : text.lines) {
+    if (line.number == before || line.number == 0 || line.number > text.physical.size()) continue;
+    before = line.number;
+    LineVerdict worst = LineVerdict::no_instruction;
+    for (const CheckedSize& size : checked.sizes) {
+      const LineVerdict verdict = size.lines[line.number - 1].verdict;
+      if (worst == LineVerdict::no_instruction || verdict == LineVerdict::not_understood || verdict == LineVerdict::not_claimed) worst = verdict;
+    }
+    if (worst == LineVerdict::no_instruction)
+      ++checked.no_instructions;
+    else if (worst == LineVerdict::not_understood || worst == LineVerdict::not_claimed)
+      ++checked.not_understood;
+    else
+      ++checked.worked;
+  }
+}
+
+// Pieces in this program's words: proven as a graph.
+CheckedPattern checked_limbs(std::string_view words, const Text& text, const Lexicon& lexicon) {
+  const ReadLimbs read = read_limbs(words);
+  CheckedPattern checked;
+  CheckedSize& size = checked.sizes.emplace_back();
+  size.lines.resize(text.physical.size());
+  for (std::size_t i = 0; i < size.lines.size(); ++i) size.lines[i].number = i + 1;
+  for (std::size_t i = 0; i < text.lines.size(); ++i) {
+    const std::size_t number = text.lines[i].number;
+    if (number == 0 || number > size.lines.size()) continue;
+    CheckedLine& line = size.lines[number - 1];
+    Atoms copy = text.atoms[i];
+    const bool known = label_of(tokens_of(text.lines[i].text)).has_value();
+    if (known) {
+      line.verdict = LineVerdict::holds;
+      line.stitches = take_count(copy, lexicon).total;
+    } else if (const auto label = world_label(copy, lexicon); label && looks_like_work(copy, lexicon) && !label->bare_number) {
+      line.verdict = LineVerdict::not_understood;
+      line.sentence = "line " + std::to_string(number) + ": how this round begins is not understood among pieces; say \"Rnd 7:\".";
+      size.verdict = PatternVerdict::not_understood;
+    }
+  }
+  for (const PatternMistake& mistake : read.mistakes) {
+    if (mistake.line == 0 || mistake.line > size.lines.size()) continue;
+    CheckedLine& line = size.lines[mistake.line - 1];
+    line.verdict = LineVerdict::does_not_add_up;
+    if (line.sentence.empty()) line.sentence = mistake.sentence;
+  }
+  if (!read.mistakes.empty()) size.verdict = PatternVerdict::does_not_add_up;
+  checked.rounds = read.rounds_read;
   checked.is_pattern = read.rounds_read > 0 || !read.mistakes.empty();
+  CheckedPiece* piece = nullptr;
+  for (const TextLine& line : text.lines) {
+    const auto& told = size.lines[line.number - 1];
+    if (told.verdict == LineVerdict::no_instruction || !told.stitches) continue;
+    const auto label = label_of(tokens_of(line.text));
+    if (piece == nullptr || (label && label->first == std::int64_t{1})) piece = &size.pieces.emplace_back();
+    const std::int64_t times = label && label->first ? std::min<std::int64_t>(label->last - *label->first + 1, 1000) : 1;
+    for (std::int64_t i = 0; i < times; ++i) piece->rounds.push_back({line.number, *told.stitches});
+  }
+  return checked;
+}
+
+CheckedSize worked(const Lexicon& lexicon, const Text& text, std::size_t size, std::size_t sizes, std::int64_t start, std::size_t& rounds) {
+  WorldWorker worker(lexicon, size, sizes);
+  CheckedSize checked = worker.run(text.lines, text.atoms, text.physical, start);
+  rounds = worker.rounds();
+  return checked;
+}
+
+// Rows without a cast on: on the repeat that is told, or the least on which all of them come out as they began.
+bool worked_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Text& text, std::size_t length) {
+  std::string words;
+  const std::int64_t told = told_multiple(text.atoms, words);
+  if (told > 0) {
+    checked.sizes = {worked(lexicon, text, 0, 1, told, checked.rounds)};
+    checked.remark = "No stitches are cast on; it is worked on " + stitches_text(told) + ", " + words + ".";
+    return true;
+  }
+  if (length > most_tried_text) return false;
+  for (std::int64_t start = 2; start <= most_tried; ++start) {
+    WorldWorker worker(lexicon, 0, 1);
+    CheckedSize size = worker.run(text.lines, text.atoms, text.physical, start);
+    if (size.verdict != PatternVerdict::holds || worker.ends() || worker.stitches_left() != start || worker.rounds() < 1) continue;
+    checked.rounds = worker.rounds();
+    checked.sizes = {std::move(size)};
+    checked.remark = "No stitches are cast on; it is worked on " + stitches_text(start) + ", the fewest on which it comes out.";
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+CheckedPattern check_pattern(std::string_view words) {
+  const Lexicon lexicon;
+  Text text{pattern_lines(words), {}, physical_lines(words)};
+  text.atoms.reserve(text.lines.size());
+  std::size_t crochet = 0, knitting = 0;
+  bool cast = false;
+  std::vector<std::int64_t> sizes;
+  std::size_t groups = 0;
+  for (const TextLine& line : text.lines) {
+    const Atoms& atoms = text.atoms.emplace_back(atoms_of(line.text));
+    crochet += crochet_words(atoms) > 0 ? 1 : 0;
+    const bool begins = casts_on(atoms);
+    cast = cast || begins;
+    knitting += begins || (world_label(atoms, lexicon) && crochet_words(atoms) == 0) ? 1 : 0;
+    const std::vector<std::int64_t> here = sizes_in(atoms);
+    if (sizes.empty() && begins) sizes = here;
+    if (!here.empty() && here.size() == sizes.size()) ++groups;
+  }
+  if (has_limb_headings(words)) {
+    CheckedPattern checked = checked_limbs(words, text, lexicon);
+    set_verdict(checked);
+    count_lines(checked, text);
+    return checked;
+  }
+  CheckedPattern checked;
+  const std::size_t number = sizes.empty() ? 1 : std::min<std::size_t>(sizes.size(), 40);
+  for (std::size_t i = 0; i < number; ++i) {
+    std::size_t rounds = 0;
+    CheckedSize size = worked(lexicon, text, i, sizes.empty() ? 1 : sizes.size(), 0, rounds);
+    if (!sizes.empty()) size.name = std::to_string(sizes[i]);
+    if (i == 0) checked.rounds = rounds;
+    checked.sizes.push_back(std::move(size));
+    if (number > 1 && groups < 2) {
+      checked.remark = "Only the cast on tells sizes; the first one, " + std::to_string(sizes[0]) + ", is worked.";
+      break;
+    }
+  }
+  if (crochet >= 2 && crochet > knitting) {
+    checked.remark = "This is crochet, and only knitting is worked here.";
+    for (CheckedSize& size : checked.sizes) {
+      size.verdict = PatternVerdict::not_understood;
+      size.pieces.clear();
+      for (CheckedLine& line : size.lines) {
+        if (line.verdict == LineVerdict::no_instruction) continue;
+        line = {line.number, LineVerdict::not_understood, std::nullopt, "", 0, 0};
+      }
+    }
+  } else if (!cast) {
+    worked_on_repeat(checked, lexicon, text, words.size());
+  }
+  set_verdict(checked);
+  count_lines(checked, text);
+  checked.is_pattern = checked.rounds > 0 || checked.verdict != PatternVerdict::holds;
   return checked;
 }
 

@@ -96,7 +96,9 @@ bool goes_on(std::string_view line, std::string_view next) {
   if (ending.finished) return is_count(tokens);
   // "Slip the first 8 sts to a holder" is a sentence of its own.
   const bool moves = tokens.front().is("slip") || tokens.front().is("place");
-  return ending.comma || (begins_work(tokens.front()) && !moves);
+  // "Knit 2 rnds." behind a short line is one of its own, too.
+  const bool begins = line.size() < wrapped_width && next.front() >= 'A' && next.front() <= 'Z';
+  return ending.comma || (begins_work(tokens.front()) && !moves && !begins);
 }
 
 }  // namespace

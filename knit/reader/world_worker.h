@@ -1,0 +1,153 @@
+// Works a text of the world's patterns: one needle, holders with names, rounds by number and by name, one size at a
+// time. After a line that is not understood the stitches are unknown until a line states them; what lies between is
+// not claimed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "knit/reader/checked_pattern.h"
+#include "knit/reader/reader_text.h"
+#include "knit/reader/world_lines.h"
+#include "knit/reader/world_needle.h"
+
+namespace knit {
+
+// What one line says to work in a round, kept for repeats.
+struct WorldRecipe {
+  Atoms atoms;
+  WorldRound first, other;
+  std::size_t line = 0;
+  std::string name;
+  bool flat = false;
+};
+
+struct WorldHolder {
+  std::string name;
+  std::optional<std::int64_t> count;
+  std::size_t line = 0;
+  bool taken = false, waste = false, implied = false;
+};
+
+class WorldWorker {
+ public:
+  // `size`: which number of "80 (88, 96)" is taken, of `sizes`.
+  WorldWorker(const Lexicon& lexicon, std::size_t size, std::size_t sizes)
+      : lexicon_(lexicon), size_(size), sizes_(sizes) {}
+
+  // `lines`: in atoms, as they are read; `last_line`: of the text.
+  // `physical`: the text's lines, in which places are told. `start`: stitches that a text without a cast on begins with.
+  CheckedSize run(const std::vector<TextLine>& lines, const std::vector<Atoms>& atoms, const std::vector<std::string_view>& physical,
+                  std::int64_t start);
+  [[nodiscard]] std::size_t rounds() const { return rounds_; }
+  [[nodiscard]] std::optional<std::int64_t> stitches_left() const { return last_count_; }
+  [[nodiscard]] bool ends() const { return closed_once_; }
+
+ private:
+  using Index = std::size_t;
+  struct Repeat {
+    std::vector<Index> recipes;
+    std::int64_t times = 1;
+    std::optional<std::int64_t> until;
+    bool free = false;  // until a length is reached
+    std::int64_t between = 0;  // plain rounds before each
+  };
+
+  // verdicts
+  void say(LineVerdict verdict, std::string sentence, std::size_t at = 0, std::size_t length = 0);
+  void say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at, std::size_t length);
+  void wrong(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
+  void not_understood(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
+  void worked();
+
+  // lines
+  bool sized(Atoms& line);
+  void whole_line(Atoms line);
+  void one_line(const Atoms& line);
+  void labelled(const WorldLabel& label, Atoms line);
+  void unlabelled(const Atoms& line);
+  void sentence(Atoms part, const Atoms& line);
+  bool title(const Atoms& line);
+  void find_definitions(const std::vector<Atoms>& lines);
+
+  // rounds
+  Index keep(Atoms atoms, const std::string& name, bool flat);
+  void number_rounds(const WorldLabel& label, const Atoms& body);
+  void run_pending(bool all);
+  [[nodiscard]] bool in_rule(std::int64_t number) const;
+  void named_round(const WorldLabel& label, const Atoms& body);
+  bool work_recipe(Index index, const std::string& name, const WorldCount* count, std::size_t nth);
+  bool on_unknown(const WorldRecipe& recipe, const std::string& name, const WorldCount* count);
+  bool settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth, bool quiet, std::string& why);
+  void after_trouble(const WorldCount& count);
+  void finished_round(Index index, std::int64_t number);
+  std::optional<Repeat> repeat_in(const Atoms& line, bool& trouble);
+  std::optional<std::vector<Index>> recipes_in(const Atoms& line, std::size_t& at);
+  void do_repeat(const Repeat& repeat, const WorldCount& count, std::int64_t rounds);
+  bool told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds, const std::string& name);
+  bool like_another(const WorldLabel& label, const Atoms& body, const WorldCount& count);
+  bool plain_rounds(const Atoms& part, const WorldCount& count);
+  void work_plain(std::int64_t rounds, const std::string& how, const WorldCount& count);
+
+  // pieces
+  bool cast_on(const Atoms& part, const Atoms& line);
+  bool close(const Atoms& part);
+  bool hold_all(const Atoms& part, const WorldCount& count);
+  bool take_all(const Atoms& part, const WorldCount& count);
+  bool pick_up(const Atoms& part, const WorldCount& count);
+  bool join_ends(const Atoms& part);
+  bool as_before(const Atoms& part);
+  bool place_markers(const Atoms& part);
+  void begin_piece(std::int64_t stitches);
+  void end_piece(bool held);
+  void check_after(const WorldCount& count);
+  WorldHolder* find_holder(const std::string& name, std::optional<std::int64_t> count);
+  WorldHands hands();
+  void finish();
+
+  const Lexicon& lexicon_;
+  std::size_t size_, sizes_;
+  CheckedSize out_;
+  std::vector<std::string_view> physical_, texts_;  // by line: of the file, and as it is read
+  std::size_t line_ = 0, rounds_ = 0;
+  std::int64_t budget_ = 40'000'000;
+
+  WorldNeedle needle_;
+  bool has_needle_ = false, known_ = false, ever_cast_on_ = false, tells_ = false, in_round_ = false, rows_ = false, short_rows_ = false;
+  bool closed_ = false, broken_ = false, closed_once_ = false;
+  std::optional<std::int64_t> last_count_;
+  std::size_t closed_line_ = 0;
+  std::optional<std::int64_t> alternative_;
+  std::vector<WorldHolder> holders_;
+  std::string section_;
+  std::int64_t copies_ = 1;
+  bool fresh_ = true;
+  struct Made {
+    std::string name;
+    std::optional<std::int64_t> count;
+    bool held = false;
+    std::vector<CheckedRound> rounds;
+  };
+  std::vector<Made> made_;
+
+  std::vector<WorldRecipe> recipes_;
+  std::vector<Index> history_;
+  std::map<std::int64_t, Index> by_number_;
+  std::map<std::string, Index> by_name_;
+  std::set<std::string> definitions_;
+  std::map<std::int64_t, std::pair<Index, bool>> pending_;  // by number; whether it is the last of its line
+  struct Rule {
+    std::int64_t from = 2, step = 2;
+    Index recipe = 0;
+  };
+  std::optional<Rule> rule_;
+  std::int64_t next_ = 1;
+  bool any_number_ = true, gap_ok_ = true, last_was_note_ = true;
+};
+
+}  // namespace knit
