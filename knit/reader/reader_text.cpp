@@ -85,12 +85,28 @@ bool is_count(const Tokens& tokens) {
          is_stitches_word(tokens[2]);
 }
 
+// "5th round: ...", "Next rnd: ...", "7. K4", "R8: ..." is a line of its own.
+bool begins_anew(const Tokens& tokens) {
+  constexpr std::size_t most_words = 6;
+  if (tokens[0].is("*") || tokens[0].is("-")) return true;
+  const bool numbered = tokens.size() > 1 && (tokens[0].is_number() || (tokens[0].text.size() > 1 && tokens[0].text[0] == 'r' && tokens[0].text[1] >= '0' && tokens[0].text[1] <= '9'));
+  if (numbered && (tokens[1].is(":") || tokens[1].is(".") || tokens[1].is("th") || tokens[1].is("nd") || tokens[1].is("rd")))
+    return true;
+  if (tokens.size() > 2 && tokens[0].is_number() && tokens[1].is("st") && is_round_word(tokens[2])) return true;
+  for (std::size_t i = 1; i + 1 < std::min(tokens.size(), most_words); ++i) {
+    if (is_round_word(tokens[i]) && (tokens[i + 1].is(":") || tokens[i + 1].is("-") || tokens[i + 1].is("("))) return true;
+    if (tokens[i].kind != Token::Kind::word && !tokens[i].is("-") && !tokens[i].is_number()) break;
+  }
+  return false;
+}
+
 // Whether `next` goes on with the words of `line`.
 bool goes_on(std::string_view line, std::string_view next) {
   if (line.empty() || next.empty() || line.size() + next.size() > longest_line || label_at(next, 0))
     return false;
   const Tokens tokens = tokens_of(next.substr(0, 64));
   if (tokens.empty()) return false;
+  if (begins_anew(tokens)) return false;
   const Ending ending = ending_of(line);
   if (!label_at(line, 0)) return !ending.finished && line.size() >= wrapped_width;
   if (ending.finished) return is_count(tokens);

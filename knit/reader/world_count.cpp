@@ -47,7 +47,7 @@ std::optional<WorldCount> count_in(std::span<const Atom> part, bool loose) {
       }
       continue;
     }
-    if (is_stitches(atom)) {
+    if (is_stitches(atom) || atom.is("total")) {
       stitches = true;
     } else if (tells_part(atom)) {
       partial = true;

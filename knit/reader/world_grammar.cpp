@@ -190,6 +190,7 @@ class RoundParser {
   bool whole_repeat(Nodes& nodes, std::size_t from) {
     if (!at_.sees({"around", "to", "across", "until", "all"}) || !shapes(nodes.back()) || is_open(nodes.back())) return false;
     const std::size_t before = at_.at();
+    const bool around = at_.sees({"around", "across", "all"});
     const auto words = at_.repeat_words();
     if (!words) return false;
     if (words->until == Until::times) {
@@ -197,7 +198,7 @@ class RoundParser {
       return false;
     }
     const bool single = nodes.size() - from == 1;
-    if (!single) choice_ = true;
+    if (!single && !around) choice_ = true;
     const WorldNode& last = nodes.back();
     const bool can_single = last.kind == Kind::repeat || last.takes > 0;
     wrap(nodes, !single && other_ && can_single ? nodes.size() - 1 : from, *words);

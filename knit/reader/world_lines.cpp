@@ -370,6 +370,7 @@ bool looks_like_work(std::span<const Atom> line, const Lexicon& lexicon) {
     i += word->atoms - 1;
   }
   if (figures || words) return true;
+  if (line[0].is("work") && line.size() > 1 && is_any(line[1], {"even", "straight", "in"})) return true;
   return order && (rounds || count || holds_any(line, {"end", "around", "times", "twice", "sts", "st", "stitches", "knit", "purl"}));
 }
 

@@ -426,7 +426,7 @@ std::optional<RepeatWords> PhraseCursor::repeat_words() {
 bool PhraseCursor::star_words() {
   if (take({"between", "instructions"})) {
     take({"between"});
-    while (take({"*", "and", "s", "stars", "asterisks", "to", "'s"})) {
+    while (take({"*", "and", "s", "stars", "asterisks", "'s"}) || (sees({"to"}) && sees({"*"}, 1) && take({"to"}))) {
     }
     return true;
   }

@@ -157,6 +157,10 @@ std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, boo
       told = true;
       continue;
     }
+    if (here.sees({"another"}) && here.peek(1).is_number()) {
+      here.skip();
+      continue;
+    }
     if (here.peek().is_number() && here.sees({"more"}, 1)) {
       repeat.times = here.peek().value;
       here.skip(2);

@@ -96,9 +96,10 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   const bool restart = begins_again || (gap_ok_ && history_.empty());
   if (restart || (any_number_ && first != next_)) {
     run_pending(true);
-    const bool skipped = gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
+    const bool ahead = label.every_from && first > 1;
+    const bool skipped = !ahead && gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
     if (skipped) wrong(name + " first, and Rnd 1 is missing; if the cast on is Rnd 1, its line must say so.");
-    next_ = first;
+    if (!ahead) next_ = first;
   } else if (first > next_) {
     // rounds told ahead, or by a rule, fill the gap
     std::int64_t hole = next_;

@@ -137,7 +137,7 @@ bool WorldWorker::sized(Atoms& line) {
       numbers.push_back(line[j].value);
       ++j;
       if (j < line.size() && is_any(line[j], {",", ":", ";", "/", "-", "."}) && j + 1 < line.size() && line[j + 1].is_number()) ++j;
-      while (j + 1 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) && j + 2 < line.size() && line[j + 2].is_number()) j += 2;
+      while (numbers.size() < sizes_ && j + 1 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) && j + 2 < line.size() && line[j + 2].is_number()) j += 2;
     }
     if (j >= line.size() || !is_any(line[j], {")", "]"})) continue;
     if (numbers.size() != sizes_) {
@@ -228,7 +228,10 @@ bool WorldWorker::title(const Atoms& line) {
 void WorldWorker::labelled(const WorldLabel& label, Atoms line) {
   rows_ = rows_ || (label.rows && !in_round_);
   // what follows the round in sentences of its own
-  std::vector<Atoms> parts = sentences_of(line);
+  Atoms words = line;
+  take_count(words, lexicon_);
+  const Atoms stated(line.begin() + static_cast<std::ptrdiff_t>(words.size()), line.end());
+  std::vector<Atoms> parts = sentences_of(words);
   Atoms body;
   std::vector<Atoms> behind;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -245,6 +248,7 @@ void WorldWorker::labelled(const WorldLabel& label, Atoms line) {
     if (!body.empty()) body.push_back({Atom::Kind::mark, ".", 0, parts[i].front().at, 0, false});
     body.insert(body.end(), parts[i].begin(), parts[i].end());
   }
+  if (!body.empty()) body.insert(body.end(), stated.begin(), stated.end());
   if (!label.trouble.empty()) {
     wrong((label.name.empty() ? "the line" : label.name) + label.trouble);
   } else if (holds_any(body, {"co", "cast"}) && (!has_needle_ || fresh_) && cast_on(body, body)) {
@@ -276,10 +280,11 @@ void WorldWorker::unlabelled(const Atoms& line) {
 }
 
 void WorldWorker::sentence(Atoms part, const Atoms& line) {
-  while (!part.empty() && is_any(part.front(), {"-", ",", ";", ":"})) part.erase(part.begin());
+  while (!part.empty() && is_any(part.front(), {"-", ",", ";", ":", "="})) part.erase(part.begin());
   if (part.empty()) return;
   Atoms copy = part;
   WorldCount count = take_count(copy, lexicon_);
+  if (count.total && copy.empty()) return check_after(count);
   if (!count.total && !count.change) {
     // the count may stand in a sentence of its own: "K10, k2tog. 11 sts."
     Atoms whole = line;
