@@ -11,6 +11,7 @@ namespace knit {
 namespace {
 
 constexpr std::size_t wrapped_width = 60;  // a shorter line was not wrapped, it ended
+constexpr std::size_t full_width = 85;
 constexpr std::size_t longest_line = 20000;
 
 std::string_view trimmed(std::string_view text) {
@@ -89,6 +90,7 @@ bool is_count(const Tokens& tokens) {
 bool begins_anew(const Tokens& tokens) {
   constexpr std::size_t most_words = 6;
   if (tokens[0].is("*") || tokens[0].is("-")) return true;
+  if (is_round_word(tokens[0]) && tokens.size() > 2 && (tokens[1].is_number() || tokens[1].is("."))) return true;
   const bool numbered = tokens.size() > 1 && (tokens[0].is_number() || (tokens[0].text.size() > 1 && tokens[0].text[0] == 'r' && tokens[0].text[1] >= '0' && tokens[0].text[1] <= '9'));
   if (numbered && (tokens[1].is(":") || tokens[1].is(".") || tokens[1].is("th") || tokens[1].is("nd") || tokens[1].is("rd")))
     return true;
@@ -108,7 +110,13 @@ bool goes_on(std::string_view line, std::string_view next) {
   if (tokens.empty()) return false;
   if (begins_anew(tokens)) return false;
   const Ending ending = ending_of(line);
-  if (!label_at(line, 0)) return !ending.finished && line.size() >= wrapped_width;
+  if (!label_at(line, 0)) {
+    // Words that go on: small letters, a bracket that is open, a comma, or a line as wide as only wrapped ones are.
+    const bool small = (next.front() >= 'a' && next.front() <= 'z') || is_digit(next.front());
+    const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
+    const bool more = small || ending.comma || count('(') > count(')') || line.size() >= full_width;
+    return !ending.finished && line.size() >= wrapped_width && more;
+  }
   if (ending.finished) return is_count(tokens);
   // "Slip the first 8 sts to a holder" is a sentence of its own.
   const bool moves = tokens.front().is("slip") || tokens.front().is("place");

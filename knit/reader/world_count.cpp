@@ -81,6 +81,8 @@ std::optional<WorldCount> loose_end(Atoms& line, const Lexicon& lexicon) {
   if (begin == 0 || begin == line.size()) return std::nullopt;
   const bool sign = is_any(line[begin - 1], {"-", "="});
   const std::span<const Atom> part(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
+  if (line[begin - 1].is("-") && line[begin - 1].glued && part[0].glued && begin > 1 && line[begin - 2].is_number())
+    return std::nullopt;  // "rnds 1-2"
   if (lexicon.match(part, 0) && !part[0].is_number() && !tells_fewer(part[0]) && !tells_more(part[0])) return std::nullopt;
   auto count = count_in(part, sign);
   // "..., 30 sts" needs a word for stitches beside the number; "k4, 2 sts" is no count either.

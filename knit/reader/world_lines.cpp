@@ -68,7 +68,7 @@ class LabelReader {
     at_.skip();
     if (is_ordinal_end(at_.peek()) && at_.peek().glued) at_.skip();
     std::int64_t last = *first;
-    if (at_.sees({"-", "to", "through", "thru"}) && at_.peek(1).is_number()) {
+    if (at_.sees({"-", "to", "through", "thru"}) && at_.peek(1).is_number() && !at_.sees({"x", "times"}, 2)) {
       last = at_.peek(1).value;
       at_.skip(2);
       if (is_ordinal_end(at_.peek()) && at_.peek().glued) at_.skip();
@@ -229,8 +229,9 @@ class LabelReader {
 
   // "7.", "7:", "7)"
   bool number_alone() {
-    if (!at_.peek().is_number() || !at_.sees({".", ":", ")"}, 1) || !at_.peek(1).glued) return restart();
-    if (at_.peek(2).is_number() && at_.peek(2).glued) return restart();  // 7.5 mm
+    const bool range = at_.sees({"-"}, 1) && at_.peek(2).is_number() && at_.sees({".", ":"}, 3);
+    if (!at_.peek().is_number() || !(range || at_.sees({".", ":", ")"}, 1)) || !at_.peek(1).glued) return restart();
+    if (!range && at_.peek(2).is_number() && at_.peek(2).glued) return restart();  // 7.5 mm
     numbers();
     if (!at_.take({".", ":", ")"})) return restart();
     if (at_.done()) return restart();
@@ -365,7 +366,7 @@ bool looks_like_work(std::span<const Atom> line, const Lexicon& lexicon) {
     if (is_any(line[i], {"(", "["}) && i + 2 < line.size() && line[i + 1].is_number() && (is_stitches(line[i + 2]) || is_any(line[i + 2], {")", "]"})) && i > 0) count = true;
     const auto word = lexicon.match(line, i);
     if (!word) continue;
-    const bool plain_word = is_any(line[i], {"k", "knit", "p", "purl", "slip", "sl", "increase", "decrease", "inc", "dec", "bobble", "make", "yarn"});
+    const bool plain_word = word->atoms < 2 && is_any(line[i], {"k", "knit", "p", "purl", "slip", "sl", "increase", "decrease", "inc", "dec", "bobble", "make", "yarn"});
     if (!plain_word) words = true;
     i += word->atoms - 1;
   }

@@ -273,6 +273,7 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
   bool shape = false, length = false, strange = false;
   std::size_t shape_at = 0;
   for (; !here.done(); here.skip()) {
+    if (here.sees({"until"}) && here.peek(1).is_number()) return false;
     if (here.peek().is_number() && is_rounds(here.peek(1))) {
       rounds = here.peek().value;
       here.skip();
@@ -318,7 +319,9 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
 
 // "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
 bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds, const std::string& name) {
-  if (body.empty() || !is_any(body.front(), {"[", "("}) || !std::any_of(body.begin(), body.end(), [](const Atom& a) { return is_rounds(a); })) return false;
+  if (body.empty() || !is_any(body.front(), {"[", "("}) || !std::any_of(body.begin(), std::find_if(body.begin(), body.end(), [](const Atom& a) { return is_any(a, {")", "]"}); }),
+                                                                      [](const Atom& a) { return is_rounds(a); }))
+    return false;
   PhraseCursor here(body, lexicon_);
   here.skip();
   struct Part {

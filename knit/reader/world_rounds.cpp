@@ -92,6 +92,18 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
                                ? "Rnds " + std::to_string(first) + "-" + std::to_string(label.numbers.front().second)
                                : rnd(first);
   run_pending(false);
+  if (any_number_ && !pending_.empty() && pending_.begin()->first > next_) {
+    next_ = std::min(first, pending_.begin()->first);  // "Rnds 18, 20:" waited for this line
+    any_number_ = false;
+  }
+  const bool waits = label.numbers.size() > 1 && any_number_ && !history_.empty() && first > next_;
+  if (waits) {
+    const Index index = keep(body, name, (rows_ || label.sided) && !in_round_);
+    for (const auto& [from, to] : label.numbers) {
+      for (std::int64_t number = from; number <= to; ++number) pending_[number] = {index, number == label.numbers.back().second};
+    }
+    return;
+  }
   const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
   const bool restart = begins_again || (gap_ok_ && history_.empty());
   if (restart || (any_number_ && first != next_)) {

@@ -269,10 +269,13 @@ void WorldWorker::unlabelled(const Atoms& line) {
   const WorldCount count = take_count(copy, lexicon_);
   if (tells_) {
     // what tells does not work, unless it plainly does
-    const bool casts = holds_any(line, {"co"}) || (holds_any(line, {"cast"}) && holds_any(line, {"on"}));
     const WorldRound round = world_round(copy, lexicon_, false);
     const bool work = count.total && round.trouble.empty() && has_needle_;
-    const bool starts = casts && !ever_cast_on_ && std::any_of(line.begin(), line.end(), [](const Atom& a) { return a.is_number(); }) && !holds_any(line, {"cm", "mm", "in"});
+    bool starts = false;
+    for (std::size_t i = 0; i + 1 < line.size() && !has_needle_; ++i) {
+      const bool casts = line[i].is("co") || (line[i].is("cast") && line[i + 1].is("on"));
+      for (std::size_t j = i + 1; casts && j < std::min(line.size(), i + 6); ++j) starts = starts || line[j].is_number();
+    }
     if (!work && !starts) return;
     tells_ = false;
   }
