@@ -90,6 +90,7 @@ bool is_count(const Tokens& tokens) {
 bool begins_anew(const Tokens& tokens) {
   constexpr std::size_t most_words = 6;
   if (tokens[0].is("*") || tokens[0].is("-")) return true;
+  if (tokens.size() > 1 && (tokens[1].is(":") || tokens[1].is("="))) return true;
   if (is_round_word(tokens[0]) && tokens.size() > 2 && (tokens[1].is_number() || tokens[1].is("."))) return true;
   const bool numbered = tokens.size() > 1 && (tokens[0].is_number() || (tokens[0].text.size() > 1 && tokens[0].text[0] == 'r' && tokens[0].text[1] >= '0' && tokens[0].text[1] <= '9'));
   if (numbered && (tokens[1].is(":") || tokens[1].is(".") || tokens[1].is("th") || tokens[1].is("nd") || tokens[1].is("rd")))
@@ -102,8 +103,8 @@ bool begins_anew(const Tokens& tokens) {
   return false;
 }
 
-// Whether `next` goes on with the words of `line`.
-bool goes_on(std::string_view line, std::string_view next) {
+// `width`: of the last line that was joined to it. Whether `next` goes on with the words of `line`.
+bool goes_on(std::string_view line, std::size_t width, std::string_view next) {
   if (line.empty() || next.empty() || line.size() + next.size() > longest_line || label_at(next, 0))
     return false;
   const Tokens tokens = tokens_of(next.substr(0, 64));
@@ -114,14 +115,14 @@ bool goes_on(std::string_view line, std::string_view next) {
     // Words that go on: small letters, a bracket that is open, a comma, or a line as wide as only wrapped ones are.
     const bool small = (next.front() >= 'a' && next.front() <= 'z') || is_digit(next.front());
     const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
-    const bool more = small || ending.comma || count('(') > count(')') || line.size() >= full_width;
-    return !ending.finished && line.size() >= wrapped_width && more;
+    const bool more = small || ending.comma || count('(') > count(')') || width >= full_width;
+    return !ending.finished && width >= wrapped_width && more;
   }
   if (ending.finished) return is_count(tokens);
   // "Slip the first 8 sts to a holder" is a sentence of its own.
   const bool moves = tokens.front().is("slip") || tokens.front().is("place");
   // "Knit 2 rnds." behind a short line is one of its own, too.
-  const bool begins = line.size() < wrapped_width && next.front() >= 'A' && next.front() <= 'Z';
+  const bool begins = width < full_width && next.front() >= 'A' && next.front() <= 'Z';
   return ending.comma || (begins_work(tokens.front()) && !moves && !begins);
 }
 
@@ -138,16 +139,18 @@ std::vector<TextLine> pattern_lines(std::string_view text) {
   const bool html = looks_like_html(text);
   std::vector<TextLine> joined;
   bool open = false;  // the last line may go on
+  std::size_t width = 0;
   for (const TextLine& line : html ? lines_of_html(text) : lines_of_plain(text)) {
     const std::string clean = html ? line.text : without_markdown(line.text);
     const std::string_view words = trimmed(clean);
-    if (open && !html && goes_on(joined.back().text, words)) {
+    if (open && !html && goes_on(joined.back().text, width, words)) {
       joined.back().text += ' ';
       joined.back().text += words;
     } else if (!words.empty()) {
       joined.push_back({line.number, std::string(words)});
     }
     open = !words.empty();
+    width = words.size();
   }
   std::vector<TextLine> lines;
   for (const TextLine& line : joined) add_parted(lines, line);

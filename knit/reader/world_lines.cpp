@@ -236,7 +236,7 @@ class LabelReader {
     if (!at_.take({".", ":", ")"})) return restart();
     if (at_.done()) return restart();
     label_.bare_number = true;
-    const bool work = at_.match() || at_.sees({"(", "[", "*", "co", "rep", "repeat"}) ||
+    const bool work = at_.match() || at_.sees({"(", "[", "*", "co", "rep", "repeat"}) || (at_.peek().is_number() && at_.sees({"x"}, 1)) ||
                       looks_like_work(line_.subspan(at_.at()), lexicon_);
     if (!work) return restart();
     return true;
@@ -362,7 +362,7 @@ bool looks_like_work(std::span<const Atom> line, const Lexicon& lexicon) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     rounds = rounds || is_rounds(line[i]);
     const bool next_number = i + 1 < line.size() && line[i + 1].is_number();
-    if (is_any(line[i], {"k", "p"}) && next_number && line[i + 1].glued) figures = true;
+    if (is_any(line[i], {"k", "p"}) && next_number && (line[i + 1].glued || i == 0)) figures = true;
     if (is_any(line[i], {"(", "["}) && i + 2 < line.size() && line[i + 1].is_number() && (is_stitches(line[i + 2]) || is_any(line[i + 2], {")", "]"})) && i > 0) count = true;
     const auto word = lexicon.match(line, i);
     if (!word) continue;

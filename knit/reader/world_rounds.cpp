@@ -107,8 +107,10 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
   const bool restart = begins_again || (gap_ok_ && history_.empty());
   if (restart || (any_number_ && first != next_)) {
+    const std::optional<Rule> rule = rule_;
     run_pending(true);
-    const bool ahead = label.every_from && first > 1;
+    if (history_.empty()) rule_ = rule;
+    const bool ahead = (label.every_from || label.numbers.size() > 1) && first > 1 && history_.empty();
     const bool skipped = !ahead && gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
     if (skipped) wrong(name + " first, and Rnd 1 is missing; if the cast on is Rnd 1, its line must say so.");
     if (!ahead) next_ = first;

@@ -318,7 +318,11 @@ void WorldWorker::sentence(Atoms part, const Atoms& line) {
     last_was_note_ = false;
     return;
   }
-  if (!looks_like_work(part, lexicon_) && !(count.total && looks_like_work(copy, lexicon_))) {
+  const WorldRound tried = world_round(copy, lexicon_, false);
+  const bool reads = has_needle_ && tried.trouble.empty() && std::any_of(tried.nodes.begin(), tried.nodes.end(), [](const WorldNode& node) {
+                       return node.kind == WorldNode::Kind::stitch || node.kind == WorldNode::Kind::repeat || node.kind == WorldNode::Kind::rest || node.kind == WorldNode::Kind::shape;
+                     });
+  if (!reads && !looks_like_work(part, lexicon_) && !(count.total && looks_like_work(copy, lexicon_))) {
     if (count.total && has_needle_ && holds_any(part, {"sts", "stitches"})) {
       not_understood("it states stitches, and what makes them is not understood.", part.front().at, part.front().length);
       after_trouble(count);
