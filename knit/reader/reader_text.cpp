@@ -77,8 +77,11 @@ struct Ending {
 };
 Ending ending_of(std::string_view text) {
   const char last = text.empty() ? '.' : text.back();
+  const Tokens end = tokens_of(text.substr(text.size() - std::min<std::size_t>(text.size(), 24)));
+  const std::size_t n = end.size();
+  const bool count = n > 2 && is_stitches_word(end[n - 1]) && end[n - 2].is_number() && (end[n - 3].is("-") || end[n - 3].is("="));
   return {last == ',' || last == ';',
-          last == '.' || last == ')' || last == ']' || last == '!' || last == ':'};
+          count || last == '.' || last == ')' || last == ']' || last == '!' || last == ':'};
 }
 
 bool is_count(const Tokens& tokens) {

@@ -198,9 +198,9 @@ class RoundParser {
       return false;
     }
     const bool single = nodes.size() - from == 1;
-    if (!single && !around) choice_ = true;
     const WorldNode& last = nodes.back();
-    const bool can_single = last.kind == Kind::repeat || last.takes > 0;
+    const bool can_single = !last.numbered && !around && (last.kind == Kind::repeat || last.takes > 0);
+    if (!single && can_single) choice_ = true;
     wrap(nodes, !single && other_ && can_single ? nodes.size() - 1 : from, *words);
     return true;
   }
@@ -270,6 +270,7 @@ class RoundParser {
     if (at_.peek().is_number() && !at_.sees({"x", "times", "time", "more"}, 1) && !at_.sees({"rnds", "rows", "rounds", "rnd", "row", "round"}, 1)) {
       node.times = at_.peek().value;
       node.plain = false;
+      node.numbered = true;
       at_.skip();
       at_.take({"more", "remaining"});
       if (is_stitches(at_.peek())) at_.skip();

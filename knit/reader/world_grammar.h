@@ -40,6 +40,7 @@ struct WorldNode {
   bool next = false;   // up to the next marker, past one that is here
   bool plain = false;  // knit or purl without a number
   bool vague = false;  // "inc"
+  bool numbered = false;  // "k1", not "k"
   std::size_t at = 0, length = 0;  // bytes of the line
 };
 

@@ -279,7 +279,16 @@ void WorldWorker::unlabelled(const Atoms& line) {
     if (!work && !starts) return;
     tells_ = false;
   }
-  for (const Atoms& part : sentences_of(line)) sentence(part, line);
+  std::vector<Atoms> parts;
+  for (const Atoms& part : sentences_of(line)) {
+    if (!parts.empty() && is_any(part.front(), {"rep", "repeat"}) && part.size() > 1 && is_any(part[1], {"from", "*", "between"})) {
+      parts.back().push_back({Atom::Kind::mark, ".", 0, part.front().at, 0, false});
+      parts.back().insert(parts.back().end(), part.begin(), part.end());
+    } else {
+      parts.push_back(part);
+    }
+  }
+  for (const Atoms& part : parts) sentence(part, line);
 }
 
 void WorldWorker::sentence(Atoms part, const Atoms& line) {
