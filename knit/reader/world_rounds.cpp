@@ -96,12 +96,13 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
     next_ = std::min(first, pending_.begin()->first);  // "Rnds 18, 20:" waited for this line
     any_number_ = false;
   }
-  const bool waits = label.numbers.size() > 1 && any_number_ && !history_.empty() && first > next_;
+  const bool waits = (label.numbers.size() > 1 || label.every_from) && any_number_ && !history_.empty() && first > next_;
   if (waits) {
     const Index index = keep(body, name, (rows_ || label.sided) && !in_round_);
     for (const auto& [from, to] : label.numbers) {
       for (std::int64_t number = from; number <= to; ++number) pending_[number] = {index, number == label.numbers.back().second};
     }
+    if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index};
     return;
   }
   const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
