@@ -102,7 +102,8 @@ const std::vector<Arrow> arrows{
     {"knit/pattern",
      {"knit/model", "knit/fabric", "knit/stitches", "knit/order", "knit/run", "knit/limbs"},
      {}},
-    {"knit/reader", {"knit/import", "knit/pattern"}, {}},
+    {"knit/trade", {"knit/import", "knit/model"}, {}},
+    {"knit/reader", {"knit/import", "knit/model", "knit/pattern", "knit/trade"}, {}},
 
     {"app/base", {"knit/import", "knit/model"}, {json[0], json[1], "unistd.h"}},
     {"app/scene", {"knit/mesh", "knit/model"}, {"glm/"}},

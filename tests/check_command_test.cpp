@@ -1,6 +1,8 @@
 // `knit-mesh check`: lines, summary and exit codes.
 #include "app/script/subcommands.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -23,7 +25,7 @@ Answer answered(const std::vector<std::string>& words) {
 TEST_CASE("check says that every count holds") {
   const Answer answer = check_text(good, "ball");
   CHECK(answer.exit_code == 0);
-  CHECK(answer.out == "3 rounds read, 6 stitches cast on, 42 stitches in all: every count holds.\n");
+  CHECK(answer.out == "3 rounds; 4 lines worked, 0 not understood, 0 no instructions: every count holds.\n");
   CHECK(answer.error.empty());
 }
 
@@ -32,8 +34,22 @@ TEST_CASE("check prints a line a mistake and a summary") {
   CHECK(answer.exit_code == 1);
   CHECK(answer.out ==
         "line 2: Rnd 1 makes 12 stitches, the line says 13.\nline 3: Rnd 2: the word \"kint\" is not known.\n"
-        "2 rounds read, 6 stitches cast on, 18 stitches in all: 2 mistakes.\n");
+        "2 rounds; 3 lines worked, 1 not understood, 0 no instructions: it does not add up.\n");
   CHECK(answer.error.empty());
+}
+
+TEST_CASE("check says which line and word it does not understand with an exit code of its own") {
+  const Answer answer = check_text("CO 6 sts.\nRnd 1: Kint.\nRnd 2: Knit.\n", "ball");
+  CHECK(answer.exit_code == 5);
+  CHECK(answer.out ==
+        "line 2: Rnd 1: the word \"kint\" is not known.\n"
+        "2 rounds; 1 line worked, 2 not understood, 0 no instructions: not understood.\n");
+  const Answer json = check_text("CO 6 sts.\nRnd 1: Kint.\n", "ball", CheckForm::json);
+  CHECK(json.exit_code == 5);
+  const auto told = nlohmann::json::parse(json.out);
+  CHECK(told["verdict"] == "not understood");
+  CHECK(told["sizes"][0]["lines"][1]["at"] == 7);
+  CHECK(told["sizes"][0]["lines"][0]["stitches"] == 6);
 }
 
 TEST_CASE("check refuses what is no pattern or cannot be read") {

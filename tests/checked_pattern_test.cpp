@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "knit/reader/world_words.h"
+#include "knit/trade/world_words.h"
 #include "tests/support/catch.h"
 
 using namespace knit;
@@ -48,19 +48,25 @@ void check_cases(const std::vector<Case>& cases) {
 }  // namespace
 
 TEST_CASE("checked pattern: labels of all forms") {
-  for (const char* label : {"Rnd 2:", "2nd rnd:", "R2:", "2.", "2:", "Round two:", "Dec rnd:", "Set-up rnd:", "Next round (decrease):",
-                            "Rnd 2 -", "**Rnd 2:**", "- Rnd 2:", "* Rnd 2:", "Rnd 2 (RS):", "Second round:", "RND 2.", ""}) {
+  for (const char* label : {"Rnd 2:", "2nd rnd:", "R2:", "2.", "2:", "Round two:", "Dec rnd:", "Set-up rnd:",
+                            "Next round (decrease):", "Rnd 2 -", "**Rnd 2:**",
+                            "- Rnd 2:", "* Rnd 2:", "Rnd 2 (RS):", "Second round:", "RND 2.", ""}) {
     CAPTURE(label);
-    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tog] 4 times. (16 sts)") == "+++");
-    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tog] 4 times. (17 sts)") == "++!");
-    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tag] 4 times. (16 sts)") == "++?");
+    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tog] 4 times. (16 sts)") ==
+          "+++");
+    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tog] 4 times. (17 sts)") ==
+          "++!");
+    CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\n" + std::string(label) + " [K3, k2tag] 4 times. (16 sts)") ==
+          "++?");
   }
 }
 
 TEST_CASE("checked pattern: what is not understood claims nothing of what hangs on it") {
-  check_cases({{"CO 20 sts.\nRnd 1: K10, frob 2, k to end.\nRnd 2: Knit.\nRnd 3: [K4, k2tog] 4 times. (20 sts)", "+?~~"},
-               {"CO 20 sts.\nRnd 1: K10, frob 2, k to end.\nRnd 2: [K4, k2tog] 4 times. (21 sts)", "+?!"},
-               {"CO 20 sts.\nRnd 1: K10, frob 2, k to end. (22 sts)\nRnd 2: [K9, k2tog] 2 times. (20 sts)", "+?+"}});
+  check_cases(
+      {{"CO 20 sts.\nRnd 1: K10, frob 2, k to end.\nRnd 2: Knit.\nRnd 3: [K4, k2tog] 4 times. (20 sts)",
+        "+?~~"},
+       {"CO 20 sts.\nRnd 1: K10, frob 2, k to end.\nRnd 2: [K4, k2tog] 4 times. (21 sts)", "+?!"},
+       {"CO 20 sts.\nRnd 1: K10, frob 2, k to end. (22 sts)\nRnd 2: [K9, k2tog] 2 times. (20 sts)", "+?+"}});
   const CheckedPattern checked = check_pattern("CO 20 sts.\nRnd 1: K10, frob 2, k to end.\n");
   CHECK(checked.verdict == PatternVerdict::not_understood);
   const CheckedLine& line = checked.sizes[0].lines[1];
@@ -70,8 +76,9 @@ TEST_CASE("checked pattern: what is not understood claims nothing of what hangs 
 }
 
 TEST_CASE("checked pattern: the count may stand in many forms and is compared in all of them") {
-  for (const char* count : {"(21 sts)", "[21]", "- 21 sts", "= 21", "21 sts.", "(21)", "You should have 21 sts.", "Place marker. (21 sts)",
-                            "21 total.", "(1 st inc'd, 21 sts)", "(+1 st)"}) {
+  for (const char* count :
+       {"(21 sts)", "[21]", "- 21 sts", "= 21", "21 sts.", "(21)", "You should have 21 sts.",
+        "Place marker. (21 sts)", "21 total.", "(1 st inc'd, 21 sts)", "(+1 st)"}) {
     CAPTURE(count);
     CHECK(signs_of("CO 20 sts.\nRnd 1: K20. " + std::string(count)) == "+!");
   }
@@ -79,11 +86,17 @@ TEST_CASE("checked pattern: the count may stand in many forms and is compared in
 
 TEST_CASE("checked pattern: groups and repeats of rounds") {
   check_cases({
-      {"CO 20 sts.\nAll even rnds: Knit.\nRnd 1: [K4, m1] 5 times. (25 sts)\nRnd 3: [K5, m1] 5 times. (30 sts)", "++++"},
-      {"CO 20 sts.\nRnds 2 and 4: Knit.\nRnd 1: [K4, m1] 5 times. (25 sts)\nRnd 3: [K5, m1] 5 times. (30 sts)", "++++"},
+      {"CO 20 sts.\nAll even rnds: Knit.\nRnd 1: [K4, m1] 5 times. (25 sts)\nRnd 3: [K5, m1] 5 times. (30 "
+       "sts)",
+       "++++"},
+      {"CO 20 sts.\nRnds 2 and 4: Knit.\nRnd 1: [K4, m1] 5 times. (25 sts)\nRnd 3: [K5, m1] 5 times. (30 "
+       "sts)",
+       "++++"},
       {"CO 20 sts.\nRnd 1: K2tog, k to end. (19 sts)\nRnd 2: Knit.\nRep rnds 1-2 4 times. (15 sts)", "++++"},
       {"CO 20 sts.\nRnd 1: K2tog, k to end. (19 sts)\nRnd 2: Knit.\nRep rnds 1-2 4 times. (16 sts)", "+++!"},
-      {"CO 20 sts.\nDec rnd: K2tog, k to end. (19 sts)\nRepeat dec rnd every other rnd 3 times more. (16 sts)", "+++"},
+      {"CO 20 sts.\nDec rnd: K2tog, k to end. (19 sts)\nRepeat dec rnd every other rnd 3 times more. (16 "
+       "sts)",
+       "+++"},
       {"CO 20 sts.\nRnd 1: K2tog, k to end.\nRepeat rnd 1 until 12 sts remain.\nBO 12 sts.", "++++"},
       {"CO 20 sts.\nRnd 1: K2tog, k2tog, k to end.\nRepeat rnd 1 until 13 sts remain.", "++!"},
       {"CO 20 sts.\nRnds 1-4: Knit.\nRnd 6: Knit.", "++!"},
@@ -93,48 +106,65 @@ TEST_CASE("checked pattern: groups and repeats of rounds") {
 }
 
 TEST_CASE("checked pattern: each size is worked apart") {
-  const CheckedPattern checked = check_pattern("CO 80 (88, 96) sts.\nRnd 1: [K6, k2tog] 10 (11, 12) times. (70 (77, 83) sts)\n");
+  const CheckedPattern checked =
+      check_pattern("CO 80 (88, 96) sts.\nRnd 1: [K6, k2tog] 10 (11, 12) times. (70 (77, 83) sts)\n");
   REQUIRE(checked.sizes.size() == 3);
   CHECK(checked.sizes[1].name == "88");
   CHECK(checked.sizes[0].verdict == PatternVerdict::holds);
   CHECK(checked.sizes[1].verdict == PatternVerdict::holds);
   CHECK(checked.sizes[2].verdict == PatternVerdict::does_not_add_up);
   CHECK(checked.verdict == PatternVerdict::does_not_add_up);
-  CHECK(check_pattern("CO 80 (88, 96) sts.\nRnd 1: [K6, k2tog] 10 (11) times.\n").verdict == PatternVerdict::not_understood);
+  CHECK(check_pattern("CO 80 (88, 96) sts.\nRnd 1: [K6, k2tog] 10 (11) times.\n").verdict ==
+        PatternVerdict::not_understood);
 }
 
 TEST_CASE("checked pattern: pieces, holders and edges") {
   check_cases({
-      {"Head\nCO 6 sts.\nRnd 1: [kfb] 6 times. (12 sts)\nBO 12 sts.\nLeg (make 2)\nCO 8 sts.\nRnd 1: Knit. (8 sts)\nBO 8 sts.", ".+++.+++"},
-      {"Leg\nCO 7 sts.\nRnd 1: Knit.\nPlace sts on a holder.\nBody\nCO 7 sts.\nRnd 1: K7, k across held 7 sts of leg. (14 sts)", ".+++.++"},
-      {"Leg\nCO 7 sts.\nRnd 1: Knit.\nPlace sts on a holder.\nBody\nCO 7 sts.\nRnd 1: K7, k across held 8 sts of leg. (14 sts)", ".+++.+!"},
-      {"CO 20 sts.\nRnd 1: K8, place next 4 sts on a holder for thumb, CO 2 sts, k to end. (18 sts)\nBO 18 sts.\nThumb\n"
-       "Place the 4 held sts of the thumb on needles. Pick up and knit 2 sts in the gap. (6 sts)\nRnd 1: Knit. (6 sts)",
+      {"Head\nCO 6 sts.\nRnd 1: [kfb] 6 times. (12 sts)\nBO 12 sts.\nLeg (make 2)\nCO 8 sts.\nRnd 1: Knit. "
+       "(8 sts)\nBO 8 sts.",
+       ".+++.+++"},
+      {"Leg\nCO 7 sts.\nRnd 1: Knit.\nPlace sts on a holder.\nBody\nCO 7 sts.\nRnd 1: K7, k across held 7 "
+       "sts of leg. (14 sts)",
+       ".+++.++"},
+      {"Leg\nCO 7 sts.\nRnd 1: Knit.\nPlace sts on a holder.\nBody\nCO 7 sts.\nRnd 1: K7, k across held 8 "
+       "sts of leg. (14 sts)",
+       ".+++.+!"},
+      {"CO 20 sts.\nRnd 1: K8, place next 4 sts on a holder for thumb, CO 2 sts, k to end. (18 sts)\nBO 18 "
+       "sts.\nThumb\n"
+       "Place the 4 held sts of the thumb on needles. Pick up and knit 2 sts in the gap. (6 sts)\nRnd 1: "
+       "Knit. (6 sts)",
        "+++.++"},
   });
 }
 
 TEST_CASE("checked pattern: rows are worked to and fro") {
   // Row 2 comes to the marker from the other side.
-  check_cases({{"CO 20 sts.\nRow 1 (RS): K5, pm, k15.\nRow 2 (WS): P to marker, sm, p5. (20 sts)", "+++"},
-               {"CO 20 sts.\nRow 1 (RS): K5, pm, k15.\nRow 2 (WS): P to marker, sm, p15. (20 sts)", "++!"},
-               {"CO 20 sts.\nRow 1 (RS): K15, turn.\nRow 2 (WS): P10, turn.\nRow 3 (RS): Knit. (20 sts)\nBO 20 sts.", "+++++"}});
+  check_cases(
+      {{"CO 20 sts.\nRow 1 (RS): K5, pm, k15.\nRow 2 (WS): P to marker, sm, p5. (20 sts)", "+++"},
+       {"CO 20 sts.\nRow 1 (RS): K5, pm, k15.\nRow 2 (WS): P to marker, sm, p15. (20 sts)", "++!"},
+       {"CO 20 sts.\nRow 1 (RS): K15, turn.\nRow 2 (WS): P10, turn.\nRow 3 (RS): Knit. (20 sts)\nBO 20 sts.",
+        "+++++"}});
 }
 
 TEST_CASE("checked pattern: crochet and stitch patterns are told for what they are") {
-  const CheckedPattern crochet = check_pattern("Ball\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st. (12)\nRnd 3: [sc, inc] 6 times. (18)\n");
+  const CheckedPattern crochet = check_pattern(
+      "Ball\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st. (12)\nRnd 3: [sc, inc] 6 times. (18)\n");
   CHECK(crochet.verdict == PatternVerdict::not_understood);
   CHECK(crochet.remark.starts_with("This is crochet"));
-  const CheckedPattern rib = check_pattern("Multiple of 4 sts plus 2.\nRow 1: *K2, p2; rep from * to last 2 sts, k2.\nRow 2: P2, *k2, p2; rep from * to end.\n");
+  const CheckedPattern rib = check_pattern(
+      "Multiple of 4 sts plus 2.\nRow 1: *K2, p2; rep from * to last 2 sts, k2.\nRow 2: P2, *k2, p2; rep "
+      "from * to end.\n");
   CHECK(rib.verdict == PatternVerdict::holds);
   CHECK(rib.remark.find("a multiple of 4 plus 2") != std::string::npos);
 }
 
 TEST_CASE("checked pattern: a line of work is never passed over") {
-  for (const char* line : {"K 18.", "Zigzag rnd: K3, frob, k2tog. (13 sts)", "Purl 3 together around.", "(K1, k2tog) all over. (13 sts)",
-                           "Repeat the second and fourth rnd. (13 sts)", "Work the lace panel, decreasing as charted. (13 sts)"}) {
+  for (const char* line : {"K 18.", "Zigzag rnd: K3, frob, k2tog. (13 sts)", "Purl 3 together around.",
+                           "(K1, k2tog) all over. (13 sts)", "Repeat the second and fourth rnd. (13 sts)",
+                           "Work the lace panel, decreasing as charted. (13 sts)"}) {
     CAPTURE(line);
-    CHECK(check_pattern("CO 20 sts.\nRnd 1: Knit. (20 sts)\n" + std::string(line) + "\n").verdict != PatternVerdict::holds);
+    CHECK(check_pattern("CO 20 sts.\nRnd 1: Knit. (20 sts)\n" + std::string(line) + "\n").verdict !=
+          PatternVerdict::holds);
   }
 }
 

@@ -21,7 +21,7 @@
 #include "knit/import/quoting.h"
 #include "knit/model/stage.h"
 #include "knit/pattern/limb_words.h"
-#include "knit/reader/world_words.h"
+#include "knit/trade/world_words.h"
 
 namespace app {
 

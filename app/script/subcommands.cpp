@@ -59,9 +59,11 @@ std::string_view name_of(knit::LineVerdict verdict) {
 }
 
 std::string summary_of(const knit::CheckedPattern& checked) {
-  return counted(checked.rounds, "round", "rounds") + "; " + counted(checked.worked, "line", "lines") + " worked, " +
-         std::to_string(checked.not_understood) + " not understood, " + std::to_string(checked.no_instructions) +
-         (checked.no_instructions == 1 ? " no instruction: " : " no instructions: ") + verdict_words(checked.verdict) + ".";
+  return counted(checked.rounds, "round", "rounds") + "; " + counted(checked.worked, "line", "lines") +
+         " worked, " + std::to_string(checked.not_understood) + " not understood, " +
+         std::to_string(checked.no_instructions) +
+         (checked.no_instructions == 1 ? " no instruction: " : " no instructions: ") +
+         verdict_words(checked.verdict) + ".";
 }
 
 nlohmann::json json_of(const knit::CheckedSize& size) {
@@ -75,10 +77,15 @@ nlohmann::json json_of(const knit::CheckedSize& size) {
   }
   for (const knit::CheckedPiece& piece : size.pieces) {
     nlohmann::json rounds = nlohmann::json::array();
-    for (const knit::CheckedRound& round : piece.rounds) rounds.push_back({{"line", round.line}, {"stitches", round.stitches}});
-    pieces.push_back({{"name", piece.name}, {"made", piece.made}, {"flat", piece.flat}, {"rounds", std::move(rounds)}});
+    for (const knit::CheckedRound& round : piece.rounds)
+      rounds.push_back({{"line", round.line}, {"stitches", round.stitches}});
+    pieces.push_back(
+        {{"name", piece.name}, {"made", piece.made}, {"flat", piece.flat}, {"rounds", std::move(rounds)}});
   }
-  return {{"name", size.name}, {"verdict", name_of(size.verdict)}, {"lines", std::move(lines)}, {"pieces", std::move(pieces)}};
+  return {{"name", size.name},
+          {"verdict", name_of(size.verdict)},
+          {"lines", std::move(lines)},
+          {"pieces", std::move(pieces)}};
 }
 
 std::string json_text(const knit::CheckedPattern& checked) {

@@ -5,9 +5,9 @@
 
 #include "knit/model/words.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/reader_grammar.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
-#include "knit/reader/reader_grammar.h"
 #include "knit/reader/world_worker.h"
 
 namespace knit {
@@ -29,7 +29,9 @@ std::vector<std::string_view> physical_lines(std::string_view text) {
 
 bool casts_on(const Atoms& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i].is("co") || (is_any(line[i], {"cast", "casting"}) && i + 1 < line.size() && line[i + 1].is("on"))) return true;
+    if (line[i].is("co") ||
+        (is_any(line[i], {"cast", "casting"}) && i + 1 < line.size() && line[i + 1].is("on")))
+      return true;
     if (is_any(line[i], {"pick"}) && i + 1 < line.size() && line[i + 1].is("up")) return true;
     if (is_any(line[i], {"held", "holder"})) return true;
   }
@@ -46,9 +48,12 @@ std::vector<std::int64_t> sizes_in(const Atoms& line) {
       numbers.push_back(line[j].value);
       ++j;
       if (j + 1 < line.size() && is_any(line[j], {",", ":", ";", "/", "-"}) && line[j + 1].is_number()) ++j;
-      while (j + 2 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) && line[j + 2].is_number()) j += 2;
+      while (j + 2 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) &&
+             line[j + 2].is_number())
+        j += 2;
     }
-    if (j < line.size() && is_any(line[j], {")", "]"}) && !(numbers.size() == 2 && numbers[0] == numbers[1])) return numbers;
+    if (j < line.size() && is_any(line[j], {")", "]"}) && !(numbers.size() == 2 && numbers[0] == numbers[1]))
+      return numbers;
   }
   return {};
 }
@@ -83,7 +88,8 @@ void set_verdict(CheckedPattern& checked) {
   checked.verdict = PatternVerdict::holds;
   for (const CheckedSize& size : checked.sizes) {
     if (size.verdict == PatternVerdict::does_not_add_up) checked.verdict = size.verdict;
-    if (size.verdict == PatternVerdict::not_understood && checked.verdict == PatternVerdict::holds) checked.verdict = size.verdict;
+    if (size.verdict == PatternVerdict::not_understood && checked.verdict == PatternVerdict::holds)
+      checked.verdict = size.verdict;
   }
 }
 
@@ -95,7 +101,9 @@ void count_lines(CheckedPattern& checked, const Text& text) {
     LineVerdict worst = LineVerdict::no_instruction;
     for (const CheckedSize& size : checked.sizes) {
       const LineVerdict verdict = size.lines[line.number - 1].verdict;
-      if (worst == LineVerdict::no_instruction || verdict == LineVerdict::not_understood || verdict == LineVerdict::not_claimed) worst = verdict;
+      if (worst == LineVerdict::no_instruction || verdict == LineVerdict::not_understood ||
+          verdict == LineVerdict::not_claimed)
+        worst = verdict;
     }
     if (worst == LineVerdict::no_instruction)
       ++checked.no_instructions;
@@ -122,9 +130,11 @@ CheckedPattern checked_limbs(std::string_view words, const Text& text, const Lex
     if (known) {
       line.verdict = LineVerdict::holds;
       line.stitches = take_count(copy, lexicon).total;
-    } else if (const auto label = world_label(copy, lexicon); label && looks_like_work(copy, lexicon) && !label->bare_number) {
+    } else if (const auto label = world_label(copy, lexicon);
+               label && looks_like_work(copy, lexicon) && !label->bare_number) {
       line.verdict = LineVerdict::not_understood;
-      line.sentence = "line " + std::to_string(number) + ": how this round begins is not understood among pieces; say \"Rnd 7:\".";
+      line.sentence = "line " + std::to_string(number) +
+                      ": how this round begins is not understood among pieces; say \"Rnd 7:\".";
       size.verdict = PatternVerdict::not_understood;
     }
   }
@@ -143,13 +153,15 @@ CheckedPattern checked_limbs(std::string_view words, const Text& text, const Lex
     if (told.verdict == LineVerdict::no_instruction || !told.stitches) continue;
     const auto label = label_of(tokens_of(line.text));
     if (piece == nullptr || (label && label->first == std::int64_t{1})) piece = &size.pieces.emplace_back();
-    const std::int64_t times = label && label->first ? std::min<std::int64_t>(label->last - *label->first + 1, 1000) : 1;
+    const std::int64_t times =
+        label && label->first ? std::min<std::int64_t>(label->last - *label->first + 1, 1000) : 1;
     for (std::int64_t i = 0; i < times; ++i) piece->rounds.push_back({line.number, *told.stitches});
   }
   return checked;
 }
 
-CheckedSize worked(const Lexicon& lexicon, const Text& text, std::size_t size, std::size_t sizes, std::int64_t start, std::size_t& rounds) {
+CheckedSize worked(const Lexicon& lexicon, const Text& text, std::size_t size, std::size_t sizes,
+                   std::int64_t start, std::size_t& rounds) {
   WorldWorker worker(lexicon, size, sizes);
   CheckedSize checked = worker.run(text.lines, text.atoms, text.physical, start);
   rounds = worker.rounds();
@@ -169,10 +181,13 @@ bool worked_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Tex
   for (std::int64_t start = 2; start <= most_tried; ++start) {
     WorldWorker worker(lexicon, 0, 1);
     CheckedSize size = worker.run(text.lines, text.atoms, text.physical, start);
-    if (size.verdict != PatternVerdict::holds || worker.ends() || worker.stitches_left() != start || worker.rounds() < 1) continue;
+    if (size.verdict != PatternVerdict::holds || worker.ends() || worker.stitches_left() != start ||
+        worker.rounds() < 1)
+      continue;
     checked.rounds = worker.rounds();
     checked.sizes = {std::move(size)};
-    checked.remark = "No stitches are cast on; it is worked on " + stitches_text(start) + ", the fewest on which it comes out.";
+    checked.remark = "No stitches are cast on; it is worked on " + stitches_text(start) +
+                     ", the fewest on which it comes out.";
     return true;
   }
   return false;
@@ -213,7 +228,8 @@ CheckedPattern check_pattern(std::string_view words) {
     if (i == 0) checked.rounds = rounds;
     checked.sizes.push_back(std::move(size));
     if (number > 1 && groups < 2) {
-      checked.remark = "Only the cast on tells sizes; the first one, " + std::to_string(sizes[0]) + ", is worked.";
+      checked.remark =
+          "Only the cast on tells sizes; the first one, " + std::to_string(sizes[0]) + ", is worked.";
       break;
     }
   }

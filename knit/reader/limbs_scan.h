@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "knit/reader/characters.h"
+#include "knit/trade/characters.h"
 #include "knit/reader/reader_words.h"
 
 namespace knit {

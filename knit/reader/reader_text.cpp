@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "knit/reader/characters.h"
+#include "knit/trade/characters.h"
 #include "knit/reader/reader_words.h"
 
 namespace knit {
@@ -50,7 +50,8 @@ std::string without_markdown(std::string_view line) {
   const std::string_view rest = std::string_view(text).substr(begin);
   if (rest.starts_with("- ") || rest.starts_with("+ ")) begin += 2;
   constexpr std::string_view bullet = "\xE2\x80\xA2";
-  if (rest.starts_with(bullet)) begin = std::min(text.size(), text.find_first_not_of(" \t", begin + bullet.size()));
+  if (rest.starts_with(bullet))
+    begin = std::min(text.size(), text.find_first_not_of(" \t", begin + bullet.size()));
   const std::size_t behind = text.find_first_not_of(" \t*.)0123456789", begin);
   if (behind != std::string::npos && behind > begin && label_at(text, behind)) begin = behind;
   return text.substr(begin);
@@ -81,7 +82,8 @@ Ending ending_of(std::string_view text) {
   const char last = text.empty() ? '.' : text.back();
   const Tokens end = tokens_of(text.substr(text.size() - std::min<std::size_t>(text.size(), 24)));
   const std::size_t n = end.size();
-  const bool count = n > 2 && is_stitches_word(end[n - 1]) && end[n - 2].is_number() && (end[n - 3].is("-") || end[n - 3].is("=") || end[n - 3].is("."));
+  const bool count = n > 2 && is_stitches_word(end[n - 1]) && end[n - 2].is_number() &&
+                     (end[n - 3].is("-") || end[n - 3].is("=") || end[n - 3].is("."));
   return {last == ',' || last == ';',
           count || last == '.' || last == ')' || last == ']' || last == '!' || last == ':'};
 }
@@ -96,14 +98,21 @@ bool begins_anew(const Tokens& tokens) {
   constexpr std::size_t most_words = 6;
   if (tokens[0].is("*") || tokens[0].is("-")) return true;
   if (tokens.size() > 1 && (tokens[1].is(":") || tokens[1].is("="))) return true;
-  if (is_round_word(tokens[0]) && tokens.size() > 2 && (tokens[1].is_number() || tokens[1].is("."))) return true;
-  const bool numbered = tokens.size() > 1 && (tokens[0].is_number() || (tokens[0].text.size() > 1 && tokens[0].text[0] == 'r' && tokens[0].text[1] >= '0' && tokens[0].text[1] <= '9'));
-  if (numbered && (tokens[1].is(":") || tokens[1].is(".") || tokens[1].is("th") || tokens[1].is("nd") || tokens[1].is("rd") ||
-                   (tokens.size() > 3 && tokens[1].is("-") && tokens[2].is_number() && (tokens[3].is(".") || tokens[3].is(":")))))
+  if (is_round_word(tokens[0]) && tokens.size() > 2 && (tokens[1].is_number() || tokens[1].is(".")))
     return true;
-  if (tokens.size() > 2 && tokens[0].is_number() && tokens[1].is("st") && is_round_word(tokens[2])) return true;
+  const bool numbered =
+      tokens.size() > 1 && (tokens[0].is_number() || (tokens[0].text.size() > 1 && tokens[0].text[0] == 'r' &&
+                                                      tokens[0].text[1] >= '0' && tokens[0].text[1] <= '9'));
+  if (numbered && (tokens[1].is(":") || tokens[1].is(".") || tokens[1].is("th") || tokens[1].is("nd") ||
+                   tokens[1].is("rd") ||
+                   (tokens.size() > 3 && tokens[1].is("-") && tokens[2].is_number() &&
+                    (tokens[3].is(".") || tokens[3].is(":")))))
+    return true;
+  if (tokens.size() > 2 && tokens[0].is_number() && tokens[1].is("st") && is_round_word(tokens[2]))
+    return true;
   for (std::size_t i = 1; i + 1 < std::min(tokens.size(), most_words); ++i) {
-    if (is_round_word(tokens[i]) && (tokens[i + 1].is(":") || tokens[i + 1].is("-") || tokens[i + 1].is("("))) return true;
+    if (is_round_word(tokens[i]) && (tokens[i + 1].is(":") || tokens[i + 1].is("-") || tokens[i + 1].is("(")))
+      return true;
     if (tokens[i].kind != Token::Kind::word && !tokens[i].is("-") && !tokens[i].is_number()) break;
   }
   return false;

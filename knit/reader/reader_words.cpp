@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "knit/reader/characters.h"
+#include "knit/trade/characters.h"
 
 namespace knit {
 

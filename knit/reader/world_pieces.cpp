@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "knit/reader/reader_work.h"
-#include "knit/reader/world_phrases.h"
 #include "knit/reader/world_worker.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -17,7 +17,8 @@ bool same_world_name(const std::string& told, const std::string& known) {
     if (name.size() > 3 && name.back() == 's') name.pop_back();
     return name;
   };
-  return stem(told).find(stem(known)) != std::string::npos || stem(known).find(stem(told)) != std::string::npos;
+  return stem(told).find(stem(known)) != std::string::npos ||
+         stem(known).find(stem(told)) != std::string::npos;
 }
 
 std::optional<std::int64_t> stitches_in(const Atoms& part) {
@@ -34,7 +35,9 @@ std::optional<std::int64_t> stitches_in(const Atoms& part) {
 bool names_holder(const Atoms& part) {
   if (holds_any(part, {"holder", "holders", "hold", "pin"})) return true;
   for (std::size_t i = 0; i + 1 < part.size(); ++i) {
-    if (is_any(part[i], {"waste", "scrap", "spare", "contrasting"}) && is_any(part[i + 1], {"yarn", "needle", "needles", "dpn", "dpns", "thread", "circular", "double"})) return true;
+    if (is_any(part[i], {"waste", "scrap", "spare", "contrasting"}) &&
+        is_any(part[i + 1], {"yarn", "needle", "needles", "dpn", "dpns", "thread", "circular", "double"}))
+      return true;
   }
   return false;
 }
@@ -77,7 +80,8 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   std::size_t at = part.size(), behind = 0;
   std::optional<std::int64_t> count;
   for (std::size_t i = 0; i < part.size() && !count; ++i) {
-    const bool on = part[i].is("co") || (is_any(part[i], {"cast", "casting"}) && i + 1 < part.size() && part[i + 1].is("on"));
+    const bool on = part[i].is("co") ||
+                    (is_any(part[i], {"cast", "casting"}) && i + 1 < part.size() && part[i + 1].is("on"));
     if (!on) continue;
     at = i;
     behind = at + (part[at].is("co") ? 1 : 2);
@@ -91,16 +95,26 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   }
   if (!count) return false;
   // "K9, CO 2 sts, k9" is a round.
-  if (has_needle_ && at > 0 && std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at), [](const Atom& a) { return is_any(a, {"k", "p", "knit", "purl", "place"}); })) return false;
-  if (has_needle_ && std::any_of(part.begin() + static_cast<std::ptrdiff_t>(behind), part.end(), [](const Atom& a) { return is_any(a, {"k", "knit", "p", "purl"}); })) return false;
+  if (has_needle_ && at > 0 &&
+      std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at), [](const Atom& a) {
+        return is_any(a, {"k", "p", "knit", "purl", "place"});
+      }))
+    return false;
+  if (has_needle_ &&
+      std::any_of(part.begin() + static_cast<std::ptrdiff_t>(behind), part.end(), [](const Atom& a) {
+        return is_any(a, {"k", "knit", "p", "purl"});
+      }))
+    return false;
   if (*count < 1 || *count > most_value) {
     wrong("no stitches are cast on.");
     return true;
   }
   run_pending(true);
   const bool adds = has_needle_ && !fresh_;
-  if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != *count && section_.empty() && made_.empty()) {
-    wrong("casts on " + stitches_text(*count) + ", and " + std::to_string(needle_.count()) + " are cast on already.");
+  if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != *count && section_.empty() &&
+      made_.empty()) {
+    wrong("casts on " + stitches_text(*count) + ", and " + std::to_string(needle_.count()) +
+          " are cast on already.");
     return true;
   }
   if (adds && !section_.empty() && !made_.empty() && made_.back().name == section_) return false;
@@ -128,13 +142,16 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   Atoms copy = line;
   const WorldCount told = take_count(copy, lexicon_);
   if (told.total && told.all.size() == 1) check_after(told);
-  in_round_ = in_round_ || (holds_any(line, {"join"}) && holds_any(line, {"round", "rnd", "joining", "twist", "circle"}));
+  in_round_ = in_round_ ||
+              (holds_any(line, {"join"}) && holds_any(line, {"round", "rnd", "joining", "twist", "circle"}));
   return true;
 }
 
 // "Place a marker (m) after every 2 sts: 4 markers", "Place markers (m) after sts 2, 5, 8, 10"
 bool WorldWorker::place_markers(const Atoms& part) {
-  if (part.empty() || !is_any(part.front(), {"place", "pm"}) || !holds_any(part, {"marker", "markers"}) || !holds_any(part, {"after"})) return false;
+  if (part.empty() || !is_any(part.front(), {"place", "pm"}) || !holds_any(part, {"marker", "markers"}) ||
+      !holds_any(part, {"after"}))
+    return false;
   std::vector<std::int64_t> numbers;
   bool every = holds_any(part, {"every"});
   for (const Atom& atom : part) {
@@ -145,8 +162,11 @@ bool WorldWorker::place_markers(const Atoms& part) {
   Segments segments;
   if (every) {
     const std::int64_t step = numbers[0];
-    if (step < 1 || there / std::max<std::int64_t>(1, step) > 10'000 || (numbers.size() > 1 && step * numbers[1] != there) || there % step != 0) {
-      wrong("a marker after every " + stitches_text(step) + (numbers.size() > 1 ? " and " + std::to_string(numbers[1]) + " markers do" : " does") + " not go round " + stitches_text(there) + ".");
+    if (step < 1 || there / std::max<std::int64_t>(1, step) > 10'000 ||
+        (numbers.size() > 1 && step * numbers[1] != there) || there % step != 0) {
+      wrong("a marker after every " + stitches_text(step) +
+            (numbers.size() > 1 ? " and " + std::to_string(numbers[1]) + " markers do" : " does") +
+            " not go round " + stitches_text(there) + ".");
       return true;
     }
     segments.assign(static_cast<std::size_t>(there / step), step);
@@ -154,14 +174,17 @@ bool WorldWorker::place_markers(const Atoms& part) {
     std::int64_t before = 0;
     for (const std::int64_t number : numbers) {
       if (number < before || number > there) {
-        wrong("a marker after stitch " + std::to_string(number) + " has no place among " + stitches_text(there) + ".");
+        wrong("a marker after stitch " + std::to_string(number) + " has no place among " +
+              stitches_text(there) + ".");
         return true;
       }
       segments.push_back(number - before);
       before = number;
     }
-    if (before < there) segments.push_back(there - before);
-    else segments.push_back(0);
+    if (before < there)
+      segments.push_back(there - before);
+    else
+      segments.push_back(0);
   }
   if (every) segments.push_back(0);
   needle_.left = segments;
@@ -178,17 +201,27 @@ bool WorldWorker::close(const Atoms& part) {
   std::size_t at = none;
   bool drawn = false;
   for (std::size_t i = 0; i < part.size() && at == none; ++i) {
-    if (part[i].is("bo") || (is_any(part[i], {"bind", "cast"}) && i + 1 < part.size() && part[i + 1].is("off"))) at = i;
-    if (is_any(part[i], {"thread", "draw", "pull", "run", "pass", "weave"}) && holds_any(std::span(part).subspan(i), {"through", "thru"})) at = i, drawn = true;
+    if (part[i].is("bo") ||
+        (is_any(part[i], {"bind", "cast"}) && i + 1 < part.size() && part[i + 1].is("off")))
+      at = i;
+    if (is_any(part[i], {"thread", "draw", "pull", "run", "pass", "weave"}) &&
+        holds_any(std::span(part).subspan(i), {"through", "thru"}))
+      at = i, drawn = true;
   }
   if (at == none) return false;
-  if (!drawn && at > 0 && has_needle_ && std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at), [](const Atom& a) { return is_any(a, {"k", "p", "knit", "purl"}); }) &&
+  if (!drawn && at > 0 && has_needle_ &&
+      std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at),
+                  [](const Atom& a) {
+                    return is_any(a, {"k", "p", "knit", "purl"});
+                  }) &&
       at + 1 < part.size()) {
     return false;
   }
   if (!drawn && has_needle_) {  // "BO 4 sts, k to end": a row
     for (std::size_t i = at + 1; i < part.size(); ++i) {
-      if (is_any(part[i], {"k", "p"}) || (is_any(part[i], {"knit", "purl", "work"}) && i + 1 < part.size() && is_any(part[i + 1], {"to", "across"}))) return false;
+      if (is_any(part[i], {"k", "p"}) || (is_any(part[i], {"knit", "purl", "work"}) && i + 1 < part.size() &&
+                                          is_any(part[i + 1], {"to", "across"})))
+        return false;
     }
   }
   run_pending(true);
@@ -200,12 +233,14 @@ bool WorldWorker::close(const Atoms& part) {
   std::optional<std::int64_t> number = stitches_in(tail);
   if (!number) {
     for (std::size_t i = 0; i < tail.size(); ++i) {
-      if (tail[i].is_number() && i > 0 && is_any(tail[i - 1], {"bo", "off", "all", "remaining", "rem"})) number = tail[i].value;
+      if (tail[i].is_number() && i > 0 && is_any(tail[i - 1], {"bo", "off", "all", "remaining", "rem"}))
+        number = tail[i].value;
     }
   }
   worked();
   if (number && known_ && *number != needle_.count()) {
-    const bool some = holds_any(part, {"at", "next", "beginning", "each"}) && *number < needle_.count() && !holds_any(part, {"all", "remaining"});
+    const bool some = holds_any(part, {"at", "next", "beginning", "each"}) && *number < needle_.count() &&
+                      !holds_any(part, {"all", "remaining"});
     if (some) {
       if (holds_any(part, {"each"})) {
         not_understood("how many are bound off in all is not clear.");
@@ -216,7 +251,8 @@ bool WorldWorker::close(const Atoms& part) {
       }
       return true;
     }
-    wrong("closes " + stitches_text(*number) + ", and " + std::to_string(needle_.count()) + (needle_.count() == 1 ? " is" : " are") + " on the needles.");
+    wrong("closes " + stitches_text(*number) + ", and " + std::to_string(needle_.count()) +
+          (needle_.count() == 1 ? " is" : " are") + " on the needles.");
   }
   if (line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::holds) out_.lines[line_ - 1].stitches = 0;
   end_piece(false);
@@ -237,7 +273,8 @@ WorldHolder* WorldWorker::find_holder(const std::string& name, std::optional<std
     int fit = 0;
     if (count && held.count && *held.count == *count) fit += 4;
     if (!name.empty() && !held.name.empty()) fit += 2;
-    if (name.empty() && !section_.empty() && !held.name.empty() && same_world_name(section_, held.name)) fit += 2;
+    if (name.empty() && !section_.empty() && !held.name.empty() && same_world_name(section_, held.name))
+      fit += 2;
     if (fit > best_fit) best = &held, best_fit = fit;
   }
   return best;
@@ -259,13 +296,14 @@ WorldHands WorldWorker::hands() {
     WorldHolder* holder = find_holder(node.name, told);
     if (holder == nullptr) {
       if (broken_) return told;
-      complaint = "there are no held stitches" + (node.name.empty() ? std::string() : " of the " + node.name) + ".";
+      complaint =
+          "there are no held stitches" + (node.name.empty() ? std::string() : " of the " + node.name) + ".";
       return std::nullopt;
     }
     holder->taken = true;
     if (told && holder->count && *told != *holder->count) {
-      complaint = "the holder" + (holder->name.empty() ? std::string() : " of the " + holder->name) + " has " + stitches_text(*holder->count) + ", the line says " +
-                  std::to_string(*told) + ".";
+      complaint = "the holder" + (holder->name.empty() ? std::string() : " of the " + holder->name) +
+                  " has " + stitches_text(*holder->count) + ", the line says " + std::to_string(*told) + ".";
       return std::nullopt;
     }
     return holder->count ? holder->count : told;
@@ -274,9 +312,13 @@ WorldHands WorldWorker::hands() {
 }
 
 bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
-  const bool moves = holds_any(part, {"place", "slip", "put", "leave", "leaving", "transfer", "move", "thread", "keep", "placing"});
-  if (!moves || !names_holder(part) || holds_any(part, {"from", "off", "held", "with", "knit", "k"}) || !has_needle_) return false;
-  if (std::any_of(part.begin(), part.end(), [](const Atom& a) { return is_any(a, {"co", "cast"}); })) return false;
+  const bool moves = holds_any(
+      part, {"place", "slip", "put", "leave", "leaving", "transfer", "move", "thread", "keep", "placing"});
+  if (!moves || !names_holder(part) || holds_any(part, {"from", "off", "held", "with", "knit", "k"}) ||
+      !has_needle_)
+    return false;
+  if (std::any_of(part.begin(), part.end(), [](const Atom& a) { return is_any(a, {"co", "cast"}); }))
+    return false;
   run_pending(true);
   const auto told = stitches_in(part);
   const bool all = !told || (known_ && *told == needle_.count());
@@ -285,7 +327,8 @@ bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
   if (holder.name.empty()) holder.name = section_;
   holder.line = line_;
   if (!all && known_ && *told > needle_.count()) {
-    wrong(stitches_text(*told) + " are to go on a holder, and " + stitches_text(needle_.count()) + " are on the needle.");
+    wrong(stitches_text(*told) + " are to go on a holder, and " + stitches_text(needle_.count()) +
+          " are on the needle.");
     known_ = false;
     return true;
   }
@@ -298,7 +341,8 @@ bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
     needle_.set(needle_.count() - *told);
   }
   worked();
-  for (std::int64_t copy = 0; copy < std::min<std::int64_t>(copies_, 1000); ++copy) holders_.push_back(holder);
+  for (std::int64_t copy = 0; copy < std::min<std::int64_t>(copies_, 1000); ++copy)
+    holders_.push_back(holder);
   copies_ = 1;
   if (all) {
     end_piece(true);
@@ -311,9 +355,11 @@ bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
 
 bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   if (part.empty()) return false;
-  const bool places = is_any(part.front(), {"place", "slip", "put", "return", "transfer", "move", "replace", "sl", "remove", "with"});
+  const bool places = is_any(part.front(), {"place", "slip", "put", "return", "transfer", "move", "replace",
+                                            "sl", "remove", "with"});
   const bool onto = holds_any(part, {"needle", "needles", "dpns", "dpn"});
-  const bool held = holds_any(part, {"held", "waiting", "resting"}) || (holds_any(part, {"from", "off"}) && names_holder(part));
+  const bool held = holds_any(part, {"held", "waiting", "resting"}) ||
+                    (holds_any(part, {"from", "off"}) && names_holder(part));
   if (!places || !(onto || held) || holds_any(part, {"marker", "markers"})) return false;
   if (names_holder(part) && !held) return false;
   const auto told = stitches_in(part);
@@ -323,7 +369,10 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
     for (std::size_t i = 1; i < part.size(); ++i) {
       if (!is_stitches(part[i])) continue;
       std::size_t begin = i;
-      while (begin > 1 && part[begin - 1].is_word() && !is_any(part[begin - 1], {"held", "next", "remaining", "live", "all", "slip", "place", "put", "return", "transfer"})) --begin;
+      while (begin > 1 && part[begin - 1].is_word() &&
+             !is_any(part[begin - 1], {"held", "next", "remaining", "live", "all", "slip", "place", "put",
+                                       "return", "transfer"}))
+        --begin;
       name = world_name(std::span(part).subspan(begin, i - begin));
       break;
     }
@@ -353,7 +402,8 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   holder->taken = true;
   const std::optional<std::int64_t> there = holder->count;
   if (told && there && *told != *there && !(holder->waste && std::abs(*told - *there) <= 1)) {
-    wrong("the holder" + (holder->name.empty() ? "" : " of the " + holder->name) + " has " + stitches_text(*there) + ", the line says " + std::to_string(*told) + ".");
+    wrong("the holder" + (holder->name.empty() ? "" : " of the " + holder->name) + " has " +
+          stitches_text(*there) + ", the line says " + std::to_string(*told) + ".");
     if (!has_needle_) begin_piece(0);
     after_trouble(count);
     return true;
@@ -379,7 +429,10 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
 
 bool WorldWorker::pick_up(const Atoms& part, const WorldCount& count) {
   std::size_t at = 0;
-  while (at < part.size() && !(is_any(part[at], {"pick", "picking"}) && at + 1 < part.size() && part[at + 1].is("up")) && !is_any(part[at], {"pu", "puk"})) ++at;
+  while (at < part.size() &&
+         !(is_any(part[at], {"pick", "picking"}) && at + 1 < part.size() && part[at + 1].is("up")) &&
+         !is_any(part[at], {"pu", "puk"}))
+    ++at;
   if (at >= part.size()) return false;
   const Atoms tail(part.begin() + static_cast<std::ptrdiff_t>(at), part.end());
   std::optional<std::int64_t> told = stitches_in(tail);
@@ -395,7 +448,9 @@ bool WorldWorker::pick_up(const Atoms& part, const WorldCount& count) {
     return true;
   }
   run_pending(true);
-  if (holds_any(tail, {"each", "either", "both"}) && holds_any(tail, {"side", "sides", "end", "ends", "corner", "corners"})) *told *= 2;
+  if (holds_any(tail, {"each", "either", "both"}) &&
+      holds_any(tail, {"side", "sides", "end", "ends", "corner", "corners"}))
+    *told *= 2;
   if (!has_needle_) {
     begin_piece(*told);
   } else if (known_) {
@@ -409,7 +464,8 @@ bool WorldWorker::pick_up(const Atoms& part, const WorldCount& count) {
 }
 
 bool WorldWorker::join_ends(const Atoms& part) {
-  const bool three = holds_any(part, {"3"}) && holds_any(part, {"needle"}) && holds_any(part, {"bind", "bo", "cast"});
+  const bool three =
+      holds_any(part, {"3"}) && holds_any(part, {"needle"}) && holds_any(part, {"bind", "bo", "cast"});
   if (!three && !holds_any(part, {"kitchener", "graft"})) return false;
   run_pending(true);
   const auto told = stitches_in(part);
@@ -426,11 +482,13 @@ bool WorldWorker::join_ends(const Atoms& part) {
   const bool own = holds_any(part, {"remaining", "rem"}) || other == nullptr;
   if (own) {
     if (told && known_ && *told != needle_.count() && *told * 2 != needle_.count())
-      wrong(stitches_text(*told) + " are to be joined, and " + stitches_text(needle_.count()) + " are on the needle.");
+      wrong(stitches_text(*told) + " are to be joined, and " + stitches_text(needle_.count()) +
+            " are on the needle.");
   } else {
     other->taken = true;
     if (known_ && other->count && *other->count != needle_.count())
-      wrong("two live ends are joined, and they have " + std::to_string(needle_.count()) + " and " + stitches_text(*other->count) + ".");
+      wrong("two live ends are joined, and they have " + std::to_string(needle_.count()) + " and " +
+            stitches_text(*other->count) + ".");
   }
   end_piece(false);
   closed_ = closed_once_ = true;
@@ -447,16 +505,21 @@ bool WorldWorker::as_before(const Atoms& part) {
       std::size_t end = i + 2;
       if (part[i + 1].is("first")) end = i + 1;
       std::size_t stop = end;
-      while (stop < part.size() && part[stop].is_word() && !is_any(part[stop], {"but", "until", "do", "except", "and"})) ++stop;
+      while (stop < part.size() && part[stop].is_word() &&
+             !is_any(part[stop], {"but", "until", "do", "except", "and"}))
+        ++stop;
       name = world_name(std::span(part).subspan(end, stop - end));
     }
   }
   const bool again = holds_any(part, {"second", "other"}) && holds_any(part, {"same", "make"});
   if (name.empty() && !again) return false;
-  const auto found = std::find_if(made_.rbegin(), made_.rend(), [&](const Made& made) { return name.empty() || same_world_name(name, made.name); });
+  const auto found = std::find_if(made_.rbegin(), made_.rend(), [&](const Made& made) {
+    return name.empty() || same_world_name(name, made.name);
+  });
   if (found == made_.rend()) return false;
   const Made made = *found;
-  const bool stays = holds_any(part, {"but", "leave"}) && (holds_any(part, {"not", "don't"}) || holds_any(part, {"needle", "needles"}));
+  const bool stays = holds_any(part, {"but", "leave"}) &&
+                     (holds_any(part, {"not", "don't"}) || holds_any(part, {"needle", "needles"}));
   if (stays) {
     begin_piece(made.count.value_or(0));
     known_ = made.count.has_value();

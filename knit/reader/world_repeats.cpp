@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "knit/reader/reader_work.h"
-#include "knit/reader/world_phrases.h"
 #include "knit/reader/world_worker.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::int64_t most_passes = 100'000;
 
-std::span<const Atom> from(const Atoms& line, std::size_t at) { return std::span(line).subspan(std::min(at, line.size())); }
+std::span<const Atom> from(const Atoms& line, std::size_t at) {
+  return std::span(line).subspan(std::min(at, line.size()));
+}
 
 }  // namespace
 
@@ -55,7 +57,8 @@ std::optional<std::vector<WorldWorker::Index>> WorldWorker::recipes_in(const Ato
         if (known == by_number_.end()) return std::nullopt;
         found.push_back(known->second);
       }
-      if (here.sees({",", "and", "&"}) && here.peek(1).is_number() && !here.sees({"times", "time", "more", "x"}, 2))
+      if (here.sees({",", "and", "&"}) && here.peek(1).is_number() &&
+          !here.sees({"times", "time", "more", "x"}, 2))
         here.skip();
       else
         break;
@@ -69,7 +72,8 @@ std::optional<std::vector<WorldWorker::Index>> WorldWorker::recipes_in(const Ato
     name += (name.empty() ? "" : " ") + (round ? std::string("rnd") : here.peek().text);
     here.skip();
     if (!round) continue;
-    if (here.peek().is_word() && here.peek().length == 1 && by_name_.count(name + " " + here.peek().text) != 0) {
+    if (here.peek().is_word() && here.peek().length == 1 &&
+        by_name_.count(name + " " + here.peek().text) != 0) {
       name += " " + here.peek().text;
       here.skip();
     }
@@ -105,7 +109,8 @@ std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, boo
   repeat.recipes = *recipes;
   bool told = false;
   while (!here.done()) {
-    if (here.take({",", ".", "as", "and", "then", "on", "this", "these", "evenly", "set", "established"})) continue;
+    if (here.take({",", ".", "as", "and", "then", "on", "this", "these", "evenly", "set", "established"}))
+      continue;
     if (here.take({"every"})) {  // "every 4th rnd": plain rounds between
       std::int64_t step = 1;
       if (here.take({"other", "alternate", "alt"})) step = 2;
@@ -132,7 +137,8 @@ std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, boo
       if (here.peek().is_number() && (is_stitches(here.peek(1)) || here.sees({"remain", "rem"}, 1))) {
         repeat.until = here.peek().value;
         here.skip(2);
-        while (here.take({"remain", "rem", "left", "are", "on", "needle", "needles", "in", "total", "remaining", "have", "been", "reached"})) {
+        while (here.take({"remain", "rem", "left", "are", "on", "needle", "needles", "in", "total",
+                          "remaining", "have", "been", "reached"})) {
         }
         told = true;
         continue;
@@ -185,7 +191,9 @@ void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::
   std::int64_t passes = repeat.times;
   const bool shaped = std::any_of(repeat.recipes.begin(), repeat.recipes.end(), [&](Index i) {
     const auto fixed = fixed_work(recipes_[i].first.nodes);
-    return !(recipes_[i].first.nodes.size() == 1 && recipes_[i].first.nodes[0].takes == recipes_[i].first.nodes[0].makes && recipes_[i].first.nodes[0].kind == WorldNode::Kind::stitch) &&
+    return !(recipes_[i].first.nodes.size() == 1 &&
+             recipes_[i].first.nodes[0].takes == recipes_[i].first.nodes[0].makes &&
+             recipes_[i].first.nodes[0].kind == WorldNode::Kind::stitch) &&
            !(fixed && fixed->takes == fixed->makes);
   });
   if (repeat.free) passes = 1;
@@ -197,9 +205,13 @@ void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::
     return after_trouble(told);
   }
   const std::int64_t start = known_ ? needle_.count() : 0;
-  if (rounds > 0) passes = (rounds + static_cast<std::int64_t>(repeat.recipes.size()) - 1) / static_cast<std::int64_t>(repeat.recipes.size());
+  if (rounds > 0)
+    passes = (rounds + static_cast<std::int64_t>(repeat.recipes.size()) - 1) /
+             static_cast<std::int64_t>(repeat.recipes.size());
   std::int64_t left = rounds > 0 ? rounds : -1;
-  const auto mine = [&] { return line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::does_not_add_up; };
+  const auto mine = [&] {
+    return line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::does_not_add_up;
+  };
   const bool was_wrong = mine();
   const std::int64_t most = until ? most_passes : passes;
   const std::vector<Index> recipes = repeat.recipes;
@@ -218,12 +230,16 @@ void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::
       if (until && needle_.count() == *until) break;  // the last pass may stop after its shaping
     }
     if (until && !stop && needle_.count() == before) {
-      wrong(name + " leaves " + stitches_text(before) + ", and never comes to " + std::to_string(*until) + ".");
+      wrong(name + " leaves " + stitches_text(before) + ", and never comes to " + std::to_string(*until) +
+            ".");
       stop = true;
     }
-    const bool past = until && !stop && ((start < *until && needle_.count() > *until) || (start > *until && needle_.count() < *until));
+    const bool past =
+        until && !stop &&
+        ((start < *until && needle_.count() > *until) || (start > *until && needle_.count() < *until));
     if (past) {
-      wrong(name + " goes from " + stitches_text(before) + " to " + std::to_string(needle_.count()) + ", and never has " + std::to_string(*until) + ".");
+      wrong(name + " goes from " + stitches_text(before) + " to " + std::to_string(needle_.count()) +
+            ", and never has " + std::to_string(*until) + ".");
       stop = true;
     }
   }
@@ -245,7 +261,8 @@ void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::
   }
   worked();
   if (count.total && needle_.count() != *count.total) {
-    wrong("the repeat makes " + stitches_text(needle_.count()) + ", the line says " + std::to_string(*count.total) + ".");
+    wrong("the repeat makes " + stitches_text(needle_.count()) + ", the line says " +
+          std::to_string(*count.total) + ".");
     alternative_ = needle_.count();
     needle_.set(*count.total);
   }
@@ -277,14 +294,16 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
     if (here.peek().is_number() && is_rounds(here.peek(1))) {
       rounds = here.peek().value;
       here.skip();
-    } else if (here.peek().is_number() && here.sees({"more", "plain", "further", "complete"}, 1) && is_rounds(here.peek(2))) {
+    } else if (here.peek().is_number() && here.sees({"more", "plain", "further", "complete"}, 1) &&
+               is_rounds(here.peek(2))) {
       rounds = here.peek().value;
       here.skip(2);
     } else if (here.sees({"dec", "decreasing", "inc", "increasing", "decrease", "increase"})) {
       shape = true;
       shape_at = here.at();
       break;
-    } else if (here.sees({"until", "inches", "cm", "in", "inch", "\""}) && (!here.sees({"in"}) || here.at() > 1)) {
+    } else if (here.sees({"until", "inches", "cm", "in", "inch", "\""}) &&
+               (!here.sees({"in"}) || here.at() > 1)) {
       length = length || here.sees({"until", "inches", "cm", "inch"});
     } else if (here.sees({"every", "all"}) && is_rounds(here.peek(1))) {
       length = true;
@@ -297,11 +316,15 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
   }
   const bool has_rounds = std::any_of(part.begin(), part.end(), [](const Atom& a) { return is_rounds(a); });
   if (strange || (!rounds && !length)) return false;
-  if (!rounds && !(has_rounds || holds_any(part, {"pattern", "patt", "rib", "ribbing", "stockinette", "st", "garter", "even", "straight", "measures", "cm", "inches", "inch"}))) return false;
+  if (!rounds &&
+      !(has_rounds || holds_any(part, {"pattern", "patt", "rib", "ribbing", "stockinette", "st", "garter",
+                                       "even", "straight", "measures", "cm", "inches", "inch"})))
+    return false;
   if (shape && !rounds) return false;
   if (rounds && *rounds < 1) return false;
   if (length && !rounds && count.total && known_ && needle_.count() != *count.total) {
-    wrong(stitches_text(needle_.count()) + " are on the needle, the line says " + std::to_string(*count.total) + ".");
+    wrong(stitches_text(needle_.count()) + " are on the needle, the line says " +
+          std::to_string(*count.total) + ".");
     alternative_ = needle_.count();
     needle_.set(*count.total);
     return true;
@@ -318,9 +341,15 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
 }
 
 // "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
-bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds, const std::string& name) {
-  if (body.empty() || !is_any(body.front(), {"[", "("}) || !std::any_of(body.begin(), std::find_if(body.begin(), body.end(), [](const Atom& a) { return is_any(a, {")", "]"}); }),
-                                                                      [](const Atom& a) { return is_rounds(a); }))
+bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds,
+                              const std::string& name) {
+  if (body.empty() || !is_any(body.front(), {"[", "("}) ||
+      !std::any_of(body.begin(),
+                   std::find_if(body.begin(), body.end(),
+                                [](const Atom& a) {
+                                  return is_any(a, {")", "]"});
+                                }),
+                   [](const Atom& a) { return is_rounds(a); }))
     return false;
   PhraseCursor here(body, lexicon_);
   here.skip();
@@ -332,7 +361,8 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
   std::int64_t once = 0, named = 0;
   while (!here.done() && !here.sees({"]", ")"})) {
     if (here.take({",", "and", "then"})) continue;
-    const bool plain = here.sees({"knit", "k", "work"}) && here.peek(1).is_number() && is_rounds(here.peek(2));
+    const bool plain =
+        here.sees({"knit", "k", "work"}) && here.peek(1).is_number() && is_rounds(here.peek(2));
     if (plain) {
       parts.push_back({std::nullopt, here.peek(1).value});
       once += std::min<std::int64_t>(here.peek(1).value, 1'000'000);
@@ -357,7 +387,8 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
   const auto words = here.repeat_words();
   while (here.take({".", ","})) {
   }
-  if (!words || words->until != WorldNode::Until::times || !here.done() || words->times < 1 || words->times > most_passes || once > 10'000) {
+  if (!words || words->until != WorldNode::Until::times || !here.done() || words->times < 1 ||
+      words->times > most_passes || once > 10'000) {
     not_understood(name + ": how often these rounds are worked is not clear.");
     after_trouble(count);
     return true;
@@ -368,10 +399,12 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
     return true;
   };
   if (rounds > 0 && once * words->times != rounds)
-    return refuse("its words are " + std::to_string(once * words->times) + " rounds, the label names " + std::to_string(rounds) + ".");
+    return refuse("its words are " + std::to_string(once * words->times) + " rounds, the label names " +
+                  std::to_string(rounds) + ".");
   const bool list = count.all.size() > 1 || (words->times * named == 1);
   if (list && count.total && static_cast<std::int64_t>(count.all.size()) != named * words->times)
-    return refuse("it is shaped in " + std::to_string(named * words->times) + " rounds, and " + std::to_string(count.all.size()) + " counts are told.");
+    return refuse("it is shaped in " + std::to_string(named * words->times) + " rounds, and " +
+                  std::to_string(count.all.size()) + " counts are told.");
   const Index plain = keep(atoms_of("knit"), "the round", rows_ && !in_round_);
   std::size_t nth = 0;
   for (std::int64_t time = 0; time < words->times; ++time) {
@@ -393,7 +426,8 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
     }
   }
   if (!list && known_ && count.total && needle_.count() != *count.total)
-    return refuse("it makes " + stitches_text(needle_.count()) + ", the line says " + std::to_string(*count.total) + ".");
+    return refuse("it makes " + stitches_text(needle_.count()) + ", the line says " +
+                  std::to_string(*count.total) + ".");
   history_.push_back(plain);
   return true;
 }
@@ -438,7 +472,8 @@ bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const
     while (middle < rest.size() && !is_any(rest[middle], {"for", "instead"})) ++middle;
     std::size_t behind = middle + 1;
     if (behind < rest.size() && rest[behind].is("of")) ++behind;
-    const std::span<const Atom> to = std::span(rest).first(std::min(middle, rest.size())), old = from(rest, behind);
+    const std::span<const Atom> to = std::span(rest).first(std::min(middle, rest.size())),
+                                old = from(rest, behind);
     Atoms changed;
     const Atoms& model = recipes_[recipes->front()].atoms;
     bool found = false;
@@ -459,7 +494,9 @@ bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const
       return true;
     }
     const Index index = keep(changed, "the round", recipes_[recipes->front()].flat);
-    work_recipe(index, label.numbers.empty() ? "the round" : "Rnd " + std::to_string(label.numbers.front().first), &count, count.all.size());
+    work_recipe(index,
+                label.numbers.empty() ? "the round" : "Rnd " + std::to_string(label.numbers.front().first),
+                &count, count.all.size());
     finished_round(index, label.numbers.empty() ? 0 : label.numbers.front().first);
     return true;
   }

@@ -58,7 +58,8 @@ void WorldWorker::run_pending(bool all) {
   }
   if (all && !pending_.empty()) {
     for (const auto& [number, told] : pending_)
-      say_at(recipes_[told.first].line, LineVerdict::not_understood, "the rounds before " + rnd(number) + " are not told, so it has no turn.", 0, 0);
+      say_at(recipes_[told.first].line, LineVerdict::not_understood,
+             "the rounds before " + rnd(number) + " are not told, so it has no turn.", 0, 0);
     broken_ = true;
     pending_.clear();
   }
@@ -77,7 +78,8 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   if (label.every_from && label.numbers.empty()) {  // "All even rounds: knit"
     rule_ = Rule{*label.every_from, label.every_step, keep(body, "the even rounds", rows_ && !in_round_)};
     const WorldRecipe& recipe = recipes_[rule_->recipe];
-    if (!recipe.first.trouble.empty()) return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
+    if (!recipe.first.trouble.empty())
+      return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
     return say(LineVerdict::holds, "");
   }
   const std::int64_t first = label.numbers.front().first;
@@ -88,19 +90,22 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
     known_ = false;
     return;
   }
-  const std::string name = label.numbers.size() == 1 && first != label.numbers.front().second
-                               ? "Rnds " + std::to_string(first) + "-" + std::to_string(label.numbers.front().second)
-                               : rnd(first);
+  const std::string name =
+      label.numbers.size() == 1 && first != label.numbers.front().second
+          ? "Rnds " + std::to_string(first) + "-" + std::to_string(label.numbers.front().second)
+          : rnd(first);
   run_pending(false);
   if (any_number_ && !pending_.empty() && pending_.begin()->first > next_) {
     next_ = std::min(first, pending_.begin()->first);  // "Rnds 18, 20:" waited for this line
     any_number_ = false;
   }
-  const bool waits = (label.numbers.size() > 1 || label.every_from) && any_number_ && !history_.empty() && first > next_;
+  const bool waits =
+      (label.numbers.size() > 1 || label.every_from) && any_number_ && !history_.empty() && first > next_;
   if (waits) {
     const Index index = keep(body, name, (rows_ || label.sided) && !in_round_);
     for (const auto& [from, to] : label.numbers) {
-      for (std::int64_t number = from; number <= to; ++number) pending_[number] = {index, number == label.numbers.back().second};
+      for (std::int64_t number = from; number <= to; ++number)
+        pending_[number] = {index, number == label.numbers.back().second};
     }
     if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index};
     return;
@@ -121,7 +126,8 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
     while (hole < first && (in_rule(hole) || pending_.count(hole) != 0)) ++hole;
     const bool later = label.numbers.size() > 1 || label.every_from;
     if (hole < first && !later) {
-      wrong(name + " stands here, and " + rnd(hole) + (first - 1 > hole ? " to " + std::to_string(first - 1) + " are" : " is") + " missing.");
+      wrong(name + " stands here, and " + rnd(hole) +
+            (first - 1 > hole ? " to " + std::to_string(first - 1) + " are" : " is") + " missing.");
       run_pending(true);
       next_ = first;
     }
@@ -153,14 +159,16 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   }
   if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index};
   run_pending(false);
-  if (!recipes_[index].first.trouble.empty()) not_understood(recipes_[index].first.trouble, recipes_[index].first.at, recipes_[index].first.length);
+  if (!recipes_[index].first.trouble.empty())
+    not_understood(recipes_[index].first.trouble, recipes_[index].first.at, recipes_[index].first.length);
 }
 
 void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
   if (label.every_from) {
     rule_ = Rule{*label.every_from, label.every_step, keep(body, "the even rounds", rows_ && !in_round_)};
     const WorldRecipe& recipe = recipes_[rule_->recipe];
-    if (!recipe.first.trouble.empty()) return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
+    if (!recipe.first.trouble.empty())
+      return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
     return say(LineVerdict::holds, "");
   }
   run_pending(true);
@@ -197,8 +205,8 @@ void WorldWorker::after_trouble(const WorldCount& count) {
 }
 
 // Whether the round's count is the stated one. `why` gets what is wrong.
-bool WorldWorker::settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth, bool quiet,
-                               std::string& why) {
+bool WorldWorker::settle_count(const std::string& name, std::int64_t before, const WorldCount& count,
+                               std::size_t nth, bool quiet, std::string& why) {
   (void)quiet;
   const std::int64_t made = needle_.count();
   if (count.total) {
@@ -209,7 +217,8 @@ bool WorldWorker::settle_count(const std::string& name, std::int64_t before, con
     }
   }
   if (count.change && made - before != *count.change) {
-    why = name + " changes the stitches by " + std::to_string(made - before) + ", the line says " + std::to_string(*count.change) + ".";
+    why = name + " changes the stitches by " + std::to_string(made - before) + ", the line says " +
+          std::to_string(*count.change) + ".";
     return false;
   }
   return true;
@@ -234,7 +243,8 @@ bool WorldWorker::on_unknown(const WorldRecipe& recipe, const std::string& name,
   return true;
 }
 
-bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldCount* count, std::size_t nth) {
+bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldCount* count,
+                              std::size_t nth) {
   const WorldCount none;
   const WorldCount& said = count != nullptr ? *count : none;
   if (!recipes_[index].first.trouble.empty()) {

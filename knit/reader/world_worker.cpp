@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "knit/reader/reader_work.h"
-#include "knit/reader/world_phrases.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -45,7 +45,8 @@ std::vector<Atoms> sentences_of(const Atoms& line) {
 
 }  // namespace
 
-void WorldWorker::say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at, std::size_t length) {
+void WorldWorker::say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at,
+                         std::size_t length) {
   if (line == 0 || line > out_.lines.size()) return;
   CheckedLine& told = out_.lines[line - 1];
   if (severity(verdict) <= severity(told.verdict)) return;
@@ -116,7 +117,8 @@ void WorldWorker::find_definitions(const std::vector<Atoms>& lines) {
         inside = false;
       } else if (inside && atom.is_word()) {
         name += (name.empty() ? "" : " ") + atom.text;
-        if (name.ends_with(" rnd") || name.ends_with(" round") || name.ends_with(" row")) definitions_.insert(name.substr(0, name.rfind(' ')) + " rnd");
+        if (name.ends_with(" rnd") || name.ends_with(" round") || name.ends_with(" row"))
+          definitions_.insert(name.substr(0, name.rfind(' ')) + " rnd");
         const std::size_t rounds = name.find(" rnd ");
         if (rounds != std::string::npos) definitions_.insert(name);
       }
@@ -130,19 +132,26 @@ bool WorldWorker::sized(Atoms& line) {
   Atoms out;
   for (std::size_t i = 0; i < line.size(); ++i) {
     out.push_back(line[i]);
-    if (!line[i].is_number() || i + 2 >= line.size() || !is_any(line[i + 1], {"(", "["}) || !line[i + 2].is_number()) continue;
+    if (!line[i].is_number() || i + 2 >= line.size() || !is_any(line[i + 1], {"(", "["}) ||
+        !line[i + 2].is_number())
+      continue;
     std::vector<std::int64_t> numbers{line[i].value};
     std::size_t j = i + 2;
     while (j < line.size() && line[j].is_number()) {
       numbers.push_back(line[j].value);
       ++j;
-      if (j < line.size() && is_any(line[j], {",", ":", ";", "/", "-", "."}) && j + 1 < line.size() && line[j + 1].is_number()) ++j;
-      while (numbers.size() < sizes_ && j + 1 < line.size() && is_any(line[j], {")", "]"}) && is_any(line[j + 1], {"(", "["}) && j + 2 < line.size() && line[j + 2].is_number()) j += 2;
+      if (j < line.size() && is_any(line[j], {",", ":", ";", "/", "-", "."}) && j + 1 < line.size() &&
+          line[j + 1].is_number())
+        ++j;
+      while (numbers.size() < sizes_ && j + 1 < line.size() && is_any(line[j], {")", "]"}) &&
+             is_any(line[j + 1], {"(", "["}) && j + 2 < line.size() && line[j + 2].is_number())
+        j += 2;
     }
     if (j >= line.size() || !is_any(line[j], {")", "]"})) continue;
     if (numbers.size() != sizes_) {
-      not_understood(std::to_string(sizes_) + " sizes are told, and " + std::to_string(numbers.size()) + " numbers stand here.", line[i].at,
-                     line[j].at + line[j].length - line[i].at);
+      not_understood(std::to_string(sizes_) + " sizes are told, and " + std::to_string(numbers.size()) +
+                         " numbers stand here.",
+                     line[i].at, line[j].at + line[j].length - line[i].at);
       return false;
     }
     out.back().value = numbers[size_];
@@ -173,12 +182,16 @@ void WorldWorker::whole_line(Atoms line) {
     if (is_any(line[i], {"(", "["})) ++depth;
     if (is_any(line[i], {")", "]"})) --depth;
     if (depth > 0 || !is_any(line[i - 1], {".", ")", "]", ";"}) || i - begin < 2) continue;
-    const bool may = line[i].is_word() || (line[i].is_number() && i + 1 < line.size() && is_any(line[i + 1], {"st", "nd", "rd", "th"}));
+    const bool may = line[i].is_word() || (line[i].is_number() && i + 1 < line.size() &&
+                                           is_any(line[i + 1], {"st", "nd", "rd", "th"}));
     if (!may || lexicon_.match(line, i)) continue;
     const auto label = world_label(std::span(line).subspan(i), lexicon_);
-    if (!label || !is_any(line[i + label->atoms - 1], {":", "-"}) || world_label(std::span(line).subspan(begin, 2), lexicon_).has_value()) continue;
+    if (!label || !is_any(line[i + label->atoms - 1], {":", "-"}) ||
+        world_label(std::span(line).subspan(begin, 2), lexicon_).has_value())
+      continue;
     if (i + label->atoms >= line.size()) continue;
-    one_line(Atoms(line.begin() + static_cast<std::ptrdiff_t>(begin), line.begin() + static_cast<std::ptrdiff_t>(i)));
+    one_line(Atoms(line.begin() + static_cast<std::ptrdiff_t>(begin),
+                   line.begin() + static_cast<std::ptrdiff_t>(i)));
     begin = i;
   }
   one_line(Atoms(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end()));
@@ -238,9 +251,14 @@ void WorldWorker::labelled(const WorldLabel& label, Atoms line) {
     const bool again = is_any(parts[i].front(), {"rep", "repeat"});
     Atoms copy = parts[i];
     copy.insert(copy.begin(), {Atom::Kind::mark, ".", 0, parts[i].front().at, 0, false});
-    const bool note = i > 0 && !again && !looks_like_work(parts[i], lexicon_) && !take_count(copy, lexicon_).total;
-    const bool ends = i > 0 && is_any(parts[i].front(), {"break", "cut", "bo", "bind", "cast", "thread", "draw", "fasten", "place", "put", "graft", "leave", "pull", "slip"}) &&
-                      (holds_any(parts[i], {"off", "bo", "through", "thru", "holder", "yarn", "graft", "marker", "markers", "needle"}));
+    const bool note =
+        i > 0 && !again && !looks_like_work(parts[i], lexicon_) && !take_count(copy, lexicon_).total;
+    const bool ends =
+        i > 0 &&
+        is_any(parts[i].front(), {"break", "cut", "bo", "bind", "cast", "thread", "draw", "fasten", "place",
+                                  "put", "graft", "leave", "pull", "slip"}) &&
+        (holds_any(parts[i], {"off", "bo", "through", "thru", "holder", "yarn", "graft", "marker", "markers",
+                              "needle"}));
     if (note || ends || !behind.empty()) {
       behind.push_back(parts[i]);
       continue;
@@ -274,14 +292,16 @@ void WorldWorker::unlabelled(const Atoms& line) {
     bool starts = false;
     for (std::size_t i = 0; i + 1 < line.size() && !has_needle_; ++i) {
       const bool casts = line[i].is("co") || (line[i].is("cast") && line[i + 1].is("on"));
-      for (std::size_t j = i + 1; casts && j < std::min(line.size(), i + 6); ++j) starts = starts || line[j].is_number();
+      for (std::size_t j = i + 1; casts && j < std::min(line.size(), i + 6); ++j)
+        starts = starts || line[j].is_number();
     }
     if (!work && !starts) return;
     tells_ = false;
   }
   std::vector<Atoms> parts;
   for (const Atoms& part : sentences_of(line)) {
-    if (!parts.empty() && is_any(part.front(), {"rep", "repeat"}) && part.size() > 1 && is_any(part[1], {"from", "*", "between"})) {
+    if (!parts.empty() && is_any(part.front(), {"rep", "repeat"}) && part.size() > 1 &&
+        is_any(part[1], {"from", "*", "between"})) {
       parts.back().push_back({Atom::Kind::mark, ".", 0, part.front().at, 0, false});
       parts.back().insert(parts.back().end(), part.begin(), part.end());
     } else {
@@ -305,7 +325,8 @@ void WorldWorker::sentence(Atoms part, const Atoms& line) {
     alone.insert(alone.begin(), {Atom::Kind::mark, ".", 0, part.front().at, 0, false});
     if (take_count(alone, lexicon_).total && alone.empty()) return check_after(count);
   }
-  if (cast_on(copy, line) || place_markers(copy) || join_ends(copy) || close(copy) || as_before(copy) || hold_all(copy, count) || take_all(copy, count) || pick_up(copy, count)) {
+  if (cast_on(copy, line) || place_markers(copy) || join_ends(copy) || close(copy) || as_before(copy) ||
+      hold_all(copy, count) || take_all(copy, count) || pick_up(copy, count)) {
     last_was_note_ = false;
     return;
   }
@@ -328,16 +349,22 @@ void WorldWorker::sentence(Atoms part, const Atoms& line) {
     return;
   }
   const WorldRound tried = world_round(copy, lexicon_, false);
-  const bool reads = has_needle_ && tried.trouble.empty() && std::any_of(tried.nodes.begin(), tried.nodes.end(), [](const WorldNode& node) {
-                       return node.kind == WorldNode::Kind::stitch || node.kind == WorldNode::Kind::repeat || node.kind == WorldNode::Kind::rest || node.kind == WorldNode::Kind::shape;
+  const bool reads = has_needle_ && tried.trouble.empty() &&
+                     std::any_of(tried.nodes.begin(), tried.nodes.end(), [](const WorldNode& node) {
+                       return node.kind == WorldNode::Kind::stitch || node.kind == WorldNode::Kind::repeat ||
+                              node.kind == WorldNode::Kind::rest || node.kind == WorldNode::Kind::shape;
                      });
   if (!reads && !looks_like_work(part, lexicon_) && !(count.total && looks_like_work(copy, lexicon_))) {
     if (count.total && has_needle_ && holds_any(part, {"sts", "stitches"})) {
-      not_understood("it states stitches, and what makes them is not understood.", part.front().at, part.front().length);
+      not_understood("it states stitches, and what makes them is not understood.", part.front().at,
+                     part.front().length);
       after_trouble(count);
       return;
     }
-    in_round_ = in_round_ || (holds_any(part, {"join"}) && holds_any(part, {"round", "rnd", "joining", "twist", "circle"})) || (holds_any(part, {"join"}) && part.size() < 3);
+    in_round_ =
+        in_round_ ||
+        (holds_any(part, {"join"}) && holds_any(part, {"round", "rnd", "joining", "twist", "circle"})) ||
+        (holds_any(part, {"join"}) && part.size() < 3);
     last_was_note_ = true;
     return;
   }
@@ -368,7 +395,8 @@ void WorldWorker::check_after(const WorldCount& count) {
     return;
   }
   if (needle_.count() == *count.total) return worked();
-  wrong(stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") + " on the needle, the line says " + std::to_string(*count.total) + ".");
+  wrong(stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") +
+        " on the needle, the line says " + std::to_string(*count.total) + ".");
   alternative_ = needle_.count();
   needle_.set(*count.total);
 }

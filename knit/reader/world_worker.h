@@ -13,8 +13,8 @@
 
 #include "knit/reader/checked_pattern.h"
 #include "knit/reader/reader_text.h"
-#include "knit/reader/world_lines.h"
-#include "knit/reader/world_needle.h"
+#include "knit/trade/world_lines.h"
+#include "knit/trade/world_needle.h"
 
 namespace knit {
 
@@ -42,8 +42,8 @@ class WorldWorker {
 
   // `lines`: in atoms, as they are read; `last_line`: of the text.
   // `physical`: the text's lines, in which places are told. `start`: stitches that a text without a cast on begins with.
-  CheckedSize run(const std::vector<TextLine>& lines, const std::vector<Atoms>& atoms, const std::vector<std::string_view>& physical,
-                  std::int64_t start);
+  CheckedSize run(const std::vector<TextLine>& lines, const std::vector<Atoms>& atoms,
+                  const std::vector<std::string_view>& physical, std::int64_t start);
   [[nodiscard]] std::size_t rounds() const { return rounds_; }
   [[nodiscard]] std::optional<std::int64_t> stitches_left() const { return last_count_; }
   [[nodiscard]] bool ends() const { return closed_once_; }
@@ -54,13 +54,14 @@ class WorldWorker {
     std::vector<Index> recipes;
     std::int64_t times = 1;
     std::optional<std::int64_t> until;
-    bool free = false;  // until a length is reached
+    bool free = false;         // until a length is reached
     std::int64_t between = 0;  // plain rounds before each
   };
 
   // verdicts
   void say(LineVerdict verdict, std::string sentence, std::size_t at = 0, std::size_t length = 0);
-  void say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at, std::size_t length);
+  void say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at,
+              std::size_t length);
   void wrong(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
   void not_understood(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
   void worked();
@@ -83,7 +84,8 @@ class WorldWorker {
   void named_round(const WorldLabel& label, const Atoms& body);
   bool work_recipe(Index index, const std::string& name, const WorldCount* count, std::size_t nth);
   bool on_unknown(const WorldRecipe& recipe, const std::string& name, const WorldCount* count);
-  bool settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth, bool quiet, std::string& why);
+  bool settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth,
+                    bool quiet, std::string& why);
   void after_trouble(const WorldCount& count);
   void finished_round(Index index, std::int64_t number);
   std::optional<Repeat> repeat_in(const Atoms& line, bool& trouble);
@@ -118,7 +120,8 @@ class WorldWorker {
   std::int64_t budget_ = 40'000'000;
 
   WorldNeedle needle_;
-  bool has_needle_ = false, known_ = false, ever_cast_on_ = false, tells_ = false, in_round_ = false, rows_ = false, short_rows_ = false;
+  bool has_needle_ = false, known_ = false, ever_cast_on_ = false, tells_ = false, in_round_ = false,
+       rows_ = false, short_rows_ = false;
   bool closed_ = false, broken_ = false, closed_once_ = false;
   std::optional<std::int64_t> last_count_;
   std::size_t closed_line_ = 0;

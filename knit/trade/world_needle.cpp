@@ -1,9 +1,9 @@
-#include "knit/reader/world_needle.h"
+#include "knit/trade/world_needle.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "knit/reader/reader_work.h"
+#include "knit/model/words.h"
 
 namespace knit {
 
@@ -16,7 +16,7 @@ std::int64_t sum(const Segments& segments) {
   return std::accumulate(segments.begin(), segments.end(), std::int64_t{0});
 }
 std::int64_t bounded(std::int64_t value) { return std::min(value, most_value); }
-std::string many(std::int64_t count) { return stitches_text(count); }
+std::string many(std::int64_t count) { return stitch_count_text(count); }
 
 class Hands {
  public:
@@ -43,7 +43,8 @@ class Hands {
   }
   // The segments of `left` are kept in order; the one worked from is `front`.
   [[nodiscard]] std::int64_t left() const {
-    return std::accumulate(needle_.left.begin() + static_cast<std::ptrdiff_t>(first_marker), needle_.left.end(), std::int64_t{0});
+    return std::accumulate(needle_.left.begin() + static_cast<std::ptrdiff_t>(first_marker),
+                           needle_.left.end(), std::int64_t{0});
   }
   [[nodiscard]] bool marker_ahead() const { return first_marker + 1 < needle_.left.size(); }
   std::int64_t& front() { return needle_.left[first_marker]; }
@@ -189,8 +190,11 @@ class Hands {
     if (!complaint.empty()) wrong(node, complaint);
   }
   [[nodiscard]] std::string needs_away(std::int64_t count, bool hold) const {
-    if (!hold) return many(count) + " are to be bound off, and " + many(left()) + (left() == 1 ? " is" : " are") + " left.";
-    return many(count) + " are to go on a holder, and " + many(left()) + (left() == 1 ? " is" : " are") + " left.";
+    if (!hold)
+      return many(count) + " are to be bound off, and " + many(left()) + (left() == 1 ? " is" : " are") +
+             " left.";
+    return many(count) + " are to go on a holder, and " + many(left()) + (left() == 1 ? " is" : " are") +
+           " left.";
   }
 
   void take(const WorldNode& node) {
@@ -224,7 +228,8 @@ class Hands {
     }
     if (node.kind == Kind::stitch) return stitches(node, node.takes, node.makes, times);
     if (fixed && !marker_ahead()) {
-      if (fixed->takes > 0 && times > left() / fixed->takes) return wrong(node, needs(bounded(times) * fixed->takes));
+      if (fixed->takes > 0 && times > left() / fixed->takes)
+        return wrong(node, needs(bounded(times) * fixed->takes));
       front() -= fixed->takes * times;
       needle_.right.back() = bounded(needle_.right.back() + bounded(fixed->makes) * bounded(times));
       return;
@@ -244,7 +249,8 @@ class Hands {
       const std::int64_t before = left();
       if (!spend(node, 1)) return;
       once(node);
-      if (left() == before && !stopped()) return unknown(node, "it takes no stitch, so it never comes to the end.");
+      if (left() == before && !stopped())
+        return unknown(node, "it takes no stitch, so it never comes to the end.");
     }
     if (left() < tail) wrong(node, needs(tail));
   }
@@ -253,10 +259,12 @@ class Hands {
     const std::int64_t tail = node.tail.value_or(0);
     if (!fixed || fixed->takes == 0) return unknown(node, "what is repeated up to the marker is not clear.");
     if (front() == 0 && marker_ahead() && (tail == 0 || node.next)) cross();
-    if (!marker_ahead() && needle_.marked && first_marker + 1 == needle_.left.size() && sum(needle_.right) == 0 && tail == 0 && left() == 0)
+    if (!marker_ahead() && needle_.marked && first_marker + 1 == needle_.left.size() &&
+        sum(needle_.right) == 0 && tail == 0 && left() == 0)
       return unknown(node, "no marker stands ahead.");
     const std::int64_t there = front() - tail;
-    if (there < 0) return wrong(node, many(tail) + " before the marker, and " + many(front()) + " are there.");
+    if (there < 0)
+      return wrong(node, many(tail) + " before the marker, and " + many(front()) + " are there.");
     if (there % fixed->takes != 0) return wrong(node, uneven(there, fixed->takes));
     const std::int64_t times = there / fixed->takes;
     front() -= there;
@@ -301,11 +309,12 @@ std::optional<FixedWork> fixed_work(const std::vector<WorldNode>& nodes) {
   return all;
 }
 
-WorldOutcome work_on(WorldNeedle& needle, const std::vector<WorldNode>& nodes, bool flat, const WorldHands& hands,
-                     std::int64_t& budget) {
+WorldOutcome work_on(WorldNeedle& needle, const std::vector<WorldNode>& nodes, bool flat,
+                     const WorldHands& hands, std::int64_t& budget) {
   Hands worker(needle, hands, budget);
   worker.run(nodes);
-  needle.left.erase(needle.left.begin(), needle.left.begin() + static_cast<std::ptrdiff_t>(worker.first_marker));
+  needle.left.erase(needle.left.begin(),
+                    needle.left.begin() + static_cast<std::ptrdiff_t>(worker.first_marker));
   if (!worker.out.sound()) return worker.out;
   const auto swapped = [&] {
     std::reverse(needle.left.begin(), needle.left.end());

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/reader/world_words.h"
+#include "knit/trade/world_words.h"
 
 namespace knit {
 
@@ -36,11 +36,11 @@ struct WorldNode {
   std::int64_t takes = 0, makes = 0, times = 1;
   std::optional<std::int64_t> tail;  // stitches left before the end or the marker; none: what the rest needs
   std::vector<WorldNode> inside;
-  std::string name;    // of a holder
-  bool next = false;   // up to the next marker, past one that is here
-  bool plain = false;  // knit or purl without a number
-  bool vague = false;  // "inc"
-  bool numbered = false;  // "k1", not "k"
+  std::string name;                // of a holder
+  bool next = false;               // up to the next marker, past one that is here
+  bool plain = false;              // knit or purl without a number
+  bool vague = false;              // "inc"
+  bool numbered = false;           // "k1", not "k"
   std::size_t at = 0, length = 0;  // bytes of the line
 };
 

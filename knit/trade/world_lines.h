@@ -9,20 +9,21 @@
 #include <utility>
 #include <vector>
 
-#include "knit/reader/world_words.h"
+#include "knit/trade/world_words.h"
 
 namespace knit {
 
 struct WorldLabel {
-  std::vector<std::pair<std::int64_t, std::int64_t>> numbers;  // "3, 5-8": first and last each; none: it has a name, or nothing
-  std::string name;                                            // "dec rnd", "next rnd": small letters
-  std::int64_t rounds = 1;                                     // "Next 3 rnds"
-  std::optional<std::int64_t> every_from;                      // "Rnd 2 and every alternate rnd": from 2 on
+  std::vector<std::pair<std::int64_t, std::int64_t>>
+      numbers;                             // "3, 5-8": first and last each; none: it has a name, or nothing
+  std::string name;                        // "dec rnd", "next rnd": small letters
+  std::int64_t rounds = 1;                 // "Next 3 rnds"
+  std::optional<std::int64_t> every_from;  // "Rnd 2 and every alternate rnd": from 2 on
   std::int64_t every_step = 2;
-  bool rows = false, sided = false;                            // "Row", "(RS)"
-  bool bare_number = false;                                    // "7."
-  std::size_t atoms = 0;                                       // that it takes up
-  std::string trouble;                                         // what is wrong with its numbers
+  bool rows = false, sided = false;  // "Row", "(RS)"
+  bool bare_number = false;          // "7."
+  std::size_t atoms = 0;             // that it takes up
+  std::string trouble;               // what is wrong with its numbers
 };
 std::optional<WorldLabel> world_label(std::span<const Atom> line, const Lexicon& lexicon);
 

@@ -1,17 +1,18 @@
-#include "knit/reader/world_atoms.h"
+#include "knit/trade/world_atoms.h"
 
 #include <algorithm>
 #include <array>
 
-#include "knit/reader/characters.h"
+#include "knit/trade/characters.h"
 
 namespace knit {
 
 namespace {
 
 constexpr std::array<std::string_view, 21> small_numbers{
-    "zero",   "one",    "two",    "three",    "four",     "five",    "six",     "seven",    "eight",    "nine",  "ten",
-    "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"};
+    "zero",     "one",     "two",     "three",     "four",     "five",     "six",
+    "seven",    "eight",   "nine",    "ten",       "eleven",   "twelve",   "thirteen",
+    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"};
 constexpr std::array<std::string_view, 9> tens{"ten",   "twenty",  "thirty", "forty", "fifty",
                                                "sixty", "seventy", "eighty", "ninety"};
 
@@ -20,10 +21,12 @@ struct Sign {
   std::string_view bytes, text;
 };
 constexpr std::array signs{
-    Sign{"\xC3\x97", "x"},     Sign{"\xC2\xA0", ""},      Sign{"\xE2\x80\x89", ""},  Sign{"\xE2\x80\xAF", ""},
-    Sign{"\xE2\x80\x91", "-"}, Sign{"\xE2\x80\x93", "-"}, Sign{"\xE2\x80\x94", "-"}, Sign{"\xE2\x88\x92", "-"},
-    Sign{"\xE2\x88\x97", "*"}, Sign{"\xE2\x9C\xB1", "*"}, Sign{"\xE2\x80\x99", "'"}, Sign{"\xE2\x80\x98", "'"},
-    Sign{"\xE2\x80\xA2", "-"}, Sign{"\xC2\xB7", "-"},     Sign{"\xE2\x80\x9C", "\""}, Sign{"\xE2\x80\x9D", "\""},
+    Sign{"\xC3\x97", "x"},      Sign{"\xC2\xA0", ""},      Sign{"\xE2\x80\x89", ""},
+    Sign{"\xE2\x80\xAF", ""},   Sign{"\xE2\x80\x91", "-"}, Sign{"\xE2\x80\x93", "-"},
+    Sign{"\xE2\x80\x94", "-"},  Sign{"\xE2\x88\x92", "-"}, Sign{"\xE2\x88\x97", "*"},
+    Sign{"\xE2\x9C\xB1", "*"},  Sign{"\xE2\x80\x99", "'"}, Sign{"\xE2\x80\x98", "'"},
+    Sign{"\xE2\x80\xA2", "-"},  Sign{"\xC2\xB7", "-"},     Sign{"\xE2\x80\x9C", "\""},
+    Sign{"\xE2\x80\x9D", "\""},
 };
 
 class AtomReader {

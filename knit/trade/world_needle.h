@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/reader/world_grammar.h"
+#include "knit/trade/world_grammar.h"
 
 namespace knit {
 
@@ -26,7 +26,7 @@ struct WorldNeedle {
 
 // What the needle alone cannot do.
 struct WorldHands {
-  std::function<std::string(const WorldNode&, std::int64_t)> hold;               // a complaint, or nothing
+  std::function<std::string(const WorldNode&, std::int64_t)> hold;                  // a complaint, or nothing
   std::function<std::optional<std::int64_t>(const WorldNode&, std::string&)> take;  // how many
 };
 
@@ -39,8 +39,8 @@ struct WorldOutcome {
 };
 
 // Works the round; on `flat` needles the work is turned after it. `budget` is what may still be worked.
-WorldOutcome work_on(WorldNeedle& needle, const std::vector<WorldNode>& nodes, bool flat, const WorldHands& hands,
-                     std::int64_t& budget);
+WorldOutcome work_on(WorldNeedle& needle, const std::vector<WorldNode>& nodes, bool flat,
+                     const WorldHands& hands, std::int64_t& budget);
 
 // What a list takes and makes, where that hangs on nothing.
 struct FixedWork {

@@ -1,9 +1,9 @@
-#include "knit/reader/world_lines.h"
+#include "knit/trade/world_lines.h"
 
 #include <algorithm>
 #include <array>
 
-#include "knit/reader/world_phrases.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -12,8 +12,9 @@ namespace {
 bool is_ordinal_end(const Atom& atom) { return is_any(atom, {"st", "nd", "rd", "th"}); }
 
 std::optional<std::int64_t> ordinal(const Atom& atom) {
-  constexpr std::array<std::string_view, 12> words{"first", "second", "third", "fourth", "fifth", "sixth",
-                                                   "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth"};
+  constexpr std::array<std::string_view, 12> words{"first", "second", "third",    "fourth",
+                                                   "fifth", "sixth",  "seventh",  "eighth",
+                                                   "ninth", "tenth",  "eleventh", "twelfth"};
   const auto* const found = std::find(words.begin(), words.end(), atom.text);
   if (found == words.end()) return std::nullopt;
   return found - words.begin() + 1;
@@ -21,7 +22,8 @@ std::optional<std::int64_t> ordinal(const Atom& atom) {
 
 class LabelReader {
  public:
-  LabelReader(std::span<const Atom> line, const Lexicon& lexicon) : at_(line, lexicon), lexicon_(lexicon), line_(line) {}
+  LabelReader(std::span<const Atom> line, const Lexicon& lexicon)
+      : at_(line, lexicon), lexicon_(lexicon), line_(line) {}
 
   std::optional<WorldLabel> run() {
     if (rule() || rounds_first() || ordinal_first() || number_alone() || named()) {
@@ -106,8 +108,8 @@ class LabelReader {
         at_.back_to(end);
       }
       if (told > 0 && label_.trouble.empty() && told != rounds_told())
-        label_.trouble = ": the label says " + std::to_string(told) + (told == 1 ? " round" : " rounds") + " and names " +
-                         std::to_string(rounds_told()) + ".";
+        label_.trouble = ": the label says " + std::to_string(told) + (told == 1 ? " round" : " rounds") +
+                         " and names " + std::to_string(rounds_told()) + ".";
     }
   }
   [[nodiscard]] std::int64_t rounds_told() const {
@@ -163,7 +165,8 @@ class LabelReader {
     at_.take({"on", "work"});
     at_.take({"all", "every", "rem", "remaining"});
     const bool odd = at_.sees({"odd"});
-    if (!at_.take({"even", "odd"}) && !(at_.at() > 0 && at_.take({"other", "alternate", "alt", "ws"}))) return restart();
+    if (!at_.take({"even", "odd"}) && !(at_.at() > 0 && at_.take({"other", "alternate", "alt", "ws"})))
+      return restart();
     at_.take({"-"});
     at_.take({"numbered"});
     if (!round_word()) return restart();
@@ -197,8 +200,12 @@ class LabelReader {
       return true;
     }
     // without a colon only what begins as work is a round
-    if (at_.done() || at_.sees({"and", "to", "is", "of", "from", "more", "are", "in", ",", "for", "as"})) return restart();
-    const bool work = at_.match() || at_.sees({"(", "[", "*", "work", "co", "cast", "bo", "bind", "rep", "repeat", "place", "sm", "pm"}) || at_.peek().is_number();
+    if (at_.done() || at_.sees({"and", "to", "is", "of", "from", "more", "are", "in", ",", "for", "as"}))
+      return restart();
+    const bool work =
+        at_.match() ||
+        at_.sees({"(", "[", "*", "work", "co", "cast", "bo", "bind", "rep", "repeat", "place", "sm", "pm"}) ||
+        at_.peek().is_number();
     if (!work) return restart();
     return true;
   }
@@ -213,7 +220,8 @@ class LabelReader {
   // "2nd rnd:", "1st and 3rd rows:", "Second round:"
   bool ordinal_first() {
     at_.take({"on"});
-    const bool first = ordinal(at_.peek()).has_value() || (at_.peek().is_number() && is_ordinal_end(at_.peek(1)));
+    const bool first =
+        ordinal(at_.peek()).has_value() || (at_.peek().is_number() && is_ordinal_end(at_.peek(1)));
     if (!first || !numbers()) return restart();
     if (at_.sees({"and"}) && at_.sees({"every", "all", "each"}, 1)) {
       if (!every()) return restart();
@@ -230,13 +238,15 @@ class LabelReader {
   // "7.", "7:", "7)"
   bool number_alone() {
     const bool range = at_.sees({"-"}, 1) && at_.peek(2).is_number() && at_.sees({".", ":"}, 3);
-    if (!at_.peek().is_number() || !(range || at_.sees({".", ":", ")"}, 1)) || !at_.peek(1).glued) return restart();
+    if (!at_.peek().is_number() || !(range || at_.sees({".", ":", ")"}, 1)) || !at_.peek(1).glued)
+      return restart();
     if (!range && at_.peek(2).is_number() && at_.peek(2).glued) return restart();  // 7.5 mm
     numbers();
     if (!at_.take({".", ":", ")"})) return restart();
     if (at_.done()) return restart();
     label_.bare_number = true;
-    const bool work = at_.match() || at_.sees({"(", "[", "*", "co", "rep", "repeat"}) || (at_.peek().is_number() && at_.sees({"x"}, 1)) ||
+    const bool work = at_.match() || at_.sees({"(", "[", "*", "co", "rep", "repeat"}) ||
+                      (at_.peek().is_number() && at_.sees({"x"}, 1)) ||
                       looks_like_work(line_.subspan(at_.at()), lexicon_);
     if (!work) return restart();
     return true;
@@ -252,7 +262,8 @@ class LabelReader {
         label_.rounds = at_.peek().value;
         if (!is_rounds(at_.peek(1)) || words == 0 || label_.rounds < 1) return restart();
       } else if (at_.peek().is_word()) {
-        if (at_.sees({"rep", "repeat", "until", "for", "k", "knit", "p", "purl", "work", "every"})) return restart();
+        if (at_.sees({"rep", "repeat", "until", "for", "k", "knit", "p", "purl", "work", "every"}))
+          return restart();
         name += (name.empty() ? "" : " ") + at_.peek().text;
       } else if (!at_.sees({"-", "/"})) {
         return restart();
@@ -267,13 +278,15 @@ class LabelReader {
       at_.skip();
     }
     remarks();
-    if (at_.take({":"}) || (at_.sees({"-", "=", "."}) && (at_.match(1) || at_.sees({"(", "[", "*"}, 1)) && at_.take({"-", "=", "."}))) {
+    if (at_.take({":"}) || (at_.sees({"-", "=", "."}) && (at_.match(1) || at_.sees({"(", "[", "*"}, 1)) &&
+                            at_.take({"-", "=", "."}))) {
       label_.name = name;
       remarks_behind();
       return true;
     }
     // "Next rnd k2tog around"
-    const bool next = name.starts_with("next ") || name.starts_with("dec") || name.starts_with("inc") || name.starts_with("set");
+    const bool next = name.starts_with("next ") || name.starts_with("dec") || name.starts_with("inc") ||
+                      name.starts_with("set");
     if (next && (at_.match() || at_.sees({"(", "[", "*", "work"}) || at_.take({","}))) {
       label_.name = name;
       return true;
@@ -302,15 +315,20 @@ std::optional<WorldTitle> world_title(std::span<const Atom> line, const Lexicon&
     if (line[i].is("(")) {  // "(make 2)"
       std::size_t j = i + 1;
       while (j < line.size() && !line[j].is(")")) {
-        if (line[j].is_number() && holds_any(line.subspan(i, j - i + 1), {"make", "both", "work", "knit", "x"})) title.made = line[j].value;
-        if (line[j].is_number() && !holds_any(line.subspan(i), {"make", "x", "work", "knit", "of"})) return std::nullopt;
+        if (line[j].is_number() &&
+            holds_any(line.subspan(i, j - i + 1), {"make", "both", "work", "knit", "x"}))
+          title.made = line[j].value;
+        if (line[j].is_number() && !holds_any(line.subspan(i), {"make", "x", "work", "knit", "of"}))
+          return std::nullopt;
         ++j;
       }
       if (holds_any(line.subspan(i, j - i), {"twice"})) title.made = 2;
       i = j;
       continue;
     }
-    if (line[i].is("-") || line[i].is(":") || line[i].is("/") || line[i].is("=") || line[i].is("#") || line[i].is("_") || line[i].is("'") || line[i].is("&")) continue;
+    if (line[i].is("-") || line[i].is(":") || line[i].is("/") || line[i].is("=") || line[i].is("#") ||
+        line[i].is("_") || line[i].is("'") || line[i].is("&"))
+      continue;
     if (line[i].is("make") && i + 1 < line.size() && line[i + 1].is_number()) {
       title.made = line[i + 1].value;
       ++i;
@@ -321,17 +339,24 @@ std::optional<WorldTitle> world_title(std::span<const Atom> line, const Lexicon&
       continue;
     }
     const auto word = lexicon.match(line, i);
-    if (word && !(line.size() > 1 && is_any(line[i], {"slip", "knit", "purl", "increase", "decrease"}))) return std::nullopt;
+    if (word && !(line.size() > 1 && is_any(line[i], {"slip", "knit", "purl", "increase", "decrease"})))
+      return std::nullopt;
     if (is_stitches(line[i]) || is_rounds(line[i])) return std::nullopt;
     title.name += (title.name.empty() ? "" : " ") + line[i].text;
     ++words;
   }
   if (strange || words == 0 || words > most_words || title.made < 1) return std::nullopt;
-  if (is_any(line[0], {"k", "p", "knit", "purl", "work", "co", "bo", "cast", "bind", "join", "repeat", "rep", "cut", "break", "fasten", "turn",
-                       "place", "continue", "slip", "sl", "pick", "stuff", "graft", "sew", "weave", "put", "leave", "return", "transfer", "thread", "draw", "pull", "make"}))
+  if (is_any(line[0],
+             {"k",      "p",        "knit",   "purl",  "work",  "co",     "bo",    "cast",  "bind",
+              "join",   "repeat",   "rep",    "cut",   "break", "fasten", "turn",  "place", "continue",
+              "slip",   "sl",       "pick",   "stuff", "graft", "sew",    "weave", "put",   "leave",
+              "return", "transfer", "thread", "draw",  "pull",  "make"}))
     return std::nullopt;
-  title.tells = holds_any(line, {"materials", "gauge", "tension", "abbreviations", "notes", "note", "finished", "size", "sizes", "needles", "yarn", "chart",
-                                 "finishing", "assembly", "key", "measurements", "skills", "supplies", "techniques", "stitches", "making", "level", "equipment", "glossary"});
+  title.tells =
+      holds_any(line, {"materials",  "gauge",    "tension", "abbreviations", "notes",     "note",
+                       "finished",   "size",     "sizes",   "needles",       "yarn",      "chart",
+                       "finishing",  "assembly", "key",     "measurements",  "skills",    "supplies",
+                       "techniques", "stitches", "making",  "level",         "equipment", "glossary"});
   return title;
 }
 
@@ -339,12 +364,19 @@ bool is_word_list(std::span<const Atom> line, const Lexicon& lexicon) {
   constexpr std::size_t farthest = 12;
   for (std::size_t i = 1; i < std::min(line.size(), farthest); ++i) {
     if (!is_any(line[i], {":", "=", "-"})) continue;
-    const bool abbreviation = lexicon.match(line, 0) || is_any(line[0], {"co", "bo", "rnd", "rnds", "st", "sts", "pm", "sm", "m", "rep", "rs", "ws", "tog", "beg", "rem", "mc", "cc", "dpn", "dpns", "w", "est", "patt", "psso", "tbl", "approx", "cont", "foll", "alt", "bor"});
+    const bool abbreviation =
+        lexicon.match(line, 0) ||
+        is_any(line[0], {"co",  "bo",   "rnd",  "rnds", "st",     "sts",  "pm",   "sm",  "m",    "rep",
+                         "rs",  "ws",   "tog",  "beg",  "rem",    "mc",   "cc",   "dpn", "dpns", "w",
+                         "est", "patt", "psso", "tbl",  "approx", "cont", "foll", "alt", "bor"});
     if (!abbreviation) return false;
     // "K5 - 5 sts" is work
     const bool explains = i + 1 < line.size() && line[i + 1].is_word() &&
                           !(line[i].is("-") && line[i].glued && line[i + 1].glued);
-    const bool figures = std::any_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(i), [](const Atom& a) { return is_any(a, {",", "[", "*"}); });
+    const bool figures =
+        std::any_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(i), [](const Atom& a) {
+          return is_any(a, {",", "[", "*"});
+        });
     return explains && !figures;
   }
   for (std::size_t i = 0; i + 1 < line.size() && i < 4; ++i) {  // "CO cast on", "K knit"
@@ -356,23 +388,32 @@ bool is_word_list(std::span<const Atom> line, const Lexicon& lexicon) {
 bool looks_like_work(std::span<const Atom> line, const Lexicon& lexicon) {
   if (line.empty()) return false;
   bool figures = false, words = false, count = false;
-  const bool order = is_any(line[0], {"k", "p", "knit", "purl", "work", "rep", "repeat", "continue", "inc", "dec", "increase", "decrease", "slip", "sl", "bind", "cast",
-                                      "co", "bo", "pick", "[", "*", "rnd", "row", "round", "rnds", "rows", "rounds", "next", "all", "every"});
+  const bool order =
+      is_any(line[0], {"k",    "p",    "knit",     "purl",     "work", "rep",  "repeat", "continue",
+                       "inc",  "dec",  "increase", "decrease", "slip", "sl",   "bind",   "cast",
+                       "co",   "bo",   "pick",     "[",        "*",    "rnd",  "row",    "round",
+                       "rnds", "rows", "rounds",   "next",     "all",  "every"});
   bool rounds = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     rounds = rounds || is_rounds(line[i]);
     const bool next_number = i + 1 < line.size() && line[i + 1].is_number();
     if (is_any(line[i], {"k", "p"}) && next_number && (line[i + 1].glued || i == 0)) figures = true;
-    if (is_any(line[i], {"(", "["}) && i + 2 < line.size() && line[i + 1].is_number() && (is_stitches(line[i + 2]) || is_any(line[i + 2], {")", "]"})) && i > 0) count = true;
+    if (is_any(line[i], {"(", "["}) && i + 2 < line.size() && line[i + 1].is_number() &&
+        (is_stitches(line[i + 2]) || is_any(line[i + 2], {")", "]"})) && i > 0)
+      count = true;
     const auto word = lexicon.match(line, i);
     if (!word) continue;
-    const bool plain_word = word->atoms < 2 && is_any(line[i], {"k", "knit", "p", "purl", "slip", "sl", "increase", "decrease", "inc", "dec", "bobble", "make", "yarn"});
+    const bool plain_word =
+        word->atoms < 2 && is_any(line[i], {"k", "knit", "p", "purl", "slip", "sl", "increase", "decrease",
+                                            "inc", "dec", "bobble", "make", "yarn"});
     if (!plain_word) words = true;
     i += word->atoms - 1;
   }
   if (figures || words) return true;
   if (line[0].is("work") && line.size() > 1 && is_any(line[1], {"even", "straight", "in"})) return true;
-  return order && (rounds || count || holds_any(line, {"end", "around", "times", "twice", "sts", "st", "stitches", "knit", "purl"}));
+  return order &&
+         (rounds || count ||
+          holds_any(line, {"end", "around", "times", "twice", "sts", "st", "stitches", "knit", "purl"}));
 }
 
 std::size_t crochet_words(std::span<const Atom> line) {
@@ -380,7 +421,8 @@ std::size_t crochet_words(std::span<const Atom> line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (is_any(line[i], {"sc", "hdc", "dc", "tr", "slst", "invdec", "inv", "ss"})) ++found;
     if (line[i].is("ch") && i + 1 < line.size() && (line[i + 1].is_number() || line[i + 1].is("sp"))) ++found;
-    if (line[i].is("sl") && i + 1 < line.size() && line[i + 1].is("st")) found += holds_any(line, {"ch", "sc", "dc"}) ? 1 : 0;
+    if (line[i].is("sl") && i + 1 < line.size() && line[i + 1].is("st"))
+      found += holds_any(line, {"ch", "sc", "dc"}) ? 1 : 0;
     if (is_any(line[i], {"crochet", "crocheted"})) ++found;
     if (line[i].is("magic") && i + 1 < line.size() && is_any(line[i + 1], {"ring", "circle"})) ++found;
   }

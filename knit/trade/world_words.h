@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "knit/reader/world_atoms.h"
+#include "knit/trade/world_atoms.h"
 
 namespace knit {
 

@@ -1,10 +1,10 @@
-#include "knit/reader/world_grammar.h"
+#include "knit/trade/world_grammar.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "knit/import/quoting.h"
-#include "knit/reader/world_phrases.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -60,9 +60,7 @@ class RoundParser {
     node.inside = std::move(nodes);
     return node;
   }
-  static bool shapes(const WorldNode& node) {
-    return node.kind == Kind::stitch || node.kind == Kind::repeat;
-  }
+  static bool shapes(const WorldNode& node) { return node.kind == Kind::stitch || node.kind == Kind::repeat; }
   static bool is_open(const WorldNode& node) { return node.until != Until::times; }
 
   Nodes sequence(std::string_view close, int depth) {
@@ -109,19 +107,22 @@ class RoundParser {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (!nodes[i].plain) continue;
       nodes[i].plain = false;
-      const bool alone_shaping = i > 0 && std::all_of(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i),
-                                                      [](const WorldNode& n) { return !shapes(n); });
+      const bool alone_shaping =
+          i > 0 && std::all_of(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i),
+                               [](const WorldNode& n) { return !shapes(n); });
       bool last = true;
       for (std::size_t j = i + 1; j < nodes.size(); ++j) last = last && !shapes(nodes[j]);
       if (depth > 0 || !last) continue;
-      const bool shaped_after = std::any_of(nodes.begin(), nodes.end(), [](const WorldNode& n) { return n.kind == Kind::shape; });
+      const bool shaped_after =
+          std::any_of(nodes.begin(), nodes.end(), [](const WorldNode& n) { return n.kind == Kind::shape; });
       if (shaped_after) continue;
       choice_ = true;
       if (alone_shaping || i == 0 || other_) to_the_end(nodes[i]);
     }
-    const auto shape = std::find_if(nodes.begin(), nodes.end(), [](const WorldNode& n) { return n.kind == Kind::shape; });
-    if (shape != nodes.end() && shape != nodes.begin() && nodes.front().kind == Kind::stitch && nodes.size() == 2 &&
-        nodes.front().times == 1)
+    const auto shape =
+        std::find_if(nodes.begin(), nodes.end(), [](const WorldNode& n) { return n.kind == Kind::shape; });
+    if (shape != nodes.end() && shape != nodes.begin() && nodes.front().kind == Kind::stitch &&
+        nodes.size() == 2 && nodes.front().times == 1)
       nodes.erase(nodes.begin());  // "Knit, decreasing 8 sts evenly"
   }
 
@@ -136,8 +137,8 @@ class RoundParser {
     Nodes inside(std::make_move_iterator(nodes.begin() + static_cast<std::ptrdiff_t>(from)),
                  std::make_move_iterator(nodes.end()));
     nodes.resize(from);
-    WorldNode node = inside.size() == 1 && shapes(inside.front()) && inside.front().times == 1 && !is_open(inside.front()) &&
-                             inside.front().kind == Kind::stitch
+    WorldNode node = inside.size() == 1 && shapes(inside.front()) && inside.front().times == 1 &&
+                             !is_open(inside.front()) && inside.front().kind == Kind::stitch
                          ? std::move(inside.front())
                          : group(std::move(inside));
     apply(node, words);
@@ -179,7 +180,8 @@ class RoundParser {
     // "rep from * 5 times" comes on top of the one just worked; "a total of 5 times" and "(k4, m1l) repeat 5 times" do not.
     if (words->until == Until::times && (from || words->more) && !words->in_all) ++words->times;
     std::size_t begin = star.value_or(0);
-    const bool group_before = !star && !from && nodes.back().kind == Kind::repeat && nodes.back().times == 1 && !is_open(nodes.back());
+    const bool group_before = !star && !from && nodes.back().kind == Kind::repeat &&
+                              nodes.back().times == 1 && !is_open(nodes.back());
     if (group_before) begin = nodes.size() - 1;
     if (from && !star) return false;
     wrap(nodes, begin, *words);
@@ -188,7 +190,9 @@ class RoundParser {
 
   // "k4, m1l around", "K1, kfb to end": all of it, or its last stitch.
   bool whole_repeat(Nodes& nodes, std::size_t from) {
-    if (!at_.sees({"around", "to", "across", "until", "all"}) || !shapes(nodes.back()) || is_open(nodes.back())) return false;
+    if (!at_.sees({"around", "to", "across", "until", "all"}) || !shapes(nodes.back()) ||
+        is_open(nodes.back()))
+      return false;
     const std::size_t before = at_.at();
     const bool around = at_.sees({"around", "across", "all"});
     const auto words = at_.repeat_words();
@@ -267,7 +271,8 @@ class RoundParser {
     const std::size_t before = at_.at();
     at_.take({"across", "over"});
     const bool next = at_.take({"next", "following", "first", "other", "last"});
-    if (at_.peek().is_number() && !at_.sees({"x", "times", "time", "more"}, 1) && !at_.sees({"rnds", "rows", "rounds", "rnd", "row", "round"}, 1)) {
+    if (at_.peek().is_number() && !at_.sees({"x", "times", "time", "more"}, 1) &&
+        !at_.sees({"rnds", "rows", "rounds", "rnd", "row", "round"}, 1)) {
       node.times = at_.peek().value;
       node.plain = false;
       node.numbered = true;

@@ -1,28 +1,31 @@
 // The count at a line's end: "(30 sts)", "[30]", "- 30 sts", "30 sts.", "(5 sts inc'd, 30 sts)", "(+8 sts)".
 #include <algorithm>
 
-#include "knit/reader/world_grammar.h"
+#include "knit/trade/world_grammar.h"
 
 namespace knit {
 
 namespace {
 
 bool is_filler(const Atom& atom) {
-  return is_any(atom, {"total",  "in",      "all",  "on",     "needle", "needles", "now",   "remain", "remains", "rem",
-                       "remaining", "left", "you",  "have",   "should", "there",   "are",   "will",   "be",      "is",
-                       "dpns",   "of",      "for",  "left",   "live",   "=",       "-",     ".",      ":",       "and", ";",
-                       "stitch", "count",   "work", "worked", "at",     "end",     "round", "rnd",    "row",     "this", "these"});
+  return is_any(atom, {"total", "in",        "all",  "on",  "needle", "needles", "now",   "remain", "remains",
+                       "rem",   "remaining", "left", "you", "have",   "should",  "there", "are",    "will",
+                       "be",    "is",        "dpns", "of",  "for",    "left",    "live",  "=",      "-",
+                       ".",     ":",         "and",  ";",   "stitch", "count",   "work",  "worked", "at",
+                       "end",   "round",     "rnd",  "row", "this",   "these"});
 }
 bool tells_more(const Atom& atom) {
-  return is_any(atom, {"inc", "inc'd", "increased", "incs", "increases", "added", "more", "incd", "increase"});
+  return is_any(atom,
+                {"inc", "inc'd", "increased", "incs", "increases", "added", "more", "incd", "increase"});
 }
 bool tells_fewer(const Atom& atom) {
-  return is_any(atom, {"dec", "dec'd", "decreased", "decs", "decreases", "fewer", "less", "decd", "decrease"});
+  return is_any(atom,
+                {"dec", "dec'd", "decreased", "decs", "decreases", "fewer", "less", "decd", "decrease"});
 }
 // "10 sts each needle": no total.
 bool tells_part(const Atom& atom) {
-  return is_any(atom, {"each", "per", "between", "side", "sides", "before", "after", "body", "sleeve", "front", "back", "thumb",
-                       "markers", "marker", "every"});
+  return is_any(atom, {"each", "per", "between", "side", "sides", "before", "after", "body", "sleeve",
+                       "front", "back", "thumb", "markers", "marker", "every"});
 }
 
 // Counts in `part`, or nothing where it says something else. `loose`: a bare number is a count too.
@@ -51,7 +54,8 @@ std::optional<WorldCount> count_in(std::span<const Atom> part, bool loose) {
       stitches = true;
     } else if (tells_part(atom)) {
       partial = true;
-    } else if (!is_any(atom, {",", "+", "by", "st", "/"}) && !tells_more(atom) && !tells_fewer(atom) && !is_filler(atom)) {
+    } else if (!is_any(atom, {",", "+", "by", "st", "/"}) && !tells_more(atom) && !tells_fewer(atom) &&
+               !is_filler(atom)) {
       return std::nullopt;
     }
   }
@@ -81,13 +85,17 @@ std::optional<WorldCount> loose_end(Atoms& line, const Lexicon& lexicon) {
   if (begin == 0 || begin == line.size()) return std::nullopt;
   const bool sign = is_any(line[begin - 1], {"-", "="});
   const std::span<const Atom> part(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
-  if (line[begin - 1].is("-") && line[begin - 1].glued && part[0].glued && begin > 1 && line[begin - 2].is_number())
+  if (line[begin - 1].is("-") && line[begin - 1].glued && part[0].glued && begin > 1 &&
+      line[begin - 2].is_number())
     return std::nullopt;  // "rnds 1-2"
-  if (lexicon.match(part, 0) && !part[0].is_number() && !tells_fewer(part[0]) && !tells_more(part[0])) return std::nullopt;
+  if (lexicon.match(part, 0) && !part[0].is_number() && !tells_fewer(part[0]) && !tells_more(part[0]))
+    return std::nullopt;
   auto count = count_in(part, sign);
   // "..., 30 sts" needs a word for stitches beside the number; "k4, 2 sts" is no count either.
   if (!count) return std::nullopt;
-  if (line[begin - 1].is(",") && !holds_any(part, {"remain", "rem", "total", "now", "have", "left", "remaining"})) return std::nullopt;
+  if (line[begin - 1].is(",") &&
+      !holds_any(part, {"remain", "rem", "total", "now", "have", "left", "remaining"}))
+    return std::nullopt;
   std::size_t end = begin;
   if (!is_any(line[begin - 1], {")", "]"})) end = begin - 1;
   line.resize(end);

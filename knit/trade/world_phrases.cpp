@@ -1,4 +1,4 @@
-#include "knit/reader/world_phrases.h"
+#include "knit/trade/world_phrases.h"
 
 namespace knit {
 
@@ -7,7 +7,9 @@ namespace {
 using Kind = WorldNode::Kind;
 using Until = WorldNode::Until;
 
-bool is_marker(const Atom& atom) { return is_any(atom, {"m", "marker", "markers", "mkr", "mkrs", "bor", "eor"}); }
+bool is_marker(const Atom& atom) {
+  return is_any(atom, {"m", "marker", "markers", "mkr", "mkrs", "bor", "eor"});
+}
 
 std::optional<WorldNode> marker(PhraseCursor& at) {
   const std::size_t before = at.at();
@@ -21,14 +23,15 @@ std::optional<WorldNode> marker(PhraseCursor& at) {
   } else if (at.sees({"place", "slip", "sl", "remove", "pass", "slipping", "removing", "placing"})) {
     const Atom verb = at.peek();
     at.skip();
-    while (at.take({"stitch", "first", "second", "third", "next", "beg", "beginning", "of", "round", "rnd", "new", "side", "bor", "another"})) {
+    while (at.take({"stitch", "first", "second", "third", "next", "beg", "beginning", "of", "round", "rnd",
+                    "new", "side", "bor", "another"})) {
     }
     if (!is_marker(at.peek())) {
       at.back_to(before);
       return std::nullopt;
     }
     at.skip();
-    node.kind = is_any(verb, {"place", "placing"})       ? Kind::place_marker
+    node.kind = is_any(verb, {"place", "placing"})     ? Kind::place_marker
                 : is_any(verb, {"remove", "removing"}) ? Kind::remove_marker
                                                        : Kind::slip_marker;
   } else {
@@ -63,7 +66,8 @@ std::optional<WorldNode> shaped(PhraseCursor& at) {
     at.back_to(before);
     return std::nullopt;
   }
-  while (at.take({"spaced", "spread", "around", "across", "over", "in", "on", "this", "round", "rnd", "row", "to", "end", "of", "along", "next", "-"})) {
+  while (at.take({"spaced", "spread", "around", "across", "over", "in", "on", "this", "round", "rnd", "row",
+                  "to", "end", "of", "along", "next", "-"})) {
   }
   return node;
 }
@@ -96,7 +100,8 @@ std::optional<WorldNode> held(PhraseCursor& at) {
   const std::span<const Atom> part = at.part();
   if (part.empty()) return std::nullopt;
   WorldNode node;
-  const bool moves = is_any(part[0], {"place", "slip", "sl", "put", "leave", "transfer", "move", "thread", "set", "placing", "slipping"});
+  const bool moves = is_any(part[0], {"place", "slip", "sl", "put", "leave", "transfer", "move", "thread",
+                                      "set", "placing", "slipping"});
   if (moves && is_holder(part) && !holds_any(part, {"from", "off", "held", "back"})) {
     node.kind = Kind::hold;
     const auto count = number_in(part);
@@ -123,8 +128,10 @@ std::optional<WorldNode> edge(PhraseCursor& at) {
   const std::size_t before = at.at();
   WorldNode node;
   const bool casts = at.take({"co"}) || (at.sees({"cast", "casting"}) && at.sees({"on"}, 1));
-  const bool binds = !casts && (at.take({"bo"}) || (at.sees({"bind", "cast", "binding"}) && at.sees({"off"}, 1)));
-  const bool picks = !casts && !binds && (at.take({"pu", "puk"}) || (at.sees({"pick", "picking"}) && at.sees({"up"}, 1)));
+  const bool binds =
+      !casts && (at.take({"bo"}) || (at.sees({"bind", "cast", "binding"}) && at.sees({"off"}, 1)));
+  const bool picks =
+      !casts && !binds && (at.take({"pu", "puk"}) || (at.sees({"pick", "picking"}) && at.sees({"up"}, 1)));
   if (!casts && !binds && !picks) return std::nullopt;
   if (at.sees({"on", "off", "up"}, 1)) at.skip(2);
   while (at.take({"and", "k", "knit", "p", "next", "another", "off", "on", "first"})) {
@@ -143,7 +150,8 @@ std::optional<WorldNode> edge(PhraseCursor& at) {
   node.kind = binds ? Kind::bind_off : Kind::add;
   node.times = at.peek().is_number() ? at.peek().value : 0;
   const std::span<const Atom> part = at.part();
-  const bool both = !binds && holds_any(part, {"each", "either", "both"}) && holds_any(part, {"side", "sides", "end", "ends"});
+  const bool both = !binds && holds_any(part, {"each", "either", "both"}) &&
+                    holds_any(part, {"side", "sides", "end", "ends"});
   if (both) node.times *= 2;
   at.skip(part.size());
   return node;
@@ -173,7 +181,8 @@ std::optional<WorldNode> as_it_is(PhraseCursor& at) {
   WorldNode node;
   node.kind = Kind::rest;
   if (at.sees({"knit", "k"}) && at.sees({"knits"}, 1)) {
-    while (at.take({"knit", "k", "knits", "and", "purl", "p", "purls", ",", "as", "they", "appear", "work"})) {
+    while (
+        at.take({"knit", "k", "knits", "and", "purl", "p", "purls", ",", "as", "they", "appear", "work"})) {
     }
     return node;
   }
@@ -182,7 +191,9 @@ std::optional<WorldNode> as_it_is(PhraseCursor& at) {
   bool even = false;
   if (at.take({"even", "evenly", "straight", "plain"})) even = true;
   if (!even && at.take({"in", "as"})) {
-    while (at.take({"est", "established", "patt", "pattern", "stockinette", "stocking", "st", "stitch", "rib", "ribbing", "garter", "set", "rev", "reverse", "moss", "seed", "est'd", "main", "color", "colour", "mc", "cc"}))
+    while (at.take({"est",   "established", "patt",   "pattern", "stockinette", "stocking", "st",   "stitch",
+                    "rib",   "ribbing",     "garter", "set",     "rev",         "reverse",  "moss", "seed",
+                    "est'd", "main",        "color",  "colour",  "mc",          "cc"}))
       even = true;
   }
   if (!even) {
@@ -203,7 +214,8 @@ std::optional<WorldNode> as_it_is(PhraseCursor& at) {
 
 // "with waste yarn k5 for thumb, slip these 5 sts back to left needle and knit them again with main yarn"
 std::optional<WorldNode> inserted(PhraseCursor& at) {
-  if (!at.sees({"with", "using"}) || !at.sees({"waste", "scrap", "contrasting"}, 1) || !at.sees({"yarn"}, 2)) return std::nullopt;
+  if (!at.sees({"with", "using"}) || !at.sees({"waste", "scrap", "contrasting"}, 1) || !at.sees({"yarn"}, 2))
+    return std::nullopt;
   std::span<const Atom> part = at.part();
   const auto count = number_in(part);
   if (!count) return std::nullopt;
@@ -233,7 +245,9 @@ std::string world_name(std::span<const Atom> atoms) {
   std::string name;
   for (const Atom& atom : atoms) {
     if (!atom.is_word() || is_stitches(atom)) continue;
-    if (is_any(atom, {"held", "needle", "needles", "on", "holder", "stitch", "waste", "yarn", "of", "back", "from", "sts", "onto", "later", "next", "remaining", "one", "other"})) continue;
+    if (is_any(atom, {"held", "needle", "needles", "on", "holder", "stitch", "waste", "yarn", "of", "back",
+                      "from", "sts", "onto", "later", "next", "remaining", "one", "other"}))
+      continue;
     name += (name.empty() ? "" : " ") + atom.text;
   }
   return name;
@@ -255,7 +269,9 @@ std::optional<WorldNode> phrase_here(PhraseCursor& at) {
 std::span<const Atom> PhraseCursor::part() const {
   std::size_t end = at_;
   while (end < line_.size() && !is_any(line_[end], {",", ".", ";", "(", ")", "[", "]", "then"})) {
-    if (line_[end].is("and") && end + 1 < line_.size() && is_any(line_[end + 1], {"k", "p", "co", "bo"}) && end > at_ + 1) break;
+    if (line_[end].is("and") && end + 1 < line_.size() && is_any(line_[end + 1], {"k", "p", "co", "bo"}) &&
+        end > at_ + 1)
+      break;
     ++end;
   }
   return line_.subspan(at_, end - at_);
@@ -281,7 +297,8 @@ std::optional<std::int64_t> PhraseCursor::times_only() {
 std::optional<RepeatWords> PhraseCursor::numbered_times() {
   const std::size_t before = at_;
   RepeatWords words;
-  const bool bracket = sees({"(", "["}) && peek(1).is_number() && sees({"times", "x"}, 2) && sees({")", "]"}, 3);
+  const bool bracket =
+      sees({"(", "["}) && peek(1).is_number() && sees({"times", "x"}, 2) && sees({")", "]"}, 3);
   if (bracket) {
     words.times = peek(1).value;
     skip(4);
@@ -295,11 +312,13 @@ std::optional<RepeatWords> PhraseCursor::numbered_times() {
   if (sees({"once", "twice", "thrice"})) {
     words.times = sees({"once"}) ? 1 : sees({"twice"}) ? 2 : 3;
     skip();
-  } else if ((sees({"x"}) || (sees({"*"}) && at_ > 0 && is_any(line_[at_ - 1], {")", "]"}))) && peek(1).is_number()) {
+  } else if ((sees({"x"}) || (sees({"*"}) && at_ > 0 && is_any(line_[at_ - 1], {")", "]"}))) &&
+             peek(1).is_number()) {
     words.times = peek(1).value;
     skip(2);
     take({"times", "x"});
-  } else if (peek().is_number() && (sees({"times", "time", "x", "repeats", "reps"}, 1) || (sees({"more"}, 1) && sees({"times", "time"}, 2)))) {
+  } else if (peek().is_number() && (sees({"times", "time", "x", "repeats", "reps"}, 1) ||
+                                    (sees({"more"}, 1) && sees({"times", "time"}, 2)))) {
     words.times = peek().value;
     skip();
     words.more = take({"more"});
@@ -405,8 +424,12 @@ std::optional<RepeatWords> PhraseCursor::end_words() {
     words.tail = number.value_or(0);
     return words;
   }
-  if (left && take({"end", "bor"})) of_the_round();
-  else if (left && sees({"on"}) ) { skip(); of_the_round(); }
+  if (left && take({"end", "bor"}))
+    of_the_round();
+  else if (left && sees({"on"})) {
+    skip();
+    of_the_round();
+  }
   if (stitches && (last || (number && left))) {
     words.tail = number.value_or(1);
     of_the_round();
@@ -426,7 +449,8 @@ std::optional<RepeatWords> PhraseCursor::repeat_words() {
 bool PhraseCursor::star_words() {
   if (take({"between", "instructions"})) {
     take({"between"});
-    while (take({"*", "and", "s", "stars", "asterisks", "'s"}) || (sees({"to"}) && sees({"*"}, 1) && take({"to"}))) {
+    while (take({"*", "and", "s", "stars", "asterisks", "'s"}) ||
+           (sees({"to"}) && sees({"*"}, 1) && take({"to"}))) {
     }
     return true;
   }
@@ -479,8 +503,11 @@ bool PhraseCursor::remark() {
     }
     return false;
   };
-  if (sees({"with", "using", "in", "being", "taking", "careful", "careful", "join", "rejoin", "break", "cut", "change", "switch", "attach", "drop",
-            "stuff", "loosely", "tightly", "not", "do", "don't", "begin", "starting", "ending", "twisting", "remember", "for", "as", "adjust", "arrange", "divide", "distribute", "keeping", "note", "evenly"})) {
+  if (sees({"with",   "using",    "in",      "being",      "taking",   "careful", "careful",
+            "join",   "rejoin",   "break",   "cut",        "change",   "switch",  "attach",
+            "drop",   "stuff",    "loosely", "tightly",    "not",      "do",      "don't",
+            "begin",  "starting", "ending",  "twisting",   "remember", "for",     "as",
+            "adjust", "arrange",  "divide",  "distribute", "keeping",  "note",    "evenly"})) {
     const bool loose = sees({"loosely", "tightly", "evenly"});
     if (loose) {
       skip();
@@ -507,7 +534,8 @@ bool PhraseCursor::remark() {
       ++ahead;
     }
     if (at_ + ahead >= line_.size() || ahead < 2) return false;
-    const bool note = sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional", "note"}, 1);
+    const bool note =
+        sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional", "note"}, 1);
     if (!note) return false;
     skip(ahead + 1);
     return true;

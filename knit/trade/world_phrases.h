@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "knit/reader/world_grammar.h"
+#include "knit/trade/world_grammar.h"
 
 namespace knit {
 
@@ -36,9 +36,13 @@ class PhraseCursor {
   [[nodiscard]] std::size_t at() const { return at_; }
   void back_to(std::size_t at) { at_ = at; }
   // The byte behind the last atom taken.
-  [[nodiscard]] std::size_t behind() const { return at_ == 0 ? 0 : line_[at_ - 1].at + line_[at_ - 1].length; }
+  [[nodiscard]] std::size_t behind() const {
+    return at_ == 0 ? 0 : line_[at_ - 1].at + line_[at_ - 1].length;
+  }
   [[nodiscard]] std::optional<MatchedWord> match() const { return lexicon_.match(line_, at_); }
-  [[nodiscard]] std::optional<MatchedWord> match(std::size_t ahead) const { return lexicon_.match(line_, at_ + ahead); }
+  [[nodiscard]] std::optional<MatchedWord> match(std::size_t ahead) const {
+    return lexicon_.match(line_, at_ + ahead);
+  }
   // Up to the next comma, full stop or end.
   [[nodiscard]] std::span<const Atom> part() const;
 
