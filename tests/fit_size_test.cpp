@@ -130,7 +130,10 @@ TEST_CASE("what cannot be fitted says why and what to do") {
 
 TEST_CASE("the command line asks for the size to be fitted") {
   const auto line =
-      parse_command_line({"--example", "egg", "--preset", "hand", "--fit-size"}, KNIT_ASSETS_DIR);
+      parse_command_line({"--example", "egg", "--preset", "hand", "--fit-size", "on"}, KNIT_ASSETS_DIR);
   REQUIRE(std::holds_alternative<CommandLine>(line));
   CHECK(std::get<CommandLine>(line).fit_size);
+  const auto other = parse_command_line({"--example", "egg", "--fit-size", "maybe"}, KNIT_ASSETS_DIR);
+  REQUIRE(std::holds_alternative<Answer>(other));
+  CHECK(std::get<Answer>(other).error.find("give on or off") != std::string::npos);
 }

@@ -44,9 +44,9 @@ struct Words {
   std::vector<std::string> piece_names;
   std::string piece_order;
   bool markers = false, stars = false;
-  std::string pattern_form, turns;
+  std::string pattern_form, turns, fit_size;
   std::vector<std::string> beside;  // PARAM=VALUE
-  bool explain = false, ways_on = false, presenting = false, follow = false, fit_size = false;
+  bool explain = false, ways_on = false, presenting = false, follow = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false,
        list_stitch_words = false;
 };
@@ -107,8 +107,8 @@ void declare_opening(CLI::App& app, Words& words) {
       "of a mesh in several pieces open this one: 1 is that of most triangles; all: each by itself, with "
       "--headless");
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
-  app.add_flag("--fit-size", words.fit_size,
-               "make the piece up to 4 % larger or smaller where its rhythm reads better then");
+  app.add_option("--fit-size", words.fit_size,
+                 "on: make the piece up to 4 % larger or smaller where its rhythm reads better then");
   const auto table = knit::parameter_table();
   words.settings.resize(table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -326,7 +326,9 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   line.select = words.select;
   line.explain = words.explain;
   line.follow = words.follow;
-  line.fit_size = words.fit_size;
+  if (!words.fit_size.empty() && words.fit_size != "on" && words.fit_size != "off")
+    return "--fit-size cannot be " + knit::quoted(words.fit_size) + "; give on or off.";
+  line.fit_size = words.fit_size == "on";
   line.point = words.point;
   for (const std::string& text : line.breaks) {
     if (auto fault = fault_of_break(text)) return fault;
