@@ -52,7 +52,7 @@ double ahead_of(double arc, double from, double length) {
 }
 
 // The two ways from back to front, ahead and against it.
-struct Sides {
+struct HalfCurves {
   const Ring* curve = nullptr;
   Crossings at;
   std::array<double, 2> length{};
@@ -70,13 +70,13 @@ struct Sides {
   }
 };
 
-std::optional<Sides> sides_of(const Ring& curve, const MirrorPlane& plane) {
+std::optional<HalfCurves> sides_of(const Ring& curve, const MirrorPlane& plane) {
   constexpr double alike = 0.1;
   const auto at = crossings_of(curve, plane);
   if (!at) return std::nullopt;
   const double ahead = ahead_of(at->front, at->back, curve.length);
   if (std::abs(2.0 * ahead - curve.length) > alike * curve.length) return std::nullopt;
-  return Sides{&curve, *at, {ahead, curve.length - ahead}};
+  return HalfCurves{&curve, *at, {ahead, curve.length - ahead}};
 }
 
 }  // namespace
