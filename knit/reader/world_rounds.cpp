@@ -337,7 +337,6 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   if (!first.wrong.empty()) {
     const bool bare = first.wrong.starts_with("leaves ");
     wrong(name + (bare ? " " : ": ") + first.wrong, first.at, first.length);
-    holders_ = held;
     after_trouble(said);
     return false;
   }
