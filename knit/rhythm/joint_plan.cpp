@@ -93,7 +93,7 @@ RhythmPlan plan_of(FoundJoint found, const HalfIdeals& ideals, std::span<const d
 
 // Within the tolerance, then by shape and words together, as rhythm_plan.h weighs them; of the shape the worst counts, of the
 // whole or of a half.
-bool reads_better(const RhythmPlan& one, const RhythmPlan& other) {
+bool halves_read_better(const RhythmPlan& one, const RhythmPlan& other) {
   if (one.within != other.within) return one.within;
   const auto rank = [](const RhythmPlan& plan) {
     return 1.5 * std::max({plan.seen.worst(), plan.front_off, plan.back_off}) + 0.3 * plan.score;
@@ -135,7 +135,7 @@ std::optional<RhythmPlan> plan_joint(const HalfIdeals& ideals, const RhythmSetti
     RhythmPlan plan = plan_of(*std::move(found), ideals, whole, start);
     plan.dial = tried[i];
     plan.within = !clearly_less(settings.tolerance, plan.seen.worst(), 1.0);
-    if (!best || reads_better(plan, *best)) best = std::move(plan);
+    if (!best || halves_read_better(plan, *best)) best = std::move(plan);
   }
   return best;
 }

@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "knit/model/ties.h"
+#include "knit/rhythm/segment_states.h"
 
 namespace knit {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-constexpr std::int32_t longest_turn = 6;
-constexpr std::int32_t most_turns = 14;
-constexpr std::int32_t ends = 4;
-constexpr std::int32_t after_plain = static_cast<std::int32_t>(SegmentEnd::plain);
-constexpr std::int32_t after_change = static_cast<std::int32_t>(SegmentEnd::changed);
-constexpr std::int32_t after_rest = static_cast<std::int32_t>(SegmentEnd::rested);
+constexpr std::int32_t longest_half_turn = 6;
+constexpr std::int32_t most_half_turns = 14;
 
 // One half: what its rows cost at each even count, and the counts that are in reach of each row.
 class Half {
@@ -76,7 +71,7 @@ class JointSearch {
         weights_(weights_of(task)),
         front_(task.front, weights_),
         back_(task.back, weights_) {
-    reached_.resize(static_cast<std::size_t>(rows_ * front_.window() * back_.window() * ends));
+    reached_.resize(static_cast<std::size_t>(rows_ * front_.window() * back_.window() * segment_ends));
     for (std::size_t row = 0; row < task.front.size(); ++row)
       tie_scale_ =
           std::max(tie_scale_, (task.front[row] + task.back[row]) * (task.front[row] + task.back[row]));
@@ -107,10 +102,10 @@ class JointSearch {
 
   [[nodiscard]] std::int32_t number_of(const Place& p) const {
     const std::int32_t f = front_.in_window(p.row, p.front), b = back_.in_window(p.row, p.back);
-    return ((p.row * front_.window() + f) * back_.window() + b) * ends + p.end;
+    return ((p.row * front_.window() + f) * back_.window() + b) * segment_ends + p.end;
   }
   [[nodiscard]] Place place_of(std::int32_t number) const {
-    const std::int32_t line = number / ends, cell = line / back_.window();
+    const std::int32_t line = number / segment_ends, cell = line / back_.window();
     const std::int32_t row = cell / front_.window();
     return {row, front_.lowest(row) + 2 * (cell % front_.window()),
             back_.lowest(row) + 2 * (line % back_.window()), number % ends};
@@ -152,7 +147,7 @@ class JointSearch {
 
   // States of a row, those with the least cost as far as the beam goes, in the order of their numbers.
   [[nodiscard]] std::vector<Place> going_on(std::int32_t row) {
-    const std::int32_t all = front_.window() * back_.window() * ends;
+    const std::int32_t all = front_.window() * back_.window() * segment_ends;
     std::vector<std::int32_t> numbers;
     for (std::int32_t i = row * all; i < (row + 1) * all; ++i) {
       if (reached_[static_cast<std::size_t>(i)].cost < never) numbers.push_back(i);
@@ -184,7 +179,7 @@ class JointSearch {
   }
 
   void shape(const Place& from, const HalvesChange& change) {
-    for (std::int32_t turn = 1; turn <= longest_turn && from.row + turn < rows_; ++turn) {
+    for (std::int32_t turn = 1; turn <= longest_half_turn && from.row + turn < rows_; ++turn) {
       change_last(from, change, turn);
       if (turn > 1) change_first(from, change, turn);
     }
@@ -200,7 +195,7 @@ class JointSearch {
   void change_last(const Place& from, const HalvesChange& change, std::int32_t turn) {
     Place now{from.row, from.front, from.back, after_change};
     double cost = begun(from, change);
-    for (std::int32_t times = 1; times <= most_turns && may_change(now, change); ++times) {
+    for (std::int32_t times = 1; times <= most_half_turns && may_change(now, change); ++times) {
       const Place next{now.row + turn, now.front + change.front, now.back + change.back, after_change};
       if (!reaches(next)) return;
       cost += stretch(now, now.row + 1, next.row) + stretch(next, next.row, next.row + 1);
@@ -214,7 +209,7 @@ class JointSearch {
   void change_first(const Place& from, const HalvesChange& change, std::int32_t turn) {
     Place now{from.row, from.front, from.back, after_rest};
     double cost = begun(from, change) + (from.end == after_change ? task_.prices.unrested : 0.0);
-    for (std::int32_t times = 1; times <= most_turns && may_change(now, change); ++times) {
+    for (std::int32_t times = 1; times <= most_half_turns && may_change(now, change); ++times) {
       const Place next{now.row + turn, now.front + change.front, now.back + change.back, after_rest};
       if (!reaches(next)) return;
       cost += stretch(next, now.row + 1, next.row + 1) + task_.prices.change;
@@ -234,7 +229,7 @@ class JointSearch {
 
   [[nodiscard]] std::optional<Place> cheapest_end(double most) {
     std::optional<Place> least;
-    const std::int32_t all = front_.window() * back_.window() * ends;
+    const std::int32_t all = front_.window() * back_.window() * segment_ends;
     for (std::int32_t i = (rows_ - 1) * all; i < rows_ * all; ++i) {
       const double cost = reached_[static_cast<std::size_t>(i)].cost;
       const Place here = place_of(i);

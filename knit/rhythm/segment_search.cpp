@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "knit/model/ties.h"
+#include "knit/rhythm/segment_states.h"
 
 namespace knit {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr std::int32_t longest_turn = 12;
 constexpr std::int32_t most_turns = 40;
-constexpr std::int32_t ends = 4;
-constexpr std::int32_t after_plain = 1;
-constexpr std::int32_t after_change = 2;
-constexpr std::int32_t after_rest = 3;
-static_assert(static_cast<std::int32_t>(SegmentEnd::rested) == after_rest);
 
 double highest_first(double ideal) { return std::max(12.0, 2.6 * ideal); }
 
@@ -38,7 +32,7 @@ class SegmentSearch {
     for (std::int32_t row = task_.start.row; row < rows_; ++row) {
       hear(task_.heard, static_cast<double>(row) / rows_);
       for (std::int32_t level = 0; level < levels_; ++level) {
-        for (std::int32_t end = 0; end < ends; ++end) {
+        for (std::int32_t end = 0; end < segment_ends; ++end) {
           const Place here{row, level, end};
           if (at(here).cost == never) continue;
           const bool near = is_near(row, level);
@@ -66,10 +60,10 @@ class SegmentSearch {
   [[nodiscard]] std::int32_t count_at(std::int32_t level) const { return sections() * (level + 1); }
   [[nodiscard]] double ideal(std::int32_t row) const { return task_.ideals[static_cast<std::size_t>(row)]; }
   [[nodiscard]] std::int32_t number_of(const Place& place) const {
-    return (place.row * levels_ + place.level) * ends + place.end;
+    return (place.row * levels_ + place.level) * segment_ends + place.end;
   }
   [[nodiscard]] Place place_of(std::int32_t number) const {
-    const std::int32_t line = number / ends;
+    const std::int32_t line = number / segment_ends;
     return {line / levels_, line % levels_, number % ends};
   }
   [[nodiscard]] Reached& at(const Place& place) {
@@ -93,7 +87,7 @@ class SegmentSearch {
         sums_.push_back(sums_.back() + twice_ * std::min(1.0, ideal / 12.0) * off * off);
       }
     }
-    reached_.resize(static_cast<std::size_t>(rows_ * levels_ * ends));
+    reached_.resize(static_cast<std::size_t>(rows_ * levels_ * segment_ends));
   }
 
   [[nodiscard]] bool may_begin(std::int32_t count) const {
@@ -194,7 +188,7 @@ class SegmentSearch {
     const auto look = [&](bool (*allowed)(std::int32_t, const SegmentTask&)) {
       for (std::int32_t level = 0; level < levels_; ++level) {
         if (!allowed(count_at(level), task_)) continue;
-        for (std::int32_t end = 0; end < ends; ++end) {
+        for (std::int32_t end = 0; end < segment_ends; ++end) {
           const Place here{rows_ - 1, level, end};
           if (at(here).cost == never) continue;
           if (least && !clearly_less(at(here).cost, at(*least).cost, tie_scale_)) continue;
