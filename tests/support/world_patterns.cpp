@@ -215,7 +215,7 @@ class Maker {
       Part pair;
       pair.kind = Kind::group;
       pair.times = Num(takes / 2);
-      pair.look = look();
+      pair.look = dice_.roll(0, 4);  // in brackets
       pair.parts = {knit(1)};
       return {pair, knits(Num(takes - takes / 2), look(), purl_word)};
     }
@@ -281,6 +281,11 @@ class Maker {
     group.parts = parts;
     group.times = times;
     group.look = look();
+    // "(k1, p1) in next st to end" is nobody's way.
+    const bool is_nested = std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+      return part.kind == Kind::group || words()[part.word].names.front()[0] == '(';
+    });
+    if (is_nested && group.look % 3 == 0) ++group.look;
     group.fill = dice_.chance(55) ? (tail > 0 ? Fill::to_last : Fill::to_end) : Fill::times;
     group.reserve = Num(tail);
     const bool tail_first = tail > 0 && dice_.chance(30);
@@ -290,7 +295,10 @@ class Maker {
     if (tail > 0 && !tail_first) line.parts.push_back(knit(tail));
     count_ = after;
     state(line, change == 0 ? 40 : 85);
+    if (tail == 0 && is_ambiguous(group)) line.stated = count_;
   }
+  // "K4, m1l to end" may be one repeat, or only its last word: then the count tells which.
+  static bool is_ambiguous(const Part& group) { return group.fill == Fill::to_end && group.parts.size() > 1; }
   // Shaping at the beginning, at the end, or at both.
   std::vector<Part> edge_parts(bool fewer, int& by) {
     Part fill = knit(1);
