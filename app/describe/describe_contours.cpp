@@ -51,9 +51,9 @@ void add_level(const knit::TubeChart& chart, double level, const std::array<std:
 // What is planned of short rows: the gap, where most rows are missing, and the arc.
 void add_planning(const knit::State& state, const knit::Step& step, Scene& scene) {
   const knit::ShortRowsMade& made = state.short_rows;
-  const knit::TubePairs* pairs = made.planning        ? &*made.planning
-                                 : made.tubes.empty() ? nullptr
-                                                      : &*made.tubes.back();
+  const knit::PlannedPairs* pairs = made.planning        ? &*made.planning
+                                    : made.tubes.empty() ? nullptr
+                                                         : &*made.tubes.back();
   if (pairs == nullptr || !pairs->chart) return;
   const knit::TubeChart& chart = *pairs->chart;
   const auto level = [&](std::int32_t gap) { return pairs->rounds.levels[static_cast<std::size_t>(gap)]; };

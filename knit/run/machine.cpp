@@ -170,7 +170,7 @@ Taken take_planning(const Input& input, const Parameters& parameters, State& sta
                    parameters.stitch,
                    parameters.short_rows,
                    parameters.rows.round_start == RoundStart::follow && !parameters.rows.start_direction};
-  std::optional<TubePairs>& planning = state.short_rows.planning;
+  std::optional<PlannedPairs>& planning = state.short_rows.planning;
   const PlanningStep step = advance_planning(at, planning, heard);
   if (step.done) {
     if (planning->none == NoChart::no) state.tubes = Shared(with_full_rounds(*state.tubes, *planning, kept));
@@ -183,7 +183,7 @@ Taken take_planning(const Input& input, const Parameters& parameters, State& sta
 Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
   const auto& work = std::get<ContourWork>(state.work);
   const TubeId tube = current_tube(*state.tubes, work);
-  const TubePairs& pairs = *pairs_of(state, tube);
+  const PlannedPairs& pairs = *pairs_of(state, tube);
   const Row& below = *last_round(state.fabric, tube);
   GapWork& gap = state.short_rows.gap;
   if (!gap.is_for(tube, work.row)) {

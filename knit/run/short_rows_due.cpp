@@ -13,14 +13,14 @@ bool can_be_charted(const TubePlan& plan, TubeId tube) {
   return plan.tubes.size() == 1 && plan.tube(tube).rows() >= fewest_rows;
 }
 
-bool is_planned_for(const TubePairs& pairs, const StitchSize& stitch) {
+bool is_planned_for(const PlannedPairs& pairs, const StitchSize& stitch) {
   return pairs.stitch_width == stitch.width && pairs.stitch_height == stitch.height;
 }
 
 }  // namespace
 
-const TubePairs* pairs_of(const State& state, TubeId tube) {
-  for (const Shared<TubePairs>& pairs : state.short_rows.tubes) {
+const PlannedPairs* pairs_of(const State& state, TubeId tube) {
+  for (const Shared<PlannedPairs>& pairs : state.short_rows.tubes) {
     if (pairs->tube == tube) return &*pairs;
   }
   return nullptr;
@@ -39,7 +39,7 @@ ShortRowsDue short_rows_due(const Parameters& parameters, const State& state) {
   const auto* work = std::get_if<ContourWork>(&state.work);
   if (work == nullptr || work->taken == 0) return ShortRowsDue::none;
   const TubeId id = current_tube(*state.tubes, *work);
-  const TubePairs* pairs = pairs_of(state, id);
+  const PlannedPairs* pairs = pairs_of(state, id);
   if (pairs == nullptr) {
     const bool due = parameters.short_rows.rows == ShortRows::automatic && work->phase == ContourPhase::cut &&
                      work->row == 0 && can_be_charted(*state.tubes, id);
@@ -55,7 +55,7 @@ ShortRowsDue short_rows_due(const Parameters& parameters, const State& state) {
 
 bool begins_on_curve(const Parameters& parameters, const State& state, const ContourWork& work) {
   if (work.taken == 0) return false;
-  const TubePairs* pairs = pairs_of(state, current_tube(*state.tubes, work));
+  const PlannedPairs* pairs = pairs_of(state, current_tube(*state.tubes, work));
   return pairs != nullptr && pairs->none == NoChart::no && !parameters.rows.start_direction &&
          parameters.rows.round_start == RoundStart::follow;
 }

@@ -14,7 +14,7 @@ enum class ShortRowsDue : std::uint8_t {
 ShortRowsDue short_rows_due(const Parameters& parameters, const State& state);
 
 // Null: it was not planned.
-const TubePairs* pairs_of(const State& state, TubeId tube);
+const PlannedPairs* pairs_of(const State& state, TubeId tube);
 
 // Rows that a tube keeps at its two ends.
 KeptRows rows_kept(const TubePlan& plan, TubeId tube);

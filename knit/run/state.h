@@ -28,8 +28,8 @@ namespace knit {
 
 // Short rows, while rows are made: the tube that is planned, those that are, and the gap that is filled.
 struct ShortRowsMade {
-  std::optional<TubePairs> planning;
-  std::vector<Shared<TubePairs>> tubes;
+  std::optional<PlannedPairs> planning;
+  std::vector<Shared<PlannedPairs>> tubes;
   GapWork gap;
   std::vector<Shared<Join>> foreseen;  // into the first rows, as they will be joined
   [[nodiscard]] auto fields() const { return std::tie(planning, tubes, gap, foreseen); }

@@ -7,7 +7,7 @@
 
 #include "knit/model/event.h"
 #include "knit/short_rows/pair_plan.h"
-#include "knit/short_rows/tube_pairs.h"
+#include "knit/short_rows/planned_pairs.h"
 
 namespace knit {
 

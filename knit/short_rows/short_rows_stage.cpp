@@ -23,7 +23,7 @@ NoChart reason_of(NoPart why) {
 }
 
 // Fills in the chart, or why there is none.
-void chart_tube(const ChartAt& at, TubePairs& work, double& residual, const Heard& heard) {
+void chart_tube(const ChartAt& at, PlannedPairs& work, double& residual, const Heard& heard) {
   const Tube& tube = at.plan.tube(at.tube);
   const auto low = static_cast<std::size_t>(at.kept.low);
   const auto high = static_cast<std::size_t>(tube.rows() - 1 - at.kept.high);
@@ -45,7 +45,7 @@ void chart_tube(const ChartAt& at, TubePairs& work, double& residual, const Hear
   if (work.rounds.crowded) work.none = NoChart::crowded;
 }
 
-TubeCharted begin_planning(const ChartAt& at, std::optional<TubePairs>& work, const Heard& heard) {
+TubeCharted begin_planning(const ChartAt& at, std::optional<PlannedPairs>& work, const Heard& heard) {
   work.emplace();
   work->tube = at.tube;
   work->stitch_width = at.stitch.width;
@@ -63,7 +63,7 @@ TubeCharted begin_planning(const ChartAt& at, std::optional<TubePairs>& work, co
           static_cast<float>(work->rounds.spacing)};
 }
 
-PairsChosen end_planning(const ChartAt& at, TubePairs& work) {
+PairsChosen end_planning(const ChartAt& at, PlannedPairs& work) {
   if (work.search.arcs.empty()) work.none = NoChart::no_pair;
   if (at.middle) work.first_column = middle_of_arcs(work.search);
   return {static_cast<std::int16_t>(at.tube), static_cast<std::int32_t>(work.search.arcs.size()),
@@ -71,7 +71,7 @@ PairsChosen end_planning(const ChartAt& at, TubePairs& work) {
 }
 
 // In columns, rising from the round's first stitch on.
-std::vector<double> columns_of(const TubePairs& pairs, const Row& round) {
+std::vector<double> columns_of(const PlannedPairs& pairs, const Row& round) {
   const std::size_t gap = static_cast<std::size_t>(round.level - pairs.low_row);
   const Ring curve = ring_at(*pairs.chart, pairs.rounds.levels[gap], pairs.first_column);
   const double whole = pairs.chart->columns;
@@ -111,7 +111,7 @@ Stacked stacked(const GapWork& work, std::int32_t size) {
   return stack;
 }
 
-Row short_row(const TubePairs& pairs, const Fabric& fabric, const Row& below, const GapWork& work) {
+Row short_row(const PlannedPairs& pairs, const Fabric& fabric, const Row& below, const GapWork& work) {
   const PairPlan& pair = work.plans->pairs[static_cast<std::size_t>(work.worked)];
   const std::int32_t size = size_of(below);
   const LiveStitches loop = fabric.live(below.tube);
@@ -145,7 +145,7 @@ Row short_row(const TubePairs& pairs, const Fabric& fabric, const Row& below, co
 
 }  // namespace
 
-PlanningStep advance_planning(const ChartAt& at, std::optional<TubePairs>& work, const Heard& heard) {
+PlanningStep advance_planning(const ChartAt& at, std::optional<PlannedPairs>& work, const Heard& heard) {
   if (!work) {
     const TubeCharted charted = begin_planning(at, work, heard);
     return {charted, work->none != NoChart::no};
@@ -161,7 +161,7 @@ PlanningStep advance_planning(const ChartAt& at, std::optional<TubePairs>& work,
                    static_cast<float>(arc.price)}};
 }
 
-TubePlan with_full_rounds(const TubePlan& plan, const TubePairs& pairs, const KeptRows& kept) {
+TubePlan with_full_rounds(const TubePlan& plan, const PlannedPairs& pairs, const KeptRows& kept) {
   TubePlan made = plan;
   Tube& tube = made.tubes[static_cast<std::size_t>(pairs.tube)];
   const auto low = static_cast<std::size_t>(kept.low);
@@ -190,14 +190,14 @@ TubePlan with_full_rounds(const TubePlan& plan, const TubePairs& pairs, const Ke
   return made;
 }
 
-PairPlans pairs_over(const TubePairs& pairs, const Row& below, std::span<const std::uint8_t> plain) {
+PairPlans pairs_over(const PlannedPairs& pairs, const Row& below, std::span<const std::uint8_t> plain) {
   PairPlans plans;
   const RoundBelow round{columns_of(pairs, below), {plain.begin(), plain.end()}, pairs.chart->columns};
   place_pairs(pairs.arcs_over(below.level), round, plans);
   return plans;
 }
 
-Advanced<ShortRowEvent> advance_gap(const TubePairs& pairs, const Fabric& fabric, const Row& below,
+Advanced<ShortRowEvent> advance_gap(const PlannedPairs& pairs, const Fabric& fabric, const Row& below,
                                     GapWork& work, std::optional<Row>& row) {
   if (work.dropped < static_cast<std::int32_t>(work.plans->dropped.size())) {
     const DroppedPair& dropped = work.plans->dropped[static_cast<std::size_t>(work.dropped++)];

@@ -16,8 +16,8 @@
 #include "knit/model/event.h"
 #include "knit/model/heard.h"
 #include "knit/model/settings.h"
+#include "knit/short_rows/planned_pairs.h"
 #include "knit/short_rows/short_row_events.h"
-#include "knit/short_rows/tube_pairs.h"
 #include "knit/tubes/plan.h"
 
 namespace knit {
@@ -42,10 +42,10 @@ struct PlanningStep {
   ShortRowEvent what;
   bool done = false;
 };
-PlanningStep advance_planning(const ChartAt& at, std::optional<TubePairs>& work, const Heard& heard = {});
+PlanningStep advance_planning(const ChartAt& at, std::optional<PlannedPairs>& work, const Heard& heard = {});
 
 // The tube with its full rounds in place of the rows between the kept ones.
-TubePlan with_full_rounds(const TubePlan& plan, const TubePairs& pairs, const KeptRows& kept);
+TubePlan with_full_rounds(const TubePlan& plan, const PlannedPairs& pairs, const KeptRows& kept);
 
 // The gap over a round, from the placing of its pairs on.
 struct GapWork {
@@ -65,10 +65,10 @@ struct GapWork {
 };
 
 // `plain`: per stitch of the round below, whether the round to come works it one to one.
-PairPlans pairs_over(const TubePairs& pairs, const Row& below, std::span<const std::uint8_t> plain);
+PairPlans pairs_over(const PlannedPairs& pairs, const Row& below, std::span<const std::uint8_t> plain);
 
 // Requires !work.done(). `row`: a short row, once it is worked; what the fabric has of the tube is `below` and the short rows on it.
-Advanced<ShortRowEvent> advance_gap(const TubePairs& pairs, const Fabric& fabric, const Row& below,
+Advanced<ShortRowEvent> advance_gap(const PlannedPairs& pairs, const Fabric& fabric, const Row& below,
                                     GapWork& work, std::optional<Row>& row);
 
 }  // namespace knit

@@ -15,7 +15,7 @@ namespace knit {
 // Why a tube keeps its level rows.
 enum class NoChart : std::uint8_t { no, no_loop, apart, no_annulus, residual, not_solved, crowded, no_pair };
 
-struct TubePairs {
+struct PlannedPairs {
   std::int32_t tube = 0;
   double stitch_width = 0.0, stitch_height = 0.0;  // that it was planned for
   PairSettings settings;
@@ -38,7 +38,7 @@ struct TubePairs {
     return std::tie(tube, stitch_width, stitch_height, settings.turn_cost, settings.turn_step,
                     settings.shortest, low_row, none, chart, rounds, search, first_column);
   }
-  friend bool operator==(const TubePairs&, const TubePairs&) = default;
+  friend bool operator==(const PlannedPairs&, const PlannedPairs&) = default;
 };
 
 }  // namespace knit
