@@ -33,7 +33,7 @@ std::string rounded_text(double value, double digits) {
   return knit::short_number(std::round(digits * value) / digits);
 }
 
-std::string words_of(const knit::SizeFit& fit, const knit::Parameters& asked, const knit::Parameters& taken) {
+std::string fitted_words(const knit::SizeFit& fit, const knit::Parameters& asked, const knit::Parameters& taken) {
   const bool gauge = asked.size.from() == knit::SizesFrom::gauge;
   const std::string size = gauge ? rounded_text(asked.size.height_cm, 100.0) + " cm asked, " +
                                        rounded_text(taken.size.height_cm, 100.0) + " cm taken"
@@ -59,7 +59,7 @@ std::variant<FittedSize, std::string> fitted_size(const knit::Timeline& timeline
     return FittedSize{asked, "No other size within 4 % has a rhythm that reads better; it stays as it is."};
   FittedSize fitted{asked, {}};
   knit::give_size(fitted.parameters, fit->fitted.size);
-  fitted.words = words_of(*fit, asked, fitted.parameters);
+  fitted.words = fitted_words(*fit, asked, fitted.parameters);
   return fitted;
 }
 

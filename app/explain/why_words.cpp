@@ -302,7 +302,7 @@ std::string length_words(const knit::Timeline& timeline, const knit::Element& th
   const auto longest = knit::longest_wale(fabric);
   const bool is_longest = longest && longest->row == wale->row && longest->cell == wale->cell;
   const auto name = [](const knit::StitchRef& ref) {
-    return words_of(knit::Element(knit::StitchElement{ref.row, ref.stitch}));
+    return app::words_of(knit::Element(knit::StitchElement{ref.row, ref.stitch}));
   };
   return " " + std::string(is_longest ? "The longest wale: it" : "It") + " is " +
          knit::short_number(wale->length) + " long, " + knit::short_number(heights) + " h, from " +

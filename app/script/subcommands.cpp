@@ -36,7 +36,7 @@ std::string summary_of(const knit::ReadPattern& read) {
                                 : counted(read.mistakes.size(), "mistake.", "mistakes."));
 }
 
-std::string verdict_words(knit::PatternVerdict verdict) {
+std::string whole_verdict(knit::PatternVerdict verdict) {
   switch (verdict) {
     case knit::PatternVerdict::holds:
       return "every count holds";
@@ -63,7 +63,7 @@ std::string summary_of(const knit::CheckedPattern& checked) {
          " worked, " + std::to_string(checked.not_understood) + " not understood, " +
          std::to_string(checked.no_instructions) +
          (checked.no_instructions == 1 ? " no instruction: " : " no instructions: ") +
-         verdict_words(checked.verdict) + ".";
+         whole_verdict(checked.verdict) + ".";
 }
 
 nlohmann::json json_of(const knit::CheckedSize& size) {
@@ -139,7 +139,7 @@ Answer check_text(std::string_view text, const std::string& name, CheckForm form
   std::string out;
   const bool many = checked.sizes.size() > 1;
   for (const knit::CheckedSize& size : checked.sizes) {
-    if (many) out += "size " + size.name + ": " + verdict_words(size.verdict) + ".\n";
+    if (many) out += "size " + size.name + ": " + whole_verdict(size.verdict) + ".\n";
     for (const knit::CheckedLine& line : size.lines) {
       if (!line.sentence.empty()) out += line.sentence + "\n";
     }

@@ -103,17 +103,12 @@ std::string way_words(const Way& way) {
   return words;
 }
 
-bool is_plain(const Round& round) {
-  return std::all_of(round.operations.begin(), round.operations.end(),
-                     [](const Operation& o) { return o.hand == Hand::knit; });
-}
-
 // The way of each round that has one. None: the quarters do not stay.
 std::optional<std::vector<std::optional<Way>>> ways_of(const Rounds& rounds, Widths widths) {
   std::vector<std::optional<Way>> ways;
   for (const Round& round : rounds.rounds) {
     ways.emplace_back();
-    if (is_plain(round)) continue;
+    if (knits_plain(round)) continue;
     const auto quarters = quarters_of(round, widths);
     if (!quarters) return std::nullopt;
     ways.back() = way_of(*quarters);
@@ -136,7 +131,7 @@ std::optional<HalvesForm> halves_form(const Rounds& rounds, std::int32_t back_qu
   std::vector<Way> named;
   for (std::size_t i = 0; i < ways->size(); ++i) {
     const std::optional<Way>& way = (*ways)[i];
-    form.of_round.push_back(is_plain(rounds.rounds[i]) ? -2 : -1);
+    form.of_round.push_back(knits_plain(rounds.rounds[i]) ? -2 : -1);
     if (!way || std::count(ways->begin(), ways->end(), way) < 2) continue;
     const auto known = std::find(named.begin(), named.end(), *way);
     form.of_round.back() = static_cast<std::int32_t>(known - named.begin());

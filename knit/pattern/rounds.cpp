@@ -1,5 +1,6 @@
 #include "knit/pattern/rounds.h"
 
+#include <algorithm>
 #include "knit/model/bug.h"
 #include "knit/pattern/passes.h"
 
@@ -46,6 +47,11 @@ void add_short_rows(const Round& round, std::int32_t below, KnitGraph& graph) {
 }
 
 }  // namespace
+
+bool knits_plain(const Round& round) {
+  return std::all_of(round.operations.begin(), round.operations.end(),
+                     [](const Operation& o) { return o.hand == Hand::knit; });
+}
 
 Rounds rounds_of(const State& state) {
   Rounds rounds;

@@ -29,6 +29,9 @@ struct Rounds {
   friend bool operator==(const Rounds&, const Rounds&) = default;
 };
 
+// Whether nothing is done in it but knit stitches.
+bool knits_plain(const Round& round);
+
 // Of the joins that are there. Requires at least one row, and a single chain of them: else there are limbs (knit/limbs).
 Rounds rounds_of(const State& state);
 

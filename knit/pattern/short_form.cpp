@@ -17,11 +17,6 @@ namespace {
 
 using Hands = std::vector<Hand>;
 
-bool is_plain(const Round& round) {
-  return std::all_of(round.operations.begin(), round.operations.end(),
-                     [](const Operation& o) { return o.hand == Hand::knit; });
-}
-
 std::string capitalised_words(std::string words) {
   const std::size_t at = words.starts_with('[') ? 1 : 0;
   if (at < words.size()) words[at] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[at])));
@@ -122,7 +117,7 @@ std::optional<Naming> name_shapes(const Rounds& rounds, std::int32_t sections) {
   Naming naming;
   std::vector<std::vector<Shape>> fitting;
   for (const Round& round : rounds.rounds) {
-    const bool plain = is_plain(round);
+    const bool plain = knits_plain(round);
     naming.of_round.push_back(plain ? -2 : -1);
     fitting.emplace_back();
     if (plain) continue;
