@@ -33,7 +33,8 @@ std::string rounded_text(double value, double digits) {
   return knit::short_number(std::round(digits * value) / digits);
 }
 
-std::string fitted_words(const knit::SizeFit& fit, const knit::Parameters& asked, const knit::Parameters& taken) {
+std::string fitted_words(const knit::SizeFit& fit, const knit::Parameters& asked,
+                         const knit::Parameters& taken) {
   const bool gauge = asked.size.from() == knit::SizesFrom::gauge;
   const std::string size = gauge ? rounded_text(asked.size.height_cm, 100.0) + " cm asked, " +
                                        rounded_text(taken.size.height_cm, 100.0) + " cm taken"

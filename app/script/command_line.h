@@ -71,10 +71,10 @@ struct Answer {
 };
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_stopped = 1;   // the algorithm stopped on this mesh
-inline constexpr int exit_usage = 2;     // bad usage, or an unreadable or unfit file
+inline constexpr int exit_stopped = 1;         // the algorithm stopped on this mesh
+inline constexpr int exit_usage = 2;           // bad usage, or an unreadable or unfit file
 inline constexpr int exit_not_understood = 5;  // check: a line of work is not understood
-inline constexpr int exit_no_break = 4;  // no condition of --break holds
+inline constexpr int exit_no_break = 4;        // no condition of --break holds
 
 inline Answer bad_usage(const std::string& sentence) { return {exit_usage, "", sentence}; }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "knit/trade/characters.h"
 #include "knit/reader/reader_words.h"
+#include "knit/trade/characters.h"
 
 namespace knit {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "knit/trade/characters.h"
 #include "knit/reader/reader_words.h"
+#include "knit/trade/characters.h"
 
 namespace knit {
 

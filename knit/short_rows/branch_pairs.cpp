@@ -41,7 +41,7 @@ struct Loops {
 };
 
 BranchPairsOrNot plan_one(TubeCutter& cutter, const Loops& loops, const TubePlan& plan, TubeId id,
-                        const RowsBetween& between, const PairSettings& settings, const Heard& heard) {
+                          const RowsBetween& between, const PairSettings& settings, const Heard& heard) {
   if (between.rows() < fewest_rows) return TooFewRows{between.rows()};
   if (!loops.low || !loops.high) return NoPart::no_loop;
   const std::variant<TubePart, NoPart> part = cutter.part(*loops.low, *loops.high, plan.stitch_width);
@@ -72,9 +72,9 @@ std::string sentence_of(const BranchPairsOrNot& pairs) {
   return {};
 }
 
-std::vector<BranchPairsOrNot> plan_branch_pairs(const Input& input, const TubeGraph& graph, const TubePlan& plan,
-                                            std::int32_t kept, const PairSettings& settings,
-                                            const Heard& heard) {
+std::vector<BranchPairsOrNot> plan_branch_pairs(const Input& input, const TubeGraph& graph,
+                                                const TubePlan& plan, std::int32_t kept,
+                                                const PairSettings& settings, const Heard& heard) {
   TubeCutter cutter(input, field_of(input, graph));
   std::vector<RowsBetween> between;
   std::vector<Loops> loops;

@@ -41,8 +41,8 @@ using BranchPairsOrNot = std::variant<BranchPairs, TooFewRows, NoPart, ChartRefu
 std::string sentence_of(const BranchPairsOrNot& pairs);
 
 // One entry a tube of the plan. `kept`: rows beside an event.
-std::vector<BranchPairsOrNot> plan_branch_pairs(const Input& input, const TubeGraph& graph, const TubePlan& plan,
-                                            std::int32_t kept, const PairSettings& settings,
-                                            const Heard& heard = {});
+std::vector<BranchPairsOrNot> plan_branch_pairs(const Input& input, const TubeGraph& graph,
+                                                const TubePlan& plan, std::int32_t kept,
+                                                const PairSettings& settings, const Heard& heard = {});
 
 }  // namespace knit
