@@ -18,7 +18,6 @@ namespace knit {
 
 namespace {
 
-constexpr std::int64_t most_rounds_in_line = 10'000;
 constexpr std::int64_t most_work = 4'000'000;  // stitches in all; a round costs some by itself
 constexpr std::int64_t work_of_a_round = 16;
 

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace knit {
+
+// More in one line are refused.
+inline constexpr std::int64_t most_rounds_in_line = 10'000;
 
 struct TextLine {
   std::size_t number = 0;  // of the file, from 1: where it begins

@@ -9,8 +9,6 @@ namespace knit {
 
 namespace {
 
-constexpr std::int64_t most_rounds_in_line = 10'000;
-
 std::string rnd(std::int64_t number) { return "Rnd " + std::to_string(number); }
 
 }  // namespace

@@ -108,7 +108,7 @@ class JointSearch {
     const std::int32_t line = number / segment_ends, cell = line / back_.window();
     const std::int32_t row = cell / front_.window();
     return {row, front_.lowest(row) + 2 * (cell % front_.window()),
-            back_.lowest(row) + 2 * (line % back_.window()), number % ends};
+            back_.lowest(row) + 2 * (line % back_.window()), number % segment_ends};
   }
   [[nodiscard]] Reached& at(const Place& place) {
     return reached_[static_cast<std::size_t>(number_of(place))];

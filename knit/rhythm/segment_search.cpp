@@ -64,7 +64,7 @@ class SegmentSearch {
   }
   [[nodiscard]] Place place_of(std::int32_t number) const {
     const std::int32_t line = number / segment_ends;
-    return {line / levels_, line % levels_, number % ends};
+    return {line / levels_, line % levels_, number % segment_ends};
   }
   [[nodiscard]] Reached& at(const Place& place) {
     return reached_[static_cast<std::size_t>(number_of(place))];
