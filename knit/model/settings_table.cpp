@@ -72,7 +72,6 @@ constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
 constexpr std::array<std::string_view, 2> count_names{"whole", "rhythm"};
 constexpr std::array<std::string_view, 2> short_row_names{"off", "auto"};
-constexpr std::array<std::string_view, 2> turn_names{"german", "wrap"};
 constexpr std::array<std::string_view, 2> graft_names{"kitchener", "three-needle"};
 
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
@@ -303,12 +302,6 @@ constexpr std::array table{
     ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
                   "Settling", Stage::settle,
                   Count{field<&Settings::settle, &SettleSettings::most_iterations>(), 1, 500}, is_settled},
-    ParameterInfo{
-        "turns", "Turns", "",
-        "How a short row is turned. german: the stitch is pulled up to a double stitch. wrap: the next "
-        "stitch is wrapped. The fabric is the same.",
-        "Pattern", Stage::done, choice<&Settings::pattern, &PatternSettings::turns>(turn_names),
-        has_short_rows},
     ParameterInfo{
         "graft", "Seams by", "",
         "How two rims of live stitches become one seam, as at the top of a ring. kitchener: grafted, a seam "
