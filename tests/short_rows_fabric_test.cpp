@@ -7,9 +7,9 @@
 #include "knit/model/bug.h"
 #include "knit/settle/graph.h"
 #include "knit/stitches/operations.h"
-#include "support/catch.h"
-#include "support/repeated.h"
-#include "support/short_tube.h"
+#include "tests/support/catch.h"
+#include "tests/support/repeated.h"
+#include "tests/support/short_tube.h"
 
 using namespace knit;
 using test_support::ShortArc;

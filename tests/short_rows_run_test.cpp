@@ -8,8 +8,8 @@
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
 #include "knit/stitches/short_join.h"
-#include "support/catch.h"
-#include "support/run.h"
+#include "tests/support/catch.h"
+#include "tests/support/run.h"
 
 using namespace knit;
 
