@@ -168,8 +168,10 @@ TEST_CASE("world: each single construct holds with its right count, and does not
   for (const Probe& probe : all) {
     CAPTURE(probe.kind, probe.lines);
     const bool holds = knit::check_pattern(text_of(probe, probe.count)).verdict == PatternVerdict::holds;
-    const bool is_found =
-        knit::check_pattern(text_of(probe, probe.count + 1)).verdict == PatternVerdict::does_not_add_up;
+    // One fewer a time until so many remain: with one too many it is another pattern, and right.
+    const bool ends_sooner = probe.lines.find("until {N} sts") != std::string::npos;
+    const bool is_found = ends_sooner || knit::check_pattern(text_of(probe, probe.count + 1)).verdict ==
+                                             PatternVerdict::does_not_add_up;
     right += holds ? 1U : 0U;
     found += is_found ? 1U : 0U;
     CHECK(holds);
