@@ -133,7 +133,7 @@ const std::vector<Arrow> arrows{
     {"app/script",
      {"knit/", "app/base", "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
       "app/files", "app/reader", "app/actions"},
-     {"CLI/CLI.hpp"}},
+     {"CLI/CLI.hpp", json[0]}},
 
     {"app/panels/kit", {"knit/", "app/"}, {"glm/", "imgui.h", "imgui_internal.h"}},
     {"app/panels/offers", {"knit/", "app/", "app/panels/kit"}, {"imgui.h"}},

@@ -14,7 +14,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   const auto folder = std::filesystem::temp_directory_path() / "knit panels test";
   std::filesystem::create_directories(folder / "inner");
   std::ofstream(folder / "ball.OBJ") << "v 0 0 0\n";
-  std::ofstream(folder / "notes.txt") << "no mesh\n";
+  std::ofstream(folder / "notes.doc") << "no mesh\n";
   Desk desk;
   desk.open();
   desk.ui.own<OpenDialog>().folder = folder;
@@ -22,7 +22,7 @@ TEST_CASE("the open dialog works by keyboard and mouse") {
   desk.settle();
   CHECK(desk.ui.controls.count("open/ball.OBJ") == 1);
   CHECK(desk.ui.controls.count("open/inner") == 1);
-  CHECK(desk.ui.controls.count("open/notes.txt") == 0);
+  CHECK(desk.ui.controls.count("open/notes.doc") == 0);
   CHECK(desk.press({Key::Space, {}, 0}).empty());
   CHECK(desk.press({Key::O, {.ctrl = true}, 0}).empty());
 

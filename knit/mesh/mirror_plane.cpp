@@ -85,8 +85,10 @@ class NearestSample {
     const glm::length_t across = side.x >= side.y && side.x >= side.z ? 0 : (side.y >= side.z ? 1 : 2);
     const std::size_t middle = (begin + end) / 2;
     const auto at = [&](std::size_t i) { return places_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end),
-                     [&](const glm::dvec3& a, const glm::dvec3& b) { return a[across] < b[across]; });
+    std::sort(at(begin), at(end), [&](const glm::dvec3& a, const glm::dvec3& b) {
+      if (a[across] != b[across]) return a[across] < b[across];
+      return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
     nodes_[node].across = across;
     nodes_[node].at = places_[middle][across];
     part(begin, middle);

@@ -7,16 +7,27 @@
 // a few planes to be measured whole; a plane is given up as soon as it is worse than the best. Samples strewn by chance would be
 // chance = sqrt(area / samples) / 2 from the nearest, whatever the plane: 1.6 times that still counts as a mirror image.
 // Cost: N log N for a tree of the samples, then a few ten thousand searches in it.
-// Of planes that are alike within 2 %, as in a solid of revolution, the first. Rhythm study, section 5.
+// Of planes that are alike within 2 %, as in a solid of revolution, the first.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <tuple>
 
 #include "knit/mesh/mesh.h"
-#include "knit/model/mirror_plane.h"
 
 namespace knit {
+
+// A plane along the axis in which a shape is its own mirror image.
+struct MirrorPlane {
+  glm::dvec3 point{0.0}, normal{1.0, 0.0, 0.0};  // the normal is a unit vector across the axis
+  glm::dvec3 back{0.0, 0.0, -1.0};  // within the plane, across the axis: a unit vector; rounds begin there
+  [[nodiscard]] double height(const glm::dvec3& p) const { return glm::dot(p - point, normal); }
+  [[nodiscard]] glm::dvec3 reflect(const glm::dvec3& p) const { return p - 2.0 * height(p) * normal; }
+  [[nodiscard]] auto fields() const { return std::tie(point, normal, back); }
+  friend bool operator==(const MirrorPlane&, const MirrorPlane&) = default;
+};
 
 struct MirrorMeasure {
   double degrees = 0.0;  // of the normal, from (right x axis) towards right

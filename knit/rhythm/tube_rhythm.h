@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "knit/model/mirror_plane.h"
+#include "knit/mesh/mirror_plane.h"
 #include "knit/model/rhythm_settings.h"
 #include "knit/rhythm/deviation.h"
 #include "knit/rhythm/no_rhythm.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-#include "knit/model/mirror_plane.h"
+#include "knit/mesh/mirror_plane.h"
 #include "knit/model/ring.h"
 #include "knit/rhythm/joint_plan.h"
 #include "knit/tubes/plan.h"

@@ -115,7 +115,7 @@ SettleGraph make_settle_graph(const Fabric& fabric) {
   for (const auto& row : fabric.rows()) {
     if (!is_short(*row)) continue;
     gathering.add_turn(fabric.path_index({row->id, 0}), fabric.path_index(row->turned->before));
-    gathering.add_turn(fabric.path_index({row->id, size_of(*row) - 1}),
+    gathering.add_turn(fabric.path_index({row->id, static_cast<std::int32_t>(row->stitches.size()) - 1}),
                        fabric.path_index(row->turned->after));
   }
   for (const auto& deal : fabric.deals()) {

@@ -51,7 +51,7 @@ constexpr std::array lines{
              "As long as the best arc gains more than its two turns cost.",
              source,
              lit_by<ArcTried>},
-    CodeLine{"  {} \xE2\x86\x90 all pairs; rounds begin in their middle",
+    CodeLine{"  {} \xE2\x86\x90 all pairs; begin in their middle",
              {&var::pairs},
              &var::pairs,
              "So that most pairs run as far to one side of the beginning of the round as to the other.",
