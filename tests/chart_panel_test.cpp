@@ -74,7 +74,7 @@ TEST_CASE("the chart stands in the view's place, before there is anything to cha
   show_chart(desk);
   CHECK(desk.ui.controls.count("view") == 0);
   CHECK(desk.ui.controls.at("chart").width == desk.layout.view.width);
-  CHECK(desk.ui.own<ChartCache>().rounds() ==
+  CHECK(desk.ui.own<ChartCache>().last_row() ==
         static_cast<int>(desk.session.document->timeline.furthest().fabric.rows().size()));
 }
 
@@ -121,9 +121,9 @@ TEST_CASE("knitting along: forward, back, first, and away") {
   CHECK_FALSE(only<KnitAlong>(desk.click("knit-along/close")).round);
   desk.act({KnitAlong{100000}});
   desk.settle();
-  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == desk.ui.own<ChartCache>().rounds());
+  CHECK(only<KnitAlong>(desk.click("knit-along/forward")).round == desk.ui.own<ChartCache>().last_row());
   CHECK(desk.ui.own<ChartCache>().line_of(1).find("CO") != std::string::npos);
-  for (int round = 2; round <= desk.ui.own<ChartCache>().rounds(); ++round)
+  for (int round = 2; round <= desk.ui.own<ChartCache>().last_row(); ++round)
     CHECK(desk.ui.own<ChartCache>().line_of(round).rfind("Rnd", 0) == 0);
 }
 

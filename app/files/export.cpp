@@ -120,10 +120,8 @@ std::string map_text(const Session& session) {
       text += deal_lines(state.fabric, last);
       text += "# tube " + knit::tube_name(tube.tube) + "\n";
     }
-    for (const knit::LabelRow& row : tube.rows) {
-      text += knit::text_of(row) + "\n";
-      last = std::max(last, row.row);
-    }
+    for (const knit::LabelRow& row : tube.rows) text += knit::text_of(row) + "\n";
+    last = tube.last;
   }
   return text + (branches ? deal_lines(state.fabric, last) : "");
 }

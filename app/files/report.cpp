@@ -228,7 +228,7 @@ Json labels_json(const knit::State& state) {
   if (state.fabric.rows().empty()) return all;
   for (const TubeLabels& tube : label_rows(state)) {
     for (const knit::LabelRow& row : tube.rows) {
-      if (!row.into) all.push_back(integers(row.labels));
+      if (!row.into && row.short_row == 0) all.push_back(integers(row.labels));
     }
   }
   return all;
@@ -506,15 +506,36 @@ std::vector<TubeLabels> label_rows(const knit::State& state) {
     std::vector<const knit::Join*> joins;
     const bool cast_on = first.on.empty();
     for (; id <= fabric.row_count() && fabric.row(id).tube == first.tube; ++id) {
+      if (knit::is_short(fabric.row(id))) continue;
       if (const knit::Join* join = fabric.join_into(id)) joins.push_back(join);
     }
     const bool ends = fabric.deals().empty() || !fabric.live(first.tube).empty();
     const std::int32_t below = cast_on ? knit::size_of(first) : first.on.size();
     tubes.push_back(
         {first.tube, knit::appendix_view(below, joins, all_labelled && ends, cast_on ? first.id : 0)});
+    knit::add_short_rows(fabric, first.tube, tubes.back().rows);
+    tubes.back().last = id - 1;
   }
   return tubes;
 }
+
+namespace {
+
+// What was left out is known once the rows are made.
+Json short_rows_json(const knit::State& state) {
+  std::size_t rows = 0, stitches = 0, planned = 0;
+  for (const auto& row : state.fabric.rows()) {
+    if (!knit::is_short(*row)) continue;
+    ++rows;
+    stitches += row->stitches.size();
+  }
+  for (const auto& tube : state.short_rows.tubes) planned += tube->search.arcs.size();
+  const std::size_t pairs = rows / 2;
+  const bool made = state.stage() > knit::Stage::rows && planned > pairs;
+  return {{"pairs", pairs}, {"stitches", stitches}, {"dropped", made ? planned - pairs : 0}};
+}
+
+}  // namespace
 
 Json report_json(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
@@ -544,6 +565,7 @@ Json report_json(const Session& session) {
   report["shaping"] = {{"increases", shaping.increases},
                        {"decreases", shaping.decreases},
                        {"max_in_a_row", shaping.max_in_a_row}};
+  report["short_rows"] = short_rows_json(state);
   const knit::Parameters& parameters = timeline.parameters();
   const auto closeness = closeness_now(*session.document);
   const bool as_placed = session.view->positions == Positions::placed && closeness && closeness->placed;

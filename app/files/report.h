@@ -40,7 +40,8 @@ nlohmann::ordered_json report_json(const Session& session);
 // The label arrays of the rows finished so far, tube after tube in working order; requires at least one row.
 struct TubeLabels {
   knit::TubeId tube = 0;
-  std::vector<knit::LabelRow> rows;
+  std::vector<knit::LabelRow> rows;  // numbered without short rows
+  knit::RowId last = 0;              // of the fabric
 };
 std::vector<TubeLabels> label_rows(const knit::State& state);
 

@@ -362,6 +362,16 @@ class Layout {
 
 // --- rounds ------------------------------------------------------------------------------------------------------
 
+// The same pair in a round that begins `gap` stitches later.
+ShortRowPair begun_at(const ShortRowPair& pair, std::int32_t gap, std::int32_t stitches) {
+  std::int32_t first = pair.first - gap, last = pair.last - gap;
+  while (last < 0) {
+    first += stitches;
+    last += stitches;
+  }
+  return {first, last};
+}
+
 LimbRound round_of(const HandsRow& hands, std::int32_t gap) {
   LimbRound round;
   const auto first = static_cast<std::ptrdiff_t>(hands.up[static_cast<std::size_t>(gap)]);
@@ -370,6 +380,7 @@ LimbRound round_of(const HandsRow& hands, std::int32_t gap) {
   round.slips_back = hands.crosses[static_cast<std::size_t>(gap)] != 0;
   round.before = static_cast<std::int32_t>(hands.up.size());
   round.after = static_cast<std::int32_t>(hands.operations.size());
+  for (const ShortRowPair& pair : hands.pairs) round.pairs.push_back(begun_at(pair, gap, round.before));
   return round;
 }
 

@@ -6,8 +6,8 @@ namespace knit {
 
 namespace {
 
-constexpr double cost_of_move = 6.0, cost_of_cut_repeats = 4.0, cost_of_late_start = 2.0,
-                 cost_of_late_entry = 1.5, cost_of_slip = 1.0;
+constexpr double cost_of_turn_at_marker = 60.0, cost_of_move = 6.0, cost_of_cut_repeats = 4.0,
+                 cost_of_late_start = 2.0, cost_of_late_entry = 1.5, cost_of_slip = 1.0;
 
 // A step of a piece, or, with step -1, its rounds.
 struct Happening {
@@ -194,6 +194,7 @@ class Climber {
     way.noted.push_back({&found_.first, number, first});
     if (tube.section > 0 && first % tube.section != 0) way.cost += cost_of_cut_repeats;
     way.slips += tube.slips_of_first[static_cast<std::size_t>(first)];
+    way.cost += cost_of_turn_at_marker * tube.turns_of_first[static_cast<std::size_t>(first)];
     way.gap = tube.last_of_first[static_cast<std::size_t>(first)];
     way.noted.push_back({&found_.last, number, way.gap});
     way.loop = &tube.places.back();

@@ -2,6 +2,7 @@
 // where a yarn begins: at a cast on before any stitch of the first row, at a rejoin before any held stitch.
 //
 // For each such start of a yarn the gap is climbed (limb_tubes.h) through all rows and deals that it is worked in, and summed:
+//   60   short rows turn at it: they cannot be told from there
 //   6    a split leaves it with the child that is held: the yarn is broken and rejoined
 //   4    a tube in rhythm begins elsewhere than at a main: its repeats are cut in two
 //   2    a rejoin elsewhere than at the first held stitch, or at the marker of a held piece

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "knit/model/bug.h"
+#include "knit/stitches/short_join.h"
 
 namespace knit {
 
@@ -75,12 +76,24 @@ Places stretch(const Places& loop, std::int32_t first, std::int32_t count) {
 
 void append(Places& to, const Places& more) { to.insert(to.end(), more.begin(), more.end()); }
 
+// Whether short rows cannot be worked with the marker in a gap: it would stand where they turn, or a stitch is slipped back over it.
+bool is_in_the_way(const HandsRow& hands, std::int32_t gap) {
+  const auto stitches = static_cast<std::int32_t>(hands.up.size());
+  const bool slips = hands.crosses[static_cast<std::size_t>(gap)] != 0;
+  return std::any_of(hands.pairs.begin(), hands.pairs.end(), [&](const ShortRowPair& pair) {
+    return slips || (pair.first - gap) % stitches == 0 || (pair.last + 1 - gap) % stitches == 0;
+  });
+}
+
 void climb(const std::vector<HandsRow>& hands, std::size_t from, std::int32_t gaps,
-           std::vector<std::int32_t>& last, std::vector<std::int32_t>& slips) {
+           std::vector<std::int32_t>& last, std::vector<std::int32_t>& slips,
+           std::vector<std::int32_t>* turns = nullptr) {
   for (std::int32_t i = 0; i < gaps; ++i) {
     std::int32_t gap = i, slipped = 0;
+    if (turns != nullptr) turns->push_back(0);
     for (std::size_t row = from; row < hands.size(); ++row) {
       slipped += hands[row].crosses[static_cast<std::size_t>(gap)];
+      if (turns != nullptr && is_in_the_way(hands[row], gap)) ++turns->back();
       gap = at(hands[row].up, gap);
     }
     last.push_back(gap);
@@ -127,7 +140,9 @@ std::int32_t LimbTubes::add_places(std::int32_t count, std::int32_t bridge, bool
   return first;
 }
 
+// Of short rows nothing is kept but where they stand: they leave the loop as many stitches, each in its place.
 void LimbTubes::add_row(const Fabric& fabric, const Row& row) {
+  if (is_short(row)) return;
   LimbTube& tube = tube_of(row.tube);
   Places& live = live_[static_cast<std::size_t>(index_of(row.tube))];
   if (tube.rows.empty()) tube.base = live;
@@ -138,6 +153,8 @@ void LimbTubes::add_row(const Fabric& fabric, const Row& row) {
   tube.places.push_back(live);
   const Join* join = fabric.join_into(row.id);
   tube.hands.push_back(join != nullptr ? hands_of(*join) : HandsRow{});
+  for (const auto& [low, high] : short_arcs_below(fabric, row.id))
+    tube.hands.back().pairs.push_back({low, high});
   if (tube.section == 0 && join != nullptr && join->rule == Rule::repeat && !join->mains.empty())
     tube.section = size_of(tube.places.front()) / static_cast<std::int32_t>(join->mains.size());
 }
@@ -314,7 +331,8 @@ LimbTubes::LimbTubes(const Fabric& fabric, const TubePlan* plan) {
   for (LimbTube& tube : tubes_) {
     if (!tube.has_rows()) continue;
     climb(tube.hands, 0, tube.base.empty() ? 0 : size_of(tube.base), tube.last_of_base, tube.slips_of_base);
-    climb(tube.hands, 1, size_of(tube.places.front()), tube.last_of_first, tube.slips_of_first);
+    climb(tube.hands, 1, size_of(tube.places.front()), tube.last_of_first, tube.slips_of_first,
+          &tube.turns_of_first);
   }
 }
 

@@ -24,8 +24,9 @@ inline std::int32_t size_of(const Places& places) { return static_cast<std::int3
 struct HandsRow {
   std::vector<Operation> operations;
   std::vector<std::int32_t> up;  // of each gap below, before stitch i: the stitch of the row that follows it
-  std::vector<std::uint8_t> crosses;  // whether a decrease takes the stitches on both sides of that gap
-  bool possible = true;               // no more than two are taken together
+  std::vector<std::uint8_t> crosses;     // whether a decrease takes the stitches on both sides of that gap
+  bool possible = true;                  // no more than two are taken together
+  std::vector<ShortRowPair> pairs = {};  // of short rows before it, from the first stitch below on
 };
 
 struct LimbTube {
@@ -37,6 +38,7 @@ struct LimbTube {
   std::int32_t bottom = -1, top = -1;  // deals; -1: an end
   // From a gap in the base, or in the first row: the gap in the last row, and how often a stitch is slipped back.
   std::vector<std::int32_t> last_of_base, slips_of_base, last_of_first, slips_of_first;
+  std::vector<std::int32_t> turns_of_first;  // and how often short rows turn at it, or could not be worked
   std::int32_t section = 0;  // stitches of the first row from main to main, where a rhythm repeats; 0: none
   std::vector<std::int32_t> twins;  // tubes here, itself too
   bool inner = false;

@@ -52,6 +52,7 @@ class ChartMaker {
     } else {
       std::int32_t number = 0;
       std::size_t made = 0;
+      std::vector<std::int32_t> heights(stitches_below(row).size(), 0);
       for (const Pass& pass : passes_of(worked_round)) {
         ChartRow short_row = blank(row, number + 1, pass.wrong_side());
         bool any = false;
@@ -63,6 +64,8 @@ class ChartMaker {
           any = true;
           ChartSquare& square = square_of(row, stitch.column, short_row);
           square.symbol = take_mark(wale_below(row, stitch.column)) ? ChartSymbol::marked : ChartSymbol::knit;
+          square.stitch = stitch.column + (stitch.column < 0 ? worked_round.before : 0);
+          square.height = heights[static_cast<std::size_t>(square.stitch)]++;
         }
         if (pass.turns()) turn(row, pass, short_row);
         if (!any) continue;

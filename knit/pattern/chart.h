@@ -47,6 +47,8 @@ struct ChartSquare {
   bool main = false;         // of a main wale
   std::int32_t stitch = -1;  // of its row, from 0; -1: no stitch
   std::int32_t piece = -1;   // held: the piece whose letter stands there
+  std::int32_t height =
+      0;  // of a short row, whose squares name the stitch of the round that they stand over: so many are between
   friend bool operator==(const ChartSquare&, const ChartSquare&) = default;
 };
 struct ChartRow {
@@ -56,8 +58,8 @@ struct ChartRow {
   bool laid =
       false;  // knits nothing: what lies on the needle before the first round, or where stitches go in the end
   bool slips_back = false;  // the last stitch of the round before is taken together with the first
-  // A short row before the round, or the way home after one: its number there, from 1; 0: the round itself. Its squares are
-  // no stitches of the round. It is worked from the right, on the wrong side from the left.
+  // A short row before the round, or the way home after one: its number there, from 1; 0: the round itself. Its squares
+  // are no stitches of the round: each has the stitch of the round below that it stands over. It is worked from the right, on the wrong side from the left.
   std::int32_t short_row = 0;
   bool wrong_side = false;
   friend bool operator==(const ChartRow&, const ChartRow&) = default;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include "knit/model/bug.h"
 #include "knit/pattern/passes.h"
+#include "knit/stitches/short_join.h"
 
 namespace knit {
 
@@ -53,19 +54,32 @@ bool knits_plain(const Round& round) {
                      [](const Operation& o) { return o.hand == Hand::knit; });
 }
 
+Round round_of(const Fabric& fabric, const Join& join) {
+  Round round{join.to, operations_of(join), join.below, join.above};
+  for (const auto& [first, last] : short_arcs_below(fabric, join.to)) round.pairs.push_back({first, last});
+  return round;
+}
+
 Rounds rounds_of(const State& state) {
   Rounds rounds;
   rounds.cast_on = size_of(state.fabric.row(1));
-  for (const auto& join : state.fabric.joins())
-    rounds.rounds.push_back({join->to, operations_of(*join), join->below, join->above});
+  for (const auto& join : state.fabric.joins()) {
+    if (is_short(state.fabric.row(join->to))) continue;
+    rounds.rounds.push_back(round_of(state.fabric, *join));
+    rounds.rounds.back().number = static_cast<std::int32_t>(rounds.rounds.size()) + 1;
+  }
   return rounds;
 }
 
 KnitGraph graph_of(const State& state) {
   KnitGraph graph;
   graph.rows.emplace_back(state.fabric.row(1).stitches.size());
-  for (const auto& t : state.fabric.joins())
+  for (const auto& t : state.fabric.joins()) {
+    if (is_short(state.fabric.row(t->to))) continue;
+    const Round round = round_of(state.fabric, *t);
+    if (!round.pairs.empty()) add_short_rows(round, static_cast<std::int32_t>(graph.rows.size()) - 1, graph);
     graph.rows.push_back(t->change() >= 0 ? grown_row(*t) : shrunk_row(*t));
+  }
   return graph;
 }
 

@@ -33,12 +33,17 @@ std::string lower_first(std::string text) {
 // A line a round, equal plain ones that follow each other on one; the cast on first.
 std::vector<RoundLine> lines_of(const LimbPiece& piece, const PatternOptions& options) {
   std::vector<RoundLine> lines;
-  const std::int32_t before = piece.rows.front() - 1;
+  // The fabric numbers short rows too.
+  const auto before_round = [&](std::int32_t number) {
+    return piece.rows[static_cast<std::size_t>(number - 1)] - number;
+  };
   if (piece.is_cast_on())
-    lines.push_back({1, 1, cast_on_words(piece.deals.back()), piece.first_count(), before, {}, false});
+    lines.push_back(
+        {1, 1, cast_on_words(piece.deals.back()), piece.first_count(), before_round(1), {}, false});
   const Rounds rounds = rounds_of(piece);
   for (std::size_t i = 0; i < piece.rounds.size(); ++i) {
     const bool slips = piece.rounds[i].slips_back;
+    const std::int32_t before = before_round(rounds.rounds[i].number);
     Rounds one;
     one.rounds = {rounds.rounds[i]};
     std::vector<RoundLine> told = round_lines(one, options);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "knit/fabric/join.h"
+#include "knit/fabric/fabric.h"
 
 namespace knit {
 
@@ -25,6 +25,10 @@ struct LabelRow {
 // `complete`: the last join leads to the last row, which is cast off; else more rows are to come.
 std::vector<LabelRow> appendix_view(std::int32_t cast_on, std::span<const Join* const> joins,
                                     bool complete = true, std::int32_t first = 1);
+
+// Adds the short rows of a tube, each behind the lists of the row that it stands on; then rows are numbered as the pattern
+// numbers rounds, without short rows. O(rows of the fabric).
+void add_short_rows(const Fabric& fabric, TubeId tube, std::vector<LabelRow>& view);
 
 // "3: [6, 1, 0, 0, 2]", "3 > 4: [...]", "> 4: [...]", "12.1 @-5: [0, 0, ...]"
 std::string text_of(const LabelRow& row);

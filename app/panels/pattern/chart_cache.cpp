@@ -1,5 +1,7 @@
 #include "app/panels/pattern/chart_cache.h"
 
+#include <algorithm>
+
 #include "app/session/document.h"
 #include "app/session/remarks.h"
 #include "app/session/view.h"
@@ -84,6 +86,8 @@ void ChartCache::refresh(const Session& session) {
   if (key == key_) return;
   key_ = key;
   chart_ = {};
+  stitches_ = {};
+  written_ = {};
   pattern_ = {};
   written_out_.clear();
   rhythms_ = rhythm_figures_of(state);
@@ -98,9 +102,12 @@ void ChartCache::refresh(const Session& session) {
   if (in_pieces_ || state.fabric.joins().empty()) return;
   const knit::Rounds rounds = knit::rounds_of(state);
   chart_ = knit::chart_of(rounds);
+  stitches_ = knit::ChartStitches(state.fabric, chart_);
+  written_ = knit::written_rows(state.fabric);
   const knit::PatternOptions options = in_form(session.view->pattern, state);
   pattern_ = knit::write_pattern(rounds, gauge, options, timeline.input().mesh.name);
   if (options.form == knit::PatternForm::short_form) written_out_ = knit::round_lines(rounds, options);
+  number_rows(state.fabric);
   add_notes(session);
 }
 
@@ -117,32 +124,59 @@ bool says(const knit::RoundLine& line, std::int32_t round) {
   return line.first <= round && round <= line.last;
 }
 
+bool turns(const knit::RoundLine& line) { return line.label.starts_with("Short row "); }
+
+// Of the lines of rounds, in order, that of a row.
+template <class Lines, class LineOf>
+std::string line_in(const Lines& lines, const LineOf& line_of, const knit::WrittenRow& row) {
+  std::string found;
+  std::int32_t number = 0;
+  for (const auto& each : lines) {
+    const knit::RoundLine* line = line_of(each);
+    if (line == nullptr || !says(*line, row.round)) continue;
+    if (!line->short_row) return row.short_row == 0 ? line->text() : found;
+    if (turns(*line)) ++number;
+    if (number == row.short_row) found += (found.empty() ? "" : "\n") + line->text();
+  }
+  return found;
+}
+
 }  // namespace
 
-std::string ChartCache::line_of(std::int32_t round) const {
-  if (round == 1) return pattern_.start;
-  std::string before;  // its short rows
-  for (const knit::RoundLine& line : written_out_) {
-    if (says(line, round) && !line.short_row) return before + line.text();
-    if (says(line, round)) before += line.text() + "\n";
+// The lines of the text stand for rows of the fabric, which numbers short rows too.
+void ChartCache::number_rows(const knit::Fabric& fabric) {
+  std::int32_t round = 0, number = 0;
+  for (auto& instruction : pattern_.instructions) {
+    if (!instruction.round) continue;
+    knit::RoundLine& line = *instruction.round;
+    if (line.first != round) number = 0;
+    round = line.first;
+    if (line.short_row && turns(line)) ++number;
+    const knit::WrittenRow wanted{round, line.short_row ? number : 0};
+    const auto found = std::find(written_.begin(), written_.end(), wanted);
+    const bool known = found != written_.end() && fabric.has_row(round);
+    if (known) line.rows_before = static_cast<std::int32_t>(found - written_.begin()) + 1 - round;
   }
-  return line_in_pattern(round);
 }
 
-std::string ChartCache::short_line_of(std::int32_t round) const {
-  const std::string line = written_out_.empty() || round == 1 ? "" : line_in_pattern(round);
-  return line == line_of(round) ? "" : line;
+std::string ChartCache::line_of(std::int32_t row) const {
+  if (row == 1) return pattern_.start;
+  const knit::WrittenRow at = written(row);
+  std::string line = line_in(
+      written_out_, [](const knit::RoundLine& l) { return &l; }, at);
+  return line.empty() ? line_in_pattern(at) : line;
 }
 
-std::string ChartCache::line_in_pattern(std::int32_t round) const {
-  std::string before;
-  for (const auto& instruction : pattern_.instructions) {
-    if (!instruction.round || !says(*instruction.round, round)) continue;
-    before += instruction.round->text();
-    if (!instruction.round->short_row) return before;
-    before += "\n";
-  }
-  return "";
+std::string ChartCache::short_line_of(std::int32_t row) const {
+  const std::string line = written_out_.empty() || row == 1 ? "" : line_in_pattern(written(row));
+  return line == line_of(row) ? "" : line;
+}
+
+std::string ChartCache::line_in_pattern(const knit::WrittenRow& row) const {
+  const auto line_of = [](const knit::WrittenPattern::Instruction& instruction) {
+    return instruction.round ? &*instruction.round : nullptr;
+  };
+  return line_in(pattern_.instructions, line_of, row);
 }
 
 }  // namespace app

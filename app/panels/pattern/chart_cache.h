@@ -13,6 +13,7 @@
 #include "knit/pattern/chart.h"
 #include "knit/pattern/limb_chart.h"
 #include "knit/pattern/written_pattern.h"
+#include "knit/pattern/written_rows.h"
 
 namespace app {
 
@@ -32,31 +33,40 @@ class ChartCache {
   [[nodiscard]] const std::vector<knit::PieceChart>& piece_charts() const { return piece_charts_; }
   // Another whenever the chart or the pattern is.
   [[nodiscard]] std::uint64_t key() const { return key_; }
-  // "Rnds 8-12: Knit. (30 sts)", or the start for round 1; empty where there is no such round. Written out, where the pattern
-  // is told in its short form.
-  [[nodiscard]] std::string line_of(std::int32_t round) const;
+  // Of a row of the fabric: "Rnds 8-12: Knit. (30 sts)", or the start for row 1; of a short row its own line, with the way home
+  // behind it; empty where there is no such row. Written out, where the pattern is told in its short form.
+  [[nodiscard]] std::string line_of(std::int32_t row) const;
   // "Rnds 2-13: [Knit 1 rnd, inc rnd] 6 times. (16, 24 sts)" of a pattern in its short form; empty: it says the same as line_of.
-  [[nodiscard]] std::string short_line_of(std::int32_t round) const;
+  [[nodiscard]] std::string short_line_of(std::int32_t row) const;
   // Where the round stands in its rhythm; empty: there is none.
-  [[nodiscard]] std::string rhythm_of(std::int32_t round) const {
-    return rhythm_place_words(rhythms_, round);
+  [[nodiscard]] std::string rhythm_of(std::int32_t row) const {
+    const knit::WrittenRow at = written(row);
+    return at.short_row > 0 ? "" : rhythm_place_words(rhythms_, at.round);
   }
-  // The cast on is the first; the chart's last row, the bind off, is none.
-  [[nodiscard]] std::int32_t rounds() const {
-    const auto short_rows = std::count_if(chart_.rows.begin(), chart_.rows.end(),
-                                          [](const knit::ChartRow& row) { return row.short_row > 0; });
-    return std::max(0, static_cast<std::int32_t>(std::ssize(chart_.rows) - short_rows) - 1);
+  // The last row of the fabric that the chart has; the cast on is the first, the bind off none.
+  [[nodiscard]] std::int32_t last_row() const {
+    return chart_.rows.size() < 2 ? 0 : stitches_.row(chart_.rows.size() - 2);
+  }
+  // Which rows and stitches the chart's are; of a pattern that is not in pieces.
+  [[nodiscard]] const knit::ChartStitches& stitches() const { return stitches_; }
+  // What the pattern calls a row.
+  [[nodiscard]] knit::WrittenRow written(std::int32_t row) const {
+    const bool known = row >= 1 && row <= std::ssize(written_);
+    return known ? written_[static_cast<std::size_t>(row - 1)] : knit::WrittenRow{row, 0};
   }
 
  private:
   void add_notes(const Session& session);  // what is not as asked
-  [[nodiscard]] std::string line_in_pattern(std::int32_t round) const;
+  void number_rows(const knit::Fabric& fabric);
+  [[nodiscard]] std::string line_in_pattern(const knit::WrittenRow& row) const;
   void make_pieces(const Session& session, std::uint64_t planned);
 
   std::uint64_t key_ = 0;
   std::uint64_t planned_ = 0;  // the run and the order that `pieces_` is of: other words need no other plan
   bool in_pieces_ = false;
   knit::Chart chart_;
+  knit::ChartStitches stitches_;
+  std::vector<knit::WrittenRow> written_;
   knit::WrittenPattern pattern_;
   std::vector<knit::RoundLine> written_out_;  // of a pattern in its short form
   std::vector<RhythmFigures> rhythms_;

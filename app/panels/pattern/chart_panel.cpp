@@ -110,20 +110,24 @@ namespace {
 // Where squares stand on the screen. Column 0 is the right edge, the first row the lowest of each band.
 struct Sheet {
   const knit::Chart& chart;
-  const knit::PieceChart* piece;  // null: the whole pattern is one chart
-  const knit::LimbPlan* plan;     // of which the piece is
+  const knit::PieceChart* piece;        // null: the whole pattern is one chart
+  const knit::LimbPlan* plan;           // of which the piece is
+  const knit::ChartStitches* stitches;  // of the whole pattern
   ChartBands bands;
   ImVec2 low;  // of all bands
 
   // The fabric's row that a row of the chart is; 0: none's, it knits nothing.
   [[nodiscard]] std::int32_t round_of(std::size_t row) const {
     if (piece != nullptr) return piece->rows[row];
-    return row + 1 < chart.rows.size() ? chart.rows[row].number : 0;
+    return row + 1 < chart.rows.size() ? stitches->row(row) : 0;
   }
   // The stitch of the fabric; nothing where there is none.
   [[nodiscard]] std::optional<StitchAt> stitch_at(std::size_t row, const knit::ChartSquare& square) const {
     if (square.stitch < 0 || round_of(row) == 0) return std::nullopt;
-    if (piece == nullptr) return StitchAt{chart.rows[row].number, square.stitch};
+    if (piece == nullptr) {
+      const auto found = stitches->stitch(row, square);
+      return found ? std::optional(StitchAt{found->row, found->stitch}) : std::nullopt;
+    }
     const knit::PiecePlace place = piece->place(row, square.stitch);
     return StitchAt{place.row, place.stitch};
   }
@@ -215,7 +219,7 @@ void draw_numbers(const PanelFrame& frame, const Sheet& sheet, std::size_t row) 
   if (sheet.piece != nullptr && sheet.round_of(row) == 0 && round.short_row == 0) return;
   if (round.short_row > 0) return draw_short_row_number(frame, sheet, row, needed);
   const std::int32_t hand = current_round(frame);
-  const std::int32_t number = sheet.piece != nullptr ? sheet.round_of(row) : round.number;
+  const std::int32_t number = sheet.round_of(row) > 0 ? sheet.round_of(row) : round.number;
   const bool current = number == hand;
   // The current round is always numbered; its neighbours give way.
   const bool crowded = std::abs(number - hand) < static_cast<std::int32_t>(every);
@@ -276,8 +280,7 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
   }
   for (std::size_t row = 0; row < sheet.chart.rows.size(); ++row) {
     const knit::ChartRow& round = sheet.chart.rows[row];
-    const bool lit =
-        sheet.piece != nullptr ? sheet.round_of(row) == current && current > 0 : round.number == current;
+    const bool lit = sheet.round_of(row) == current && current > 0;
     for (std::size_t column = 0; column < round.squares.size(); ++column) {
       const ImVec2 low = sheet.at(row, column);
       if (low.y > box.bottom() || low.y + sheet.side() < box.y) continue;
@@ -292,19 +295,14 @@ void draw_squares(const PanelFrame& frame, const Sheet& sheet, const Box& box,
 // Framed as one.
 void draw_span(const PanelFrame& frame, const Sheet& sheet, const RoundSpan& span) {
   const RoundSpan rounds{sheet.own_row(span.first), sheet.own_row(span.last)};
-  const auto rows = static_cast<std::int32_t>(sheet.chart.rows.size());
-  auto first = sheet.chart.row_of(std::clamp(rounds.first, 1, rows));
-  auto last = std::min(sheet.chart.row_of(std::clamp(rounds.last, 1, rows)), sheet.chart.rows.size() - 1);
-  first = std::min(first, last);
-  if (sheet.piece != nullptr) {
-    const auto in_span = [&](std::int32_t row) { return row > 0 && rounds.holds(row); };
-    const std::vector<std::int32_t>& all = sheet.piece->rows;
-    const auto begin = std::find_if(all.begin(), all.end(), in_span);
-    if (begin == all.end()) return;
-    const auto end = std::find_if_not(begin, all.end(), in_span);
-    first = static_cast<std::size_t>(begin - all.begin());
-    last = static_cast<std::size_t>(end - all.begin()) - 1;
-  }
+  const auto in_span = [&](std::size_t row) {
+    return sheet.round_of(row) > 0 && rounds.holds(sheet.round_of(row));
+  };
+  std::size_t first = 0;
+  while (first < sheet.chart.rows.size() && !in_span(first)) ++first;
+  if (first == sheet.chart.rows.size()) return;
+  std::size_t last = first;
+  while (last + 1 < sheet.chart.rows.size() && in_span(last + 1)) ++last;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t band = 0; band < sheet.bands.count; ++band) {
     const ImVec2 low = sheet.at(last, sheet.last_of(band)), high = sheet.at(first, sheet.first_of(band));
@@ -459,7 +457,7 @@ void draw_sheet(PanelFrame& frame, const knit::Chart& chart, const knit::PieceCh
   const ChartView& view = frame.own<ChartView>();
   const knit::LimbPlan* plan = piece != nullptr ? &frame.own<ChartCache>().pieces().plan : nullptr;
   const ChartBands bands = bands_of(frame, chart, piece != nullptr, room);
-  Sheet sheet{chart, piece, plan, bands, {}};
+  Sheet sheet{chart, piece, plan, &frame.own<ChartCache>().stitches(), bands, {}};
   const float lower = view.zoom * lowered_by(frame, sheet, room);
   sheet.bands = bands.scaled(view.zoom);
   sheet.low = ImVec2(std::floor(room.x + 0.5f * (room.width - sheet.bands.width()) + view.move.x),

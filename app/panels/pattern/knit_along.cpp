@@ -52,14 +52,19 @@ class TurningBar {
   float side_;
 };
 
-void draw_turning(PanelFrame& frame, std::int32_t round, std::int32_t last) {
+// A short row is a stop of its own.
+void draw_turning(PanelFrame& frame, const ChartCache& cache, std::int32_t row) {
+  const std::int32_t last = cache.last_row();
+  const knit::WrittenRow at = cache.written(row);
   TurningBar bar(frame);
   const auto to = [&](std::int32_t number) { return KnitAlong{std::clamp(number, 1, last)}; };
   bar.turn("first", Icon::first, to(1), "To the cast on.");
-  bar.turn("back", Icon::back, Command::back_item, to(round - 1), "One round back");
-  bar.turn("forward", Icon::forward, Command::forward_item, to(round + 1),
+  bar.turn("back", Icon::back, Command::back_item, to(row - 1), "One round back");
+  bar.turn("forward", Icon::forward, Command::forward_item, to(row + 1),
            "This round is knitted: the next one");
-  bar.end("Round " + std::to_string(round) + " of " + std::to_string(last));
+  const std::string round = std::to_string(at.round) + " of " + std::to_string(cache.written(last).round);
+  bar.end(at.short_row > 0 ? "Short row " + std::to_string(at.short_row) + " before round " + round
+                           : "Round " + round);
 }
 
 // The round's squares in working order, from right to left as on the chart.
@@ -184,7 +189,7 @@ void draw_knit_along(PanelFrame& frame) {
   if (!along || frame.timeline() == nullptr) return;
   ChartCache& cache = frame.own<ChartCache>();
   cache.refresh(frame.session);
-  const std::int32_t last = cache.rounds();
+  const std::int32_t last = cache.last_row();
   const Box& view = frame.layout.view;
   const float margin = frame.units(14.0f);
   ImGui::SetNextWindowPos(ImVec2(view.x + margin, view.bottom() - margin), ImGuiCond_Always,
@@ -203,9 +208,9 @@ void draw_knit_along(PanelFrame& frame) {
                                  : "There is nothing to knit yet: the stitches have no labels.");
   } else {
     const std::int32_t round = std::clamp(*along, 1, last);
-    draw_turning(frame, round, last);
+    draw_turning(frame, cache, round);
     draw_round_line(frame, cache.line_of(round));
-    draw_strip(frame, cache.chart().rows[cache.chart().row_of(round)]);
+    draw_strip(frame, cache.chart().rows[cache.stitches().chart_row_of(round)]);
     draw_rhythm(frame, cache, round);
   }
   ImGui::End();
