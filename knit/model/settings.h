@@ -42,6 +42,8 @@ enum class FollowMains : std::uint8_t { off, on };              // nearest: shap
 enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live rims become one seam
 // Whether a tube that is longer on one side gets short rows there. auto: where they pay.
 enum class ShortRows : std::uint8_t { off, automatic };
+// Rows that a tube keeps as they are beside an event; by_itself: what settles best, no short rows among it.
+enum class KeptBeside : std::uint8_t { by_itself, none, one, two };
 enum class Turns : std::uint8_t { german, wrap };  // how a short row is turned; the fabric is the same
 enum class Weld : std::uint8_t { off, on };        // merge coincident vertices on import
 
@@ -124,6 +126,7 @@ struct RowsSettings {
 // Of tubes of contours.
 struct ShortRowSettings {
   ShortRows rows = ShortRows::off;
+  KeptBeside kept = KeptBeside::by_itself;
   double turn_cost = 5.0;  // of a pair, in stitches that lag a row too much
   double turn_step = 4.0;  // stitches that turns stay apart
   int shortest = 4;        // stitches of a short row

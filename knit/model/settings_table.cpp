@@ -72,6 +72,7 @@ constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
 
 constexpr std::array<std::string_view, 2> count_names{"whole", "rhythm"};
 constexpr std::array<std::string_view, 2> short_row_names{"off", "auto"};
+constexpr std::array<std::string_view, 4> kept_names{"auto", "0", "1", "2"};
 constexpr std::array<std::string_view, 2> graft_names{"kitchener", "three-needle"};
 
 constexpr Choice sizes{{[](const Parameters& p) { return static_cast<int>(p.size.from()); },
@@ -222,6 +223,12 @@ constexpr std::array table{
         "than their turns cost. They need settling: unsettled, they are worse than none.",
         "Short rows", Stage::cast_on, choice<&Settings::short_rows, &ShortRowSettings::rows>(short_row_names),
         is_of_contours},
+    ParameterInfo{
+        "short-rows-kept", "Rows kept at events", "",
+        "How many rows a tube keeps as they are where loops part or meet; the rest may get short rows. auto: "
+        "0, 1, 2 and no short rows at all are settled, and what settles best is taken.",
+        "Short rows", Stage::cast_on, choice<&Settings::short_rows, &ShortRowSettings::kept>(kept_names),
+        has_short_rows},
     ParameterInfo{
         "turn-cost", "Price of a pair", "stitches",
         "What the two turns of a pair cost, in stitches that lag a row too much. More makes fewer pairs.",

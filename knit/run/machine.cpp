@@ -7,6 +7,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/run/knitters_order.h"
+#include "knit/run/kept_trial.h"
 #include "knit/run/short_rows_due.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/below_joins.h"
@@ -161,15 +162,16 @@ std::vector<std::uint8_t> plain_to_come(const Input& input, const Parameters& pa
 
 Taken take_planning(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const TubeId tube = current_tube(*state.tubes, std::get<ContourWork>(state.work));
-  const KeptRows kept = rows_kept(*state.tubes, tube);
+  const KeptRows kept = rows_kept(*state.tubes, tube, rows_beside_events(parameters, state));
+  const std::vector<double> field = field_of(input, *state.graph);
   const ChartAt at{input,
-                   state.timing->cut_field(),
+                   field,
                    *state.tubes,
                    tube,
                    kept,
                    parameters.stitch,
                    parameters.short_rows,
-                   parameters.rows.round_start == RoundStart::follow && !parameters.rows.start_direction};
+                   begins_in_middle(parameters, *state.tubes, tube, kept)};
   std::optional<PlannedPairs>& planning = state.short_rows.planning;
   const PlanningStep step = advance_planning(at, planning, heard);
   if (step.done) {
@@ -196,6 +198,10 @@ Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
+Taken take_choice_of_pairs(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+  return Advanced<ShortRowEvent>(advance_kept_choice(input, parameters, state, heard));
+}
+
 Taken take_cast_on(const Input& input, const Parameters& parameters, State& state, CastOnWork& work) {
   std::optional<Row> row;
   Taken taken = advance_cast_on(input, parameters.rows, parameters.stitch, *state.timing, work,
@@ -207,8 +213,9 @@ Taken take_cast_on(const Input& input, const Parameters& parameters, State& stat
 Taken take_first_row(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   if (auto* rings = std::get_if<CastOnWork>(&state.work))
     return take_cast_on(input, parameters, state, *rings);
-  if (short_rows_due(parameters, state) == ShortRowsDue::plan)
-    return take_planning(input, parameters, state, heard);
+  const ShortRowsDue due = short_rows_due(parameters, state);
+  if (due == ShortRowsDue::choice) return take_choice_of_pairs(input, parameters, state, heard);
+  if (due == ShortRowsDue::plan) return take_planning(input, parameters, state, heard);
   return take_contours(input, parameters, state, std::get<ContourWork>(state.work), heard);
 }
 
@@ -421,7 +428,8 @@ constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0
 
 bool step_sweeps(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return true;
-  if (short_rows_due(parameters, state) == ShortRowsDue::plan && !state.short_rows.planning) return true;
+  const ShortRowsDue due = short_rows_due(parameters, state);
+  if (due == ShortRowsDue::choice || (due == ShortRowsDue::plan && !state.short_rows.planning)) return true;
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr && next_is_a_solve(input, parameters.timing, *timing);
@@ -445,6 +453,7 @@ bool plans_long(const Input& input, const Parameters& parameters, const State& s
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
+  if (short_rows_due(parameters, state) == ShortRowsDue::choice) return true;
   const auto* tubes = std::get_if<TubesWork>(&state.work);
   if (tubes != nullptr && tubes->phase == TubesPhase::plan && !tubes->plan &&
       microseconds_to_order(*tubes->graph, parameters.stitch) > a_frame)

@@ -8,9 +8,10 @@ namespace {
 
 constexpr std::int32_t fewest_rows = 4;  // of a chart
 
-// Pieces of one tube only: where loops part, lag is partly the saddle's own.
-bool can_be_charted(const TubePlan& plan, TubeId tube) {
-  return plan.tubes.size() == 1 && plan.tube(tube).rows() >= fewest_rows;
+bool choice_is_due(const Parameters& parameters, const State& state, const ContourWork& work) {
+  if (parameters.short_rows.rows == ShortRows::off || parameters.short_rows.kept != KeptBeside::by_itself)
+    return false;
+  return work.taken == 0 && work.phase == ContourPhase::take && state.fabric.empty() && !state.short_rows.kept;
 }
 
 bool is_planned_for(const PlannedPairs& pairs, const StitchSize& stitch) {
@@ -26,7 +27,42 @@ const PlannedPairs* pairs_of(const State& state, TubeId tube) {
   return nullptr;
 }
 
-KeptRows rows_kept(const TubePlan& /*plan*/, TubeId /*tube*/) { return {}; }
+KeptRows rows_kept(const TubePlan& plan, TubeId id, std::int32_t beside) {
+  const Tube& tube = plan.tube(id);
+  KeptRows kept{plan.event(tube.bottom).kind == EventKind::cast_on ? 0 : beside,
+                plan.event(tube.top).kind == EventKind::bind_off ? 0 : beside};
+  const auto left = [&] { return tube.rows() - kept.low - kept.high; };
+  const auto short_at = [&](std::int32_t row) {
+    return too_short(*tube.curves[static_cast<std::size_t>(row)], plan.stitch_width);
+  };
+  while (left() > 1 && short_at(kept.low)) ++kept.low;
+  while (left() > 1 && short_at(tube.rows() - 1 - kept.high)) ++kept.high;
+  return kept;
+}
+
+bool can_be_charted(const TubePlan& plan, TubeId id, std::int32_t beside) {
+  const KeptRows kept = rows_kept(plan, id, beside);
+  return plan.tube(id).rows() - kept.low - kept.high >= fewest_rows;
+}
+
+std::int32_t rows_beside_events(const Parameters& parameters, const State& state) {
+  switch (parameters.short_rows.kept) {
+    case KeptBeside::none:
+      return 0;
+    case KeptBeside::one:
+      return 1;
+    case KeptBeside::two:
+      return 2;
+    case KeptBeside::by_itself:
+      break;
+  }
+  return state.short_rows.kept.value_or(no_short_rows);
+}
+
+bool begins_in_middle(const Parameters& parameters, const TubePlan& plan, TubeId tube, const KeptRows& kept) {
+  return kept.low == 0 && plan.event(plan.tube(tube).bottom).kind == EventKind::cast_on &&
+         !parameters.rows.start_direction && parameters.rows.round_start == RoundStart::follow;
+}
 
 const Row* last_round(const Fabric& fabric, TubeId tube) {
   for (RowId id = fabric.row_count(); id > 0; --id) {
@@ -37,12 +73,16 @@ const Row* last_round(const Fabric& fabric, TubeId tube) {
 
 ShortRowsDue short_rows_due(const Parameters& parameters, const State& state) {
   const auto* work = std::get_if<ContourWork>(&state.work);
-  if (work == nullptr || work->taken == 0) return ShortRowsDue::none;
+  if (work == nullptr) return ShortRowsDue::none;
+  if (choice_is_due(parameters, state, *work)) return ShortRowsDue::choice;
+  if (work->taken == 0) return ShortRowsDue::none;
   const TubeId id = current_tube(*state.tubes, *work);
   const PlannedPairs* pairs = pairs_of(state, id);
   if (pairs == nullptr) {
-    const bool due = parameters.short_rows.rows == ShortRows::automatic && work->phase == ContourPhase::cut &&
-                     work->row == 0 && can_be_charted(*state.tubes, id);
+    const std::int32_t beside = rows_beside_events(parameters, state);
+    const bool due = parameters.short_rows.rows == ShortRows::automatic && beside >= 0 &&
+                     work->phase == ContourPhase::cut && work->row == 0 &&
+                     can_be_charted(*state.tubes, id, beside);
     return due ? ShortRowsDue::plan : ShortRowsDue::none;
   }
   const bool between =
@@ -55,9 +95,10 @@ ShortRowsDue short_rows_due(const Parameters& parameters, const State& state) {
 
 bool begins_on_curve(const Parameters& parameters, const State& state, const ContourWork& work) {
   if (work.taken == 0) return false;
-  const PlannedPairs* pairs = pairs_of(state, current_tube(*state.tubes, work));
-  return pairs != nullptr && pairs->none == NoChart::no && !parameters.rows.start_direction &&
-         parameters.rows.round_start == RoundStart::follow;
+  const TubeId tube = current_tube(*state.tubes, work);
+  const PlannedPairs* pairs = pairs_of(state, tube);
+  return pairs != nullptr && pairs->none == NoChart::no && work.row <= pairs->rounds.gaps() &&
+         begins_in_middle(parameters, *state.tubes, tube, {pairs->low_row, 0});
 }
 
 }  // namespace knit

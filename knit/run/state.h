@@ -17,6 +17,7 @@
 #include "knit/rows/contour_stage.h"
 #include "knit/rows/ring_stage.h"
 #include "knit/settle/settle.h"
+#include "knit/short_rows/kept_choice.h"
 #include "knit/short_rows/short_rows_stage.h"
 #include "knit/stitches/faces_stage.h"
 #include "knit/stitches/index_stage.h"
@@ -28,11 +29,13 @@ namespace knit {
 
 // Short rows, while rows are made: the tube that is planned, those that are, and the gap that is filled.
 struct ShortRowsMade {
+  std::vector<KeptTry> tries;
+  std::optional<std::int32_t> kept;  // beside events, where a run chose; no_short_rows: none
   std::optional<PlannedPairs> planning;
   std::vector<Shared<PlannedPairs>> tubes;
   GapWork gap;
   std::vector<Shared<Join>> foreseen;  // into the first rows, as they will be joined
-  [[nodiscard]] auto fields() const { return std::tie(planning, tubes, gap, foreseen); }
+  [[nodiscard]] auto fields() const { return std::tie(tries, kept, planning, tubes, gap, foreseen); }
   friend bool operator==(const ShortRowsMade&, const ShortRowsMade&) = default;
 };
 

@@ -11,6 +11,27 @@
 
 namespace knit {
 
+// One of the ways to keep rows beside events, settled.
+struct KeptTried {
+  static constexpr std::string_view kind = "kept-tried";
+  std::int32_t kept;  // no_short_rows: none
+  std::int32_t pairs, stitches;
+  float sum;  // a stitch
+  bool best;  // so far
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const KeptTried&, const KeptTried&) = default;
+};
+
+struct KeptChosen {
+  static constexpr std::string_view kind = "kept-chosen";
+  std::int32_t kept, pairs;
+  float sum, without;  // a stitch: of what is chosen, and without short rows; both 0: nothing had to settle
+  [[nodiscard]] std::string sentence(const Telling& at) const;
+  [[nodiscard]] StepFields numbers() const;
+  friend bool operator==(const KeptChosen&, const KeptChosen&) = default;
+};
+
 struct TubeCharted {
   static constexpr std::string_view kind = "tube-charted";
   std::int16_t tube;
@@ -81,6 +102,6 @@ struct ShortRowWorked {
 };
 
 using ShortRowEvent =
-    std::variant<TubeCharted, GapMeasured, ArcTried, PairsChosen, PairPlaced, PairDropped, ShortRowWorked>;
+    std::variant<KeptTried, KeptChosen, TubeCharted, GapMeasured, ArcTried, PairsChosen, PairPlaced, PairDropped, ShortRowWorked>;
 
 }  // namespace knit

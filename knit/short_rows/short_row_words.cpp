@@ -1,4 +1,7 @@
+#include <cmath>
+
 #include "knit/model/words.h"
+#include "knit/short_rows/kept_choice.h"
 #include "knit/short_rows/short_row_events.h"
 #include "knit/short_rows/short_row_variables.h"
 #include "knit/tubes/plan.h"
@@ -72,7 +75,44 @@ std::string where_words(std::int32_t first, std::int32_t last) {
          " after the beginning of the round";
 }
 
+// "2 rows kept at events".
+std::string kept_words(std::int32_t kept) {
+  if (kept == no_short_rows) return "no short rows";
+  return kept == 0 ? "no row kept at events" : plural(kept, "row", "rows") + " kept at events";
+}
+
+std::string thousandths(float sum) { return short_number(1000.0 * static_cast<double>(sum)); }
+
 }  // namespace
+
+std::string KeptTried::sentence(const Telling& /*at*/) const {
+  std::string text = "Tried: " + kept_words(kept);
+  if (kept != no_short_rows) text += ", " + plural(pairs, "pair of short rows", "pairs of short rows");
+  if (!std::isfinite(sum)) return text + "; it can't be worked so.";
+  return text + ", " + stitch_count_text(stitches) + "; settled, " + thousandths(sum) +
+         " thousandths a stitch are left" + (best ? ", the least so far." : ".");
+}
+StepFields KeptTried::numbers() const {
+  return {{var::rows_kept, kept},
+          {var::pairs, pairs},
+          {"stitches", nullptr, stitches},
+          {var::settled_sum, static_cast<double>(sum)}};
+}
+
+std::string KeptChosen::sentence(const Telling& /*at*/) const {
+  if (kept == no_short_rows) {
+    return sum == 0.0F ? "No short rows: no arc of any tube gains more than its turns cost."
+                       : "No short rows: the piece settles best without.";
+  }
+  return "Chosen: " + kept_words(kept) + ", " + plural(pairs, "pair of short rows", "pairs of short rows") + "; " +
+         thousandths(sum) + " thousandths a stitch are left, and " + thousandths(without) + " without short rows.";
+}
+StepFields KeptChosen::numbers() const {
+  return {{var::rows_kept, kept},
+          {var::pairs, pairs},
+          {var::settled_sum, static_cast<double>(sum)},
+          {var::sum_without, static_cast<double>(without)}};
+}
 
 std::string TubeCharted::sentence(const Telling& /*at*/) const {
   const std::string name = "Tube " + tube_name(tube);

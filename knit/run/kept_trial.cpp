@@ -1,0 +1,119 @@
+#include "knit/run/kept_trial.h"
+
+#include <array>
+#include <limits>
+
+#include "knit/run/machine.h"
+#include "knit/run/short_rows_due.h"
+
+namespace knit {
+
+namespace {
+
+constexpr std::array ways{no_short_rows, 0, 1, 2};
+
+// A piece of one tube has no events.
+std::size_t ways_of(const TubePlan& plan) { return plan.tubes.size() == 1 ? 2 : ways.size(); }
+
+// Arcs that pay, in all tubes.
+std::int32_t arcs_that_pay(const Input& input, const Parameters& parameters, const State& state,
+                           std::int32_t beside, const Heard& heard) {
+  std::int32_t arcs = 0;
+  const std::vector<double> field = field_of(input, *state.graph);
+  for (TubeId tube = 0; tube < static_cast<TubeId>(state.tubes->tubes.size()); ++tube) {
+    hear(heard, 0.0);
+    if (!can_be_charted(*state.tubes, tube, beside)) continue;
+    const ChartAt at{input, field, *state.tubes, tube, rows_kept(*state.tubes, tube, beside),
+                     parameters.stitch, parameters.short_rows, false};
+    std::optional<PlannedPairs> planned;
+    while (!advance_planning(at, planned).done) {
+    }
+    if (planned->none == NoChart::no) arcs += static_cast<std::int32_t>(planned->search.arcs.size());
+  }
+  return arcs;
+}
+
+Parameters parameters_for(Parameters parameters, std::int32_t way) {
+  constexpr std::array kept{KeptBeside::none, KeptBeside::one, KeptBeside::two};
+  if (way == no_short_rows) {
+    parameters.short_rows.rows = ShortRows::off;
+  } else {
+    parameters.short_rows.kept = kept[static_cast<std::size_t>(way)];
+  }
+  parameters.settle.settling = Settling::on;
+  return parameters;
+}
+
+// Runs ahead until all has settled.
+KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std::int32_t way,
+                const Heard& heard) {
+  KeptTry made{way, 0, 0, std::numeric_limits<double>::infinity()};
+  const Parameters parameters = parameters_for(as_asked, way);
+  ahead.short_rows = {};
+  while (ahead.stage() < Stage::pattern) {
+    hear(heard, 0.0);
+    const bool settles = ahead.stage() == Stage::settle;
+    const Step step = advance(input, parameters, ahead);
+    if (is_stop(step)) return made;
+    if (!settles) continue;
+    if (const auto* work = std::get_if<SettleWork>(&ahead.work)) made.sum = work->sum;
+    if (const auto* iteration = get_if<StitchesSettled>(step)) made.sum = static_cast<double>(iteration->taken ? iteration->after : iteration->before);
+  }
+  made.stitches = static_cast<std::int32_t>(ahead.fabric.stitch_count());
+  for (const auto& row : ahead.fabric.rows()) made.pairs += is_short(*row) ? 1 : 0;
+  made.pairs /= 2;
+  made.sum /= static_cast<double>(made.stitches);
+  return made;
+}
+
+bool any_pays(const Input& input, const Parameters& parameters, const State& state, const Heard& heard) {
+  for (std::size_t i = 1; i < ways_of(*state.tubes); ++i)
+    if (arcs_that_pay(input, parameters, state, ways[i], heard) > 0) return true;
+  return false;
+}
+
+KeptTry try_next(const Input& input, const Parameters& parameters, const State& state, const Heard& heard) {
+  const std::vector<KeptTry>& tries = state.short_rows.tries;
+  const std::int32_t way = ways[tries.size()];
+  if (!tries.empty() && arcs_that_pay(input, parameters, state, way, heard) == 0) {
+    KeptTry same = tries.front();
+    same.kept = way;
+    return same;
+  }
+  return settled(input, parameters, state, way, heard);
+}
+
+KeptChosen choose(const State& state) {
+  const KeptTry& best = best_of(state.short_rows.tries);
+  return {best.kept, best.pairs, static_cast<float>(best.sum),
+          static_cast<float>(state.short_rows.tries.front().sum)};
+}
+
+}  // namespace
+
+std::vector<double> field_of(const Input& input, const TubeGraph& graph) {
+  std::vector<double> field(input.mesh.positions.size(), 0.0);
+  for (std::size_t v = 0; v < graph.surface.origin.size(); ++v)
+    field[graph.surface.origin[v]] = graph.surface.values[v];
+  return field;
+}
+
+ShortRowEvent advance_kept_choice(const Input& input, const Parameters& parameters, State& state,
+                                  const Heard& heard) {
+  ShortRowsMade& made = state.short_rows;
+  if (made.tries.size() == ways_of(*state.tubes)) {
+    const KeptChosen chosen = choose(state);
+    made.kept = chosen.kept;
+    return chosen;
+  }
+  if (made.tries.empty() && !any_pays(input, parameters, state, heard)) {
+    made.kept = no_short_rows;
+    return KeptChosen{no_short_rows, 0, 0.0F, 0.0F};
+  }
+  made.tries.push_back(try_next(input, parameters, state, heard));
+  const KeptTry& last = made.tries.back();
+  return KeptTried{last.kept, last.pairs, last.stitches, static_cast<float>(last.sum),
+                   &best_of(made.tries) == &last};
+}
+
+}  // namespace knit
