@@ -214,7 +214,7 @@ Deal deal_split(const DealAt& at, const ArcFound& arc) {
     LiveStitches given = sides.part[child];
     given.append(bridge_of(at.fabric, deal, child == 1));
     const std::int32_t begins = place_in(given, loop.at(0));
-    const bool has_beginning = begins < given.size();
+    const bool has_beginning = begins >= 0;
     const std::int32_t other = at.from_pinch ? 0 : aside(sides.part[child].size());
     deal.given.push_back(begun_at(given, has_beginning ? begins : other));
   }
