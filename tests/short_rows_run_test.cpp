@@ -115,8 +115,9 @@ TEST_CASE("a straight piece gets no short rows and keeps its rows", "[short-rows
   const Ran without = run(*input, ShortRows::off), with = run(*input, ShortRows::automatic);
   CHECK(short_rows_in(with.state) == 0);
   CHECK(with.state.fabric == without.state.fabric);
-  REQUIRE(all<PairsChosen>(with).size() == 1);
-  CHECK(all<PairsChosen>(with).front().pairs == 0);
+  REQUIRE(all<KeptChosen>(with).size() == 1);
+  CHECK(all<KeptChosen>(with).front().kept == no_short_rows);
+  CHECK(all<KeptTried>(with).empty());  // nothing had to settle
 }
 
 TEST_CASE("a steep price leaves short rows out", "[short-rows]") {

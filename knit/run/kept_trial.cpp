@@ -23,8 +23,14 @@ std::int32_t arcs_that_pay(const Input& input, const Parameters& parameters, con
   for (TubeId tube = 0; tube < static_cast<TubeId>(state.tubes->tubes.size()); ++tube) {
     hear(heard, 0.0);
     if (!can_be_charted(*state.tubes, tube, beside)) continue;
-    const ChartAt at{input, field, *state.tubes, tube, rows_kept(*state.tubes, tube, beside),
-                     parameters.stitch, parameters.short_rows, false};
+    const ChartAt at{input,
+                     field,
+                     *state.tubes,
+                     tube,
+                     rows_kept(*state.tubes, tube, beside),
+                     parameters.stitch,
+                     parameters.short_rows,
+                     false};
     std::optional<PlannedPairs> planned;
     while (!advance_planning(at, planned).done) {
     }
@@ -57,7 +63,8 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
     if (is_stop(step)) return made;
     if (!settles) continue;
     if (const auto* work = std::get_if<SettleWork>(&ahead.work)) made.sum = work->sum;
-    if (const auto* iteration = get_if<StitchesSettled>(step)) made.sum = static_cast<double>(iteration->taken ? iteration->after : iteration->before);
+    if (const auto* iteration = get_if<StitchesSettled>(step))
+      made.sum = static_cast<double>(iteration->taken ? iteration->after : iteration->before);
   }
   made.stitches = static_cast<std::int32_t>(ahead.fabric.stitch_count());
   for (const auto& row : ahead.fabric.rows()) made.pairs += is_short(*row) ? 1 : 0;

@@ -6,8 +6,8 @@
 #include "knit/model/bug.h"
 #include "knit/model/settings_table.h"
 #include "knit/rhythm/rhythm_plan.h"
-#include "knit/run/knitters_order.h"
 #include "knit/run/kept_trial.h"
+#include "knit/run/knitters_order.h"
 #include "knit/run/short_rows_due.h"
 #include "knit/settle/settle_stage.h"
 #include "knit/stitches/below_joins.h"
@@ -198,7 +198,8 @@ Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
   return taken;
 }
 
-Taken take_choice_of_pairs(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+Taken take_choice_of_pairs(const Input& input, const Parameters& parameters, State& state,
+                           const Heard& heard) {
   return Advanced<ShortRowEvent>(advance_kept_choice(input, parameters, state, heard));
 }
 

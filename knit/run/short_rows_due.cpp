@@ -11,7 +11,8 @@ constexpr std::int32_t fewest_rows = 4;  // of a chart
 bool choice_is_due(const Parameters& parameters, const State& state, const ContourWork& work) {
   if (parameters.short_rows.rows == ShortRows::off || parameters.short_rows.kept != KeptBeside::by_itself)
     return false;
-  return work.taken == 0 && work.phase == ContourPhase::take && state.fabric.empty() && !state.short_rows.kept;
+  return work.taken == 0 && work.phase == ContourPhase::take && state.fabric.empty() &&
+         !state.short_rows.kept;
 }
 
 bool is_planned_for(const PlannedPairs& pairs, const StitchSize& stitch) {

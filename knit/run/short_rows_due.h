@@ -9,8 +9,8 @@ namespace knit {
 enum class ShortRowsDue : std::uint8_t {
   none,
   choice,  // whether there shall be any, before all rows
-  plan,  // the tube that was taken up
-  gap    // before the round to come
+  plan,    // the tube that was taken up
+  gap      // before the round to come
 };
 ShortRowsDue short_rows_due(const Parameters& parameters, const State& state);
 

@@ -101,7 +101,7 @@ struct ShortRowWorked {
   friend bool operator==(const ShortRowWorked&, const ShortRowWorked&) = default;
 };
 
-using ShortRowEvent =
-    std::variant<KeptTried, KeptChosen, TubeCharted, GapMeasured, ArcTried, PairsChosen, PairPlaced, PairDropped, ShortRowWorked>;
+using ShortRowEvent = std::variant<KeptTried, KeptChosen, TubeCharted, GapMeasured, ArcTried, PairsChosen,
+                                   PairPlaced, PairDropped, ShortRowWorked>;
 
 }  // namespace knit

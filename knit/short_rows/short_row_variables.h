@@ -9,8 +9,7 @@ inline constexpr CodeVariable rows_kept{"rows_kept", "m",
                                         "Rows that tubes keep beside events; none: no short rows at all."};
 inline constexpr CodeVariable settled_sum{"settled_sum", "sum",
                                           "What is left in the settled fabric, a thousandth a stitch."};
-inline constexpr CodeVariable sum_without{"sum_without", "sum without",
-                                          "The same without short rows."};
+inline constexpr CodeVariable sum_without{"sum_without", "sum without", "The same without short rows."};
 inline constexpr CodeVariable chart_levels{"chart_levels", "levels", "How many levels the tube's chart has."};
 inline constexpr CodeVariable residual{
     "residual", "residual", "By how much the chart's angle is not square to its time, as a share."};

@@ -104,8 +104,9 @@ std::string KeptChosen::sentence(const Telling& /*at*/) const {
     return sum == 0.0F ? "No short rows: no arc of any tube gains more than its turns cost."
                        : "No short rows: the piece settles best without.";
   }
-  return "Chosen: " + kept_words(kept) + ", " + plural(pairs, "pair of short rows", "pairs of short rows") + "; " +
-         thousandths(sum) + " thousandths a stitch are left, and " + thousandths(without) + " without short rows.";
+  return "Chosen: " + kept_words(kept) + ", " + plural(pairs, "pair of short rows", "pairs of short rows") +
+         "; " + thousandths(sum) + " thousandths a stitch are left, and " + thousandths(without) +
+         " without short rows.";
 }
 StepFields KeptChosen::numbers() const {
   return {{var::rows_kept, kept},
