@@ -142,6 +142,8 @@ constexpr std::int32_t most_phases = 8;          // of a stitch, where a row may
 constexpr std::int32_t stitches_set_down = 800;  // of all phases, so that long rounds stay cheap
 constexpr double better_phase = 0.95;            // another phase must be better by this much: less is noise
 constexpr std::int32_t passes = 3;
+constexpr std::int32_t most_slides = 4;                       // of a row whose links are known
+constexpr double slowest_offset = 0.5, fastest_offset = 4.0;  // against the slide
 
 // A row of `count` stitches on a curve, set down above live stitches.
 class RowFollower {
@@ -172,18 +174,24 @@ class RowFollower {
     return best.begun;
   }
 
-  // With its first stitch on the first live one, and the others by these links.
+  // With its first stitch on the first live one, and the others by these links. About a pole the mean offset changes up to twice as
+  // fast as the row slides: from the second slide on the secant tells how fast.
   BegunRound hanging_by(std::span<const std::int32_t> links) {
     const double scale = curve_.length * curve_.length / count_;
     const RoundMatch match{0, 0.0, {links.begin(), links.end()}};
     BegunRound best{0.0, 0.0, unreachable, 0};
-    double start = first_;
-    for (std::int32_t pass = 0; pass < passes; ++pass) {
-      row_ = set_down(curve_, count_, start);
+    double slid = 0.0, slid_before = 0.0, offset_before = 0.0;
+    for (std::int32_t pass = 0; pass < most_slides; ++pass) {
+      row_ = set_down(curve_, count_, first_ + slid);
       const double sum = off_height(live_, row_, match, 0.0);
-      if (!clearly_less(sum, best.sum_of_squares, scale)) break;
-      best = {start, start - first_, sum, pass + 1};
-      start += mean_offset(live_, row_, match);
+      if (clearly_less(sum, best.sum_of_squares, scale)) best = {first_ + slid, slid, sum, pass + 1};
+      const double offset = mean_offset(live_, row_, match);
+      const double moved = slid - slid_before;
+      const double speed =
+          moved != 0.0 ? std::clamp((offset_before - offset) / moved, slowest_offset, fastest_offset) : 1.0;
+      slid_before = slid;
+      offset_before = offset;
+      slid += offset / speed;
     }
     return best;
   }

@@ -45,7 +45,7 @@ BegunRound follow_wale(const Ring& curve, std::int32_t count, std::span<const St
                        double height);
 
 // The same where it is known how the row will hang, `links` as RoundMatch has them with turn 0: the row slides to where the sum
-// of the squares of these wales is least. Requires links for max(count, below) cells.
+// of the squares of these wales is least: where their mean offset is 0, by at most three secant steps. Requires links for max(count, below) cells.
 BegunRound follow_links(const Ring& curve, std::int32_t count, std::span<const Stitch> below,
                         std::span<const std::int32_t> links);
 
