@@ -13,6 +13,7 @@
 #include "knit/reader/limbs_reader.h"
 #include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
+#include "knit/rhythm/segment_search.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/promises.h"
 #include "tests/support/scrub.h"
@@ -169,6 +170,25 @@ TEST_CASE("live stitches that are whole sections begin the plan, others are led 
   const auto shared = plan_rhythm_on(ideals, settings, {32, true});
   REQUIRE(shared);
   CHECK(shared->from == 0);
+}
+
+TEST_CASE("a first round on live stitches is one repeat where a number of sections allows it") {
+  CHECK(sections_to_begin(28, 24, true) == 2);
+  CHECK(sections_to_begin(28, 24, false) == 4);
+  CHECK(sections_to_begin(35, 30, true) == 5);
+  CHECK(sections_to_begin(27, 24, true) == 3);
+  CHECK(sections_to_begin(10, 9, true) == 1);
+  CHECK(sections_to_begin(6, 12, false) == 6);
+  CHECK(sections_to_begin(23, 16, true) == 0);
+  CHECK(sections_to_begin(24, 24, true) == 0);
+  CHECK(sections_to_begin(0, 8, true) == 0);
+  RhythmPlan plan;
+  plan.counts = {24};
+  const auto score_on = [&](std::int32_t live) {
+    return rhythm_score(plan, {0, 0, SegmentEnd::start, live});
+  };
+  CHECK(score_on(28) == score_on(24) + 1.0);
+  CHECK(score_on(31) == score_on(24) + 4.0);
 }
 
 TEST_CASE("a plan on live stitches at most doubles and at least halves them") {

@@ -3,7 +3,8 @@
 // Two ways to begin are tried, and the better plan is taken as in rhythm_plan.h:
 //   from the live stitches  their number is one of whole sections; the first round may be a repeat already
 //   from the first round    it makes a number of whole sections of them, at most double and at least half; if that is another
-//                           number than theirs, this one round is shaped where the surface asks for it
+//                           number than theirs, one that this round makes in one repeat is wanted (sections_to_begin); where
+//                           there is none, it is shaped where the surface asks for it
 #pragma once
 
 #include <cstdint>

@@ -137,8 +137,10 @@ IdealsAt resized_ideals(std::vector<double> ideals) {
 }
 
 double rhythm_score(const RhythmPlan& plan, const RhythmStart& start) {
-  // A round from the live stitches to a count of the rhythm is no repeat: a line of its own.
-  double lines = start.live > 0 && plan.counts.front() != start.live ? 1.0 : 0.0;
+  // A round from the live stitches to a count of the rhythm is a line of its own, and a knitter counts it out where it is no repeat.
+  double lines = 0.0;
+  if (start.live > 0 && plan.counts.front() != start.live)
+    lines = sections_to_begin(start.live, plan.counts.front(), true) > 0 ? 1.0 : 4.0;
   std::set<std::pair<std::int32_t, std::int32_t>> steps;
   for (const RhythmSegment& segment : plan.segments) {
     lines += segment.kind == SegmentKind::plain && segment.rows > 3 ? 0.4 : 1.0;

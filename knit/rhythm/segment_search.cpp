@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "knit/model/ties.h"
 #include "knit/rhythm/segment_states.h"
@@ -104,7 +105,10 @@ class SegmentSearch {
       if (!may_begin(count)) continue;
       Reached& first = at({start.row, level, static_cast<std::int32_t>(start.ended)});
       first.cost = start.row == 0 ? stretch(level, 0, 1) : 0.0;
-      if (start.live > 0 && count != start.live) first.cost += task_.prices.rhythm;
+      if (start.live > 0 && count != start.live) {
+        const bool one_repeat = sections_to_begin(start.live, count, true) > 0;
+        first.cost += (one_repeat ? 1.0 : 4.0) * task_.prices.rhythm;
+      }
     }
   }
 
@@ -234,6 +238,19 @@ RhythmPrices rhythm_prices(const RhythmFamily& family, double dial, std::span<co
 bool may_change(std::int32_t section, std::int32_t change) {
   if (change > 0) return change <= section;
   return section + change >= 1 && -2 * change <= section;
+}
+
+std::int32_t sections_to_begin(std::int32_t live, std::int32_t count, bool in_pairs) {
+  const std::int32_t change = count - live;
+  if (live < 1 || change == 0) return 0;
+  const auto sections_of = [&](std::int32_t each) {
+    const std::int32_t sections = std::abs(change) / each;
+    const bool whole = sections > 0 && std::abs(change) % each == 0 && live % sections == 0;
+    return whole && may_change(live / sections, change > 0 ? each : -each) ? sections : 0;
+  };
+  const std::int32_t first = in_pairs ? 2 : 1;
+  const std::int32_t sections = sections_of(first);
+  return sections > 0 ? sections : sections_of(3 - first);
 }
 
 std::optional<FoundSegments> find_segments(const SegmentTask& task) { return SegmentSearch(task).found(); }

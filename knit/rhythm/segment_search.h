@@ -46,7 +46,7 @@ enum class SegmentEnd : std::uint8_t { start, plain, changed, rested };
 
 // Where a plan begins: at the first row with any count of at most max(12, 2.6 c), or `count` if it is not 0; or after a row
 // that is made. On live stitches the first row may have any count that one round makes of them; another than theirs costs a
-// rhythm more, as that round is no repeat.
+// rhythm more, and three more where that round is no repeat.
 struct RhythmStart {
   std::int32_t row = 0;    // from 0
   std::int32_t count = 0;  // after row 0 it is needed
@@ -73,6 +73,10 @@ struct FoundSegments {
 };
 // None: no list of segments leads from the start to the end.
 std::optional<FoundSegments> find_segments(const SegmentTask& task);
+
+// How many sections make `live` stitches `count` in one round that is one repeat, of any number of sections: each changes by one or,
+// where pairs stand beside mains, by two if that is possible. A single change in the round is one section. 0: no number does.
+std::int32_t sections_to_begin(std::int32_t live, std::int32_t count, bool in_pairs);
 
 // Whether a round may change so: one repeat in every section, growing by one new stitch for each that is there at most,
 // shrinking by pairs of stitches that are there.

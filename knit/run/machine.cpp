@@ -6,6 +6,7 @@
 #include "knit/model/bug.h"
 #include "knit/model/settings_table.h"
 #include "knit/rhythm/rhythm_plan.h"
+#include "knit/rhythm/segment_search.h"
 #include "knit/run/kept_trial.h"
 #include "knit/run/knitters_order.h"
 #include "knit/run/short_rows_due.h"
@@ -77,11 +78,23 @@ struct WorkedRow {
   RowId id = 0;
 };
 
+// The first round on live stitches: to the first count of its tube's rhythm, where that is one repeat.
+std::optional<RepeatedRound> beginning_round(const TubeRhythm& rhythm, const WorkedRow& row) {
+  if (row.below == 0 || rhythm.count(0) != row.above) return {};
+  const bool in_pairs = rhythm.settings.style == RhythmStyle::pairs;
+  const std::int32_t sections =
+      row.below == row.above ? rhythm.plan.sections : sections_to_begin(row.below, row.above, in_pairs);
+  if (sections == 0) return {};
+  return RepeatedRound{row.below, row.above, sections, rhythm.settings.style, 0, row.id};
+}
+
 // How the row is worked if its count and the one below are of one rhythm. The last plan that has both says so.
 std::optional<RepeatedRound> repeated_round(const State& state, const WorkedRow& row) {
   for (auto i = state.rhythms.size(); i-- > 0;) {
     const TubeRhythm& rhythm = *state.rhythms[i];
-    if (rhythm.tube != row.tube || !rhythm.has(row.level - 1) || !rhythm.has(row.level)) continue;
+    if (rhythm.tube != row.tube || !rhythm.has(row.level)) continue;
+    if (row.level == 0 && rhythm.from == 0) return beginning_round(rhythm, row);
+    if (!rhythm.has(row.level - 1)) continue;
     if (rhythm.count(row.level - 1) != row.below || rhythm.count(row.level) != row.above) return {};
     RepeatedRound round{
         row.below, row.above, rhythm.plan.sections, rhythm.settings.style, rhythm.turn(row.level), row.id};
