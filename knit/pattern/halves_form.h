@@ -7,7 +7,7 @@
 //
 // A quarter is shaped at its beginning, K1 and m1l or ssk, at its end, m1r or k2tog, at both or not at all; what is knit
 // through is not told. So that no marker is meant twice, the front one stands between two times "side". A round that has other work
-// is written out. Rhythm study, section 5.
+// is written out.
 #pragma once
 
 #include <array>

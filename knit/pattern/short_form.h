@@ -5,7 +5,7 @@
 //   Inc rnd: [K1, m1l, k to next m, m1r] 4 times. (+8 sts)
 //   Rnds 2-13: [Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)
 //
-// It says the same rounds as the long form does, operation by operation; knit/reader proves it. Rhythm study, 6.2.
+// It says the same rounds as the long form does, operation by operation; knit/reader proves it.
 #pragma once
 
 #include <cstdint>

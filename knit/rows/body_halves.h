@@ -4,7 +4,7 @@
 // that is longer than 0.15 of the longest, where the side mains stand half way between, they are carried as wales over
 // the rows: from a place on one curve to the nearest place on the next, which stands at right angles to it. A side main keeps
 // between 0.06 and 0.94 of its way from back to front. Rows before that are parted like it. What stands in front of the side
-// mains is the front half. Cost: the points of all curves. Rhythm study, section 5.
+// mains is the front half. Cost: the points of all curves.
 #pragma once
 
 #include <optional>
