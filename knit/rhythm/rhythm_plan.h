@@ -3,7 +3,8 @@
 //   score = lines + 0.3 max(0, changes without a rest - 2) + 0.04 shaping rounds + preference of k + (step sizes - 1)
 //           + 0.15 |change of size in %|
 // lines: 1 for a segment, 0.4 for a plain one of more than 3 rows; for a first round that changes the live stitches 1 where it is one
-// repeat, else 4. If no plan is within the tolerance: the one with the least 1.5 x deviation in % + 0.3 score. What mirrors (ideals alike within 1 % of the widest from both ends) is planned by half.
+// repeat, else 4. If no plan is within the tolerance: the one with the least 1.5 x deviation in % + 0.3 score. What mirrors
+// (ideals alike within 1 % of the widest from both ends) is planned by half.
 // Segments: segment_search.h. Preferred: 4, 6, 8 and 12 changes, as published patterns have them.
 #pragma once
 
