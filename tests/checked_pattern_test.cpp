@@ -158,6 +158,82 @@ TEST_CASE("checked pattern: crochet and stitch patterns are told for what they a
   CHECK(rib.remark.find("a multiple of 4 plus 2") != std::string::npos);
 }
 
+TEST_CASE("checked pattern: what is not understood or wrong is told in a sentence") {
+  for (const char* text :
+       {"12th round: *(k1, p1) in next st* around. (64 sts)\n13th rou7.nd: K 3, p 1 to end.ch 6 (64 "
+        "sts)\nCut "
+        "end.ch 6 (64 sts)",
+        "Rnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st. (12)\n", "Rnd 2: K4, frob.\n"}) {
+    CAPTURE(text);
+    const CheckedPattern checked = check_pattern(text);
+    for (const CheckedLine& line : checked.sizes.front().lines) {
+      if (line.verdict != LineVerdict::does_not_add_up && line.verdict != LineVerdict::not_understood)
+        continue;
+      CHECK(line.sentence.starts_with("line " + std::to_string(line.number) + ": "));
+      CHECK(line.sentence.ends_with("."));
+    }
+  }
+}
+
+TEST_CASE("checked pattern: stitches that no line casts on stand in the first line of work") {
+  for (const char* text :
+       {"Ribbing\n\nMultiple of 4 sts plus 2.\nRow 1: *K2, p2; rep from * to last 2 sts, k2.\n",
+        "xt rnd: knit 1, (k2, p3) x 3.\nBind off.\nWeave in ends.",
+        "Ribbing\nRnd 1: *K2, p2; rep from * to end.\n"}) {
+    CAPTURE(text);
+    const CheckedPattern checked = check_pattern(text);
+    for (const CheckedPiece& piece : checked.sizes.front().pieces) {
+      for (const CheckedRound& round : piece.rounds)
+        CHECK((round.line >= 1 && round.line <= checked.sizes.front().lines.size()));
+    }
+  }
+  CHECK(check_pattern("Ribbing\nRnd 1: *K2, p2; rep from * to end.\n").sizes[0].pieces[0].rounds[0].line ==
+        2);
+}
+
+TEST_CASE("checked pattern: without a cast on the fewest stitches are found on which the rounds come out") {
+  const auto remark = [](const char* text) { return check_pattern(text).remark; };
+  CHECK(remark("Rnd 1: *K2, p2; rep from * to end.\nRnd 2: *K2, p2; rep from * to end.\n")
+            .starts_with("No stitches are cast on; it is worked on 4 stitches"));
+  CHECK(
+      remark("Row 1: *K3, p4; rep from * to last 3 sts, k3.\nRow 2: *P3, k4; rep from * to last 3 sts, p3.\n")
+          .find("worked on 3 stitches") != std::string::npos);
+  CHECK(
+      remark("Rnd 1: *K3, yo, k2tog; rep from * to end.\nRnd 2: Knit.\nRnd 3: *K4, p3; rep from * to end.\n")
+          .find("worked on 35 stitches") != std::string::npos);
+  CHECK(remark("Rnd 1: Knit. (41 sts)\nRnd 2: Knit.\n").find("worked on 41 stitches") != std::string::npos);
+  // Half a pattern: it ends, or its rounds do not come back to where they began.
+  CHECK(remark("Rnd 1: Knit.\nRnd 2: [K2tog] to end.\nBO all sts.\n").empty());
+  CHECK(remark("Rnd 1: Knit.\nRnd 2: K1, k2tog, k to end.\n").empty());
+}
+
+TEST_CASE("checked pattern: a cast on in small letters is not joined to a long line before it") {
+  check_cases(
+      {{"Materials: 50 g of DK yarn, 3.25 mm dpns, stuffing, stitch holder\ncast on 20 sts\nRnd 1: Knit "
+        "20. (20 sts)",
+        ".++"}});
+}
+
+TEST_CASE("checked pattern: a count of sizes ends its line, however wide it is") {
+  check_cases(
+      {{"CO 8 (10) sts.\nNext rnd (decrease): k1, knit 2 together, k until 3 sts remain, knit two together, "
+        "knit 1 = 6 (8) sts\nBreak yarn, thread through remaining 6 (8) sts and pull tightly.",
+        "+++"}});
+}
+
+TEST_CASE("checked pattern: neighbours told one by one are a range") {
+  check_cases({{"CO 14 sts.\nRnd 1: Knit.\nKnit 9 rounds.\nRnds 11 & 12: Work even.\nBO 14 sts.", "+++++"}});
+}
+
+TEST_CASE("checked pattern: a holder that nobody filled holds nothing below another piece") {
+  CHECK(signs_of(
+            "MITTEN\nCO 20 sts.\nRnd 1: Knit.\nBO 20 sts.\n\nTHUMB\nSlip the 5 thumb sts onto dpns. Rejoin "
+            "yarn, pick up and knit 1 st in the gap. (6 sts)\nRnd 1: Knit. (6 sts)\nBO 6 sts.")
+            .find('!') != std::string::npos);
+  CHECK(check_pattern("THUMB\nSlip the 5 thumb sts onto dpns.\nRnd 1: Knit. (5 sts)\nBO 5 sts.").verdict ==
+        PatternVerdict::holds);
+}
+
 TEST_CASE("checked pattern: a line of work is never passed over") {
   for (const char* line : {"K 18.", "Zigzag rnd: K3, frob, k2tog. (13 sts)", "Purl 3 together around.",
                            "(K1, k2tog) all over. (13 sts)", "Repeat the second and fourth rnd. (13 sts)",

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::int64_t most_tried = 240;  // stitches that a stitch pattern without a cast on is tried on
 constexpr std::size_t most_tried_text = 20'000;
+constexpr int most_workings = 6;             // of the whole text
+constexpr std::int64_t most_steps = 20'000;  // of its rounds
 
 std::vector<std::string_view> physical_lines(std::string_view text) {
   std::vector<std::string_view> lines;
@@ -168,18 +170,38 @@ CheckedSize worked(const Lexicon& lexicon, const Text& text, std::size_t size, s
   return checked;
 }
 
+// Whether a start could make it hold: one line alone does not, since no stitches are cast on, and nothing is closed.
+bool lacks_only_its_start(const WorldWorker& worker, const CheckedSize& size) {
+  std::size_t wrong = 0;
+  for (const CheckedLine& line : size.lines) {
+    if (line.verdict == LineVerdict::not_understood) return false;
+    wrong += line.verdict == LineVerdict::does_not_add_up ? 1 : 0;
+  }
+  return wrong == 1 && !worker.ends();
+}
+
 // Rows without a cast on: on the repeat that is told, or the least on which all of them come out as they began.
-bool worked_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Text& text, std::size_t length) {
+//
+// `unstarted` has worked the text on stitches that nobody counted. Its rounds, parsed, are tried on each number in
+// turn; only a number on which they can be worked is tried on the text itself, and few of those. So the cost is that of
+// a few workings of the text and of at most `most_steps` steps on a needle.
+void work_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Text& text, std::size_t length,
+                    const WorldWorker& unstarted) {
   std::string words;
   const std::int64_t told = told_multiple(text.atoms, words);
   if (told > 0) {
     checked.sizes = {worked(lexicon, text, 0, 1, told, checked.rounds)};
     checked.remark = "No stitches are cast on; it is worked on " + stitches_text(told) + ", " + words + ".";
-    return true;
+    return;
   }
-  if (length > most_tried_text) return false;
-  for (std::int64_t start = 2; start <= most_tried; ++start) {
+  if (length > most_tried_text || !lacks_only_its_start(unstarted, checked.sizes.front())) return;
+  std::int64_t budget = most_steps;
+  int tried = 0;
+  for (std::int64_t start = 2; start <= most_tried && tried < most_workings && budget > 0; ++start) {
+    if (!unstarted.may_start_with(start, budget)) continue;
+    ++tried;
     WorldWorker worker(lexicon, 0, 1);
+    worker.stop_at_trouble();
     CheckedSize size = worker.run(text.lines, text.atoms, text.physical, start);
     if (size.verdict != PatternVerdict::holds || worker.ends() || worker.stitches_left() != start ||
         worker.rounds() < 1)
@@ -188,9 +210,8 @@ bool worked_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Tex
     checked.sizes = {std::move(size)};
     checked.remark = "No stitches are cast on; it is worked on " + stitches_text(start) +
                      ", the fewest on which it comes out.";
-    return true;
+    return;
   }
-  return false;
 }
 
 }  // namespace
@@ -221,9 +242,16 @@ CheckedPattern check_pattern(std::string_view words) {
   }
   CheckedPattern checked;
   const std::size_t number = sizes.empty() ? 1 : std::min<std::size_t>(sizes.size(), 40);
+  WorldWorker unstarted(lexicon, 0, 1);
   for (std::size_t i = 0; i < number; ++i) {
     std::size_t rounds = 0;
-    CheckedSize size = worked(lexicon, text, i, sizes.empty() ? 1 : sizes.size(), 0, rounds);
+    CheckedSize size;
+    if (sizes.empty()) {
+      size = unstarted.run(text.lines, text.atoms, text.physical, 0);
+      rounds = unstarted.rounds();
+    } else {
+      size = worked(lexicon, text, i, sizes.size(), 0, rounds);
+    }
     if (!sizes.empty()) size.name = std::to_string(sizes[i]);
     if (i == 0) checked.rounds = rounds;
     checked.sizes.push_back(std::move(size));
@@ -240,11 +268,17 @@ CheckedPattern check_pattern(std::string_view words) {
       size.pieces.clear();
       for (CheckedLine& line : size.lines) {
         if (line.verdict == LineVerdict::no_instruction) continue;
-        line = {line.number, LineVerdict::not_understood, std::nullopt, "", 0, 0};
+        line = {
+            line.number,
+            LineVerdict::not_understood,
+            std::nullopt,
+            "line " + std::to_string(line.number) + ": this is crochet, and only knitting is worked here.",
+            0,
+            0};
       }
     }
   } else if (!cast) {
-    worked_on_repeat(checked, lexicon, text, words.size());
+    work_on_repeat(checked, lexicon, text, words.size(), unstarted);
   }
   set_verdict(checked);
   count_lines(checked, text);

@@ -82,8 +82,15 @@ Ending ending_of(std::string_view text) {
   const char last = text.empty() ? '.' : text.back();
   const Tokens end = tokens_of(text.substr(text.size() - std::min<std::size_t>(text.size(), 24)));
   const std::size_t n = end.size();
-  const bool count = n > 2 && is_stitches_word(end[n - 1]) && end[n - 2].is_number() &&
-                     (end[n - 3].is("-") || end[n - 3].is("=") || end[n - 3].is("."));
+  // "= 30 sts", "- 30 (34: 38) sts"
+  const auto may_stand_in_count = [](const Token& token) {
+    return token.is_number() || token.is("(") || token.is(")") || token.is("[") || token.is("]") ||
+           token.is(",") || token.is(":") || token.is("/");
+  };
+  std::size_t first = n == 0 ? 0 : n - 1;
+  while (first > 0 && may_stand_in_count(end[first - 1])) --first;
+  const bool count = first > 0 && first + 1 < n && is_stitches_word(end[n - 1]) && end[first].is_number() &&
+                     (end[first - 1].is("-") || end[first - 1].is("=") || end[first - 1].is("."));
   return {last == ',' || last == ';',
           count || last == '.' || last == ')' || last == ']' || last == '!' || last == ':'};
 }
@@ -98,6 +105,7 @@ bool begins_anew(const Tokens& tokens) {
   constexpr std::size_t most_words = 6;
   if (tokens[0].is("*") || tokens[0].is("-")) return true;
   if (tokens.size() > 1 && (tokens[1].is(":") || tokens[1].is("="))) return true;
+  if (tokens.size() > 2 && tokens[0].is("cast") && tokens[1].is("on") && tokens[2].is_number()) return true;
   if (is_round_word(tokens[0]) && tokens.size() > 2 && (tokens[1].is_number() || tokens[1].is(".")))
     return true;
   const bool numbered =

@@ -64,6 +64,7 @@ void WorldWorker::begin_piece(std::int64_t stitches) {
 }
 
 void WorldWorker::end_piece(bool held) {
+  traces_ = false;
   Made made;
   made.name = section_;
   if (known_) made.count = needle_.count();
@@ -157,6 +158,7 @@ bool WorldWorker::place_markers(const Atoms& part) {
   for (const Atom& atom : part) {
     if (atom.is_number()) numbers.push_back(atom.value);
   }
+  traces_ = false;
   if (numbers.empty() || !known_) return false;
   const std::int64_t there = needle_.count();
   Segments segments;
@@ -320,6 +322,7 @@ bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
   if (std::any_of(part.begin(), part.end(), [](const Atom& a) { return is_any(a, {"co", "cast"}); }))
     return false;
   run_pending(true);
+  traces_ = false;
   const auto told = stitches_in(part);
   const bool all = !told || (known_ && *told == needle_.count());
   WorldHolder holder;
@@ -378,9 +381,11 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
     }
   }
   run_pending(true);
+  traces_ = false;
   WorldHolder* holder = find_holder(name, told);
   if (holder == nullptr) {
-    if (holders_.empty() && told && (!has_needle_ || history_.empty())) {
+    // At the top of a text its stitches may have been put aside in another; below a piece they have not.
+    if (holders_.empty() && told && out_.pieces.empty()) {
       begin_piece(*told);
       fresh_ = false;
       worked();
@@ -448,6 +453,7 @@ bool WorldWorker::pick_up(const Atoms& part, const WorldCount& count) {
     return true;
   }
   run_pending(true);
+  traces_ = false;
   if (holds_any(tail, {"each", "either", "both"}) &&
       holds_any(tail, {"side", "sides", "end", "ends", "corner", "corners"}))
     *told *= 2;

@@ -187,6 +187,7 @@ std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, boo
 }
 
 void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::int64_t rounds) {
+  traces_ = traces_ && known_;
   const std::string name = "the repeat";
   std::int64_t passes = repeat.times;
   const bool shaped = std::any_of(repeat.recipes.begin(), repeat.recipes.end(), [&](Index i) {
@@ -405,6 +406,7 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
   if (list && count.total && static_cast<std::int64_t>(count.all.size()) != named * words->times)
     return refuse("it is shaped in " + std::to_string(named * words->times) + " rounds, and " +
                   std::to_string(count.all.size()) + " counts are told.");
+  traces_ = traces_ && known_;
   const Index plain = keep(atoms_of("knit"), "the round", rows_ && !in_round_);
   std::size_t nth = 0;
   for (std::int64_t time = 0; time < words->times; ++time) {

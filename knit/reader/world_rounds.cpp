@@ -245,6 +245,7 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
                               std::size_t nth) {
   const WorldCount none;
   const WorldCount& said = count != nullptr ? *count : none;
+  trace(index, said, nth);
   if (!recipes_[index].first.trouble.empty()) {
     const WorldRound& round = recipes_[index].first;
     if (recipes_[index].line == line_)

@@ -92,9 +92,11 @@ CheckedSize WorldWorker::run(const std::vector<TextLine>& lines, const std::vect
     if (line_ == 0 || line_ > physical.size()) continue;
     texts_[line_ - 1] = lines[i].text;
     whole_line(atoms[i]);
+    if (only_tried_ && severity(out_.lines[line_ - 1].verdict) > severity(LineVerdict::holds)) break;
   }
   finish();
   if (known_ && has_needle_) last_count_ = needle_.count();
+  give_first_line();
   for (const CheckedLine& line : out_.lines) {
     if (line.verdict == LineVerdict::does_not_add_up)
       out_.verdict = PatternVerdict::does_not_add_up;
@@ -102,6 +104,44 @@ CheckedSize WorldWorker::run(const std::vector<TextLine>& lines, const std::vect
       out_.verdict = PatternVerdict::not_understood;
   }
   return std::move(out_);
+}
+
+// Stitches that no line casts on stand where the work begins.
+void WorldWorker::give_first_line() {
+  std::size_t first = 0;
+  while (first + 1 < out_.lines.size() && out_.lines[first].verdict == LineVerdict::no_instruction) ++first;
+  if (out_.lines[first].verdict == LineVerdict::no_instruction) first = 0;
+  for (CheckedPiece& piece : out_.pieces) {
+    for (CheckedRound& round : piece.rounds) {
+      if (round.line == 0) round.line = first + 1;
+    }
+  }
+}
+
+void WorldWorker::trace(Index index, const WorldCount& said, std::size_t nth) {
+  constexpr std::size_t most_traced = 40;
+  if (!traces_ || only_tried_) return;
+  if (trace_.size() == most_traced || recipes_[index].first.choice) {
+    traces_ = false;
+    return;
+  }
+  Traced traced{index, said.total, said.change};
+  if (said.total && nth > 0 && nth <= said.all.size()) traced.total = said.all[nth - 1];
+  trace_.push_back(traced);
+}
+
+bool WorldWorker::may_start_with(std::int64_t start, std::int64_t& budget) const {
+  WorldNeedle needle;
+  needle.set(start);
+  for (const Traced& traced : trace_) {
+    const WorldRecipe& recipe = recipes_[traced.recipe];
+    const std::int64_t before = needle.count();
+    if (budget <= 0 || !work_on(needle, recipe.first.nodes, recipe.flat, {}, budget).sound()) return false;
+    const std::int64_t made = needle.count();
+    if ((traced.total && made != *traced.total) || (traced.change && made - before != *traced.change))
+      return false;
+  }
+  return !traces_ || needle.count() == start;
 }
 
 // "Inc rnd: ..." that other lines name in brackets is told there and worked where it is named.

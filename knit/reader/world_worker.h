@@ -47,6 +47,12 @@ class WorldWorker {
   [[nodiscard]] std::size_t rounds() const { return rounds_; }
   [[nodiscard]] std::optional<std::int64_t> stitches_left() const { return last_count_; }
   [[nodiscard]] bool ends() const { return closed_once_; }
+  // Ends at the first line that does not hold: for a start that is only tried.
+  void stop_at_trouble() { only_tried_ = true; }
+  // Of a text that was worked without a start: whether its first rounds, one after the other, could be worked on `start`
+  // stitches, as far as they hang on nothing else; where that is the whole text, they come out as they began.
+  // `budget` is what may still be worked.
+  [[nodiscard]] bool may_start_with(std::int64_t start, std::int64_t& budget) const;
 
  private:
   using Index = std::size_t;
@@ -111,6 +117,8 @@ class WorldWorker {
   WorldHolder* find_holder(const std::string& name, std::optional<std::int64_t> count);
   WorldHands hands();
   void finish();
+  void trace(Index index, const WorldCount& said, std::size_t nth);
+  void give_first_line();
 
   const Lexicon& lexicon_;
   std::size_t size_, sizes_;
@@ -137,6 +145,14 @@ class WorldWorker {
     std::vector<CheckedRound> rounds;
   };
   std::vector<Made> made_;
+
+  // The rounds in the order they were worked, for `may_start_with`; open: nothing else has changed the needle so far.
+  struct Traced {
+    Index recipe = 0;
+    std::optional<std::int64_t> total, change;
+  };
+  std::vector<Traced> trace_;
+  bool traces_ = true, only_tried_ = false;
 
   std::vector<WorldRecipe> recipes_;
   std::vector<Index> history_;

@@ -77,7 +77,10 @@ class LabelReader {
     }
     if (last < *first || (!label_.numbers.empty() && *first <= label_.numbers.back().second))
       label_.trouble = ": the round numbers run backwards.";
-    label_.numbers.emplace_back(*first, std::max(last, *first));
+    if (!label_.numbers.empty() && *first == label_.numbers.back().second + 1)  // "15 & 16" is "15-16"
+      label_.numbers.back().second = std::max(last, *first);
+    else
+      label_.numbers.emplace_back(*first, std::max(last, *first));
     return true;
   }
 
