@@ -234,6 +234,68 @@ TEST_CASE("checked pattern: a holder that nobody filled holds nothing below anot
         PatternVerdict::holds);
 }
 
+TEST_CASE("checked pattern: held stitches begin a round and pieces are joined") {
+  check_cases(
+      {{"GLOVE\nCO 24 sts.\nRnd 1: K12, place next 12 sts on a holder for second finger, CO 2 sts. (14 sts)\n"
+        "BO 14 sts.\nSECOND FINGER\nRnd 1: Knit across the 12 held sts of second finger, pick up and knit 2 "
+        "sts "
+        "along the gap. (14 sts)\nBO 14 sts.",
+        ".+++.++"},
+       {"LEGS (make 2)\nCO 6 sts.\nRnd 1: Knit. (6 sts)\nCut yarn and place sts on waste yarn.\nHEAD\nRnd 1: "
+        "Knit "
+        "across 6 held sts, knit across 6 held sts. (12 sts)\nBO 12 sts.",
+        ".+++.++"},
+       {"LEGS (make 2)\nCO 10 sts.\nRnd 1: Knit. (10 sts)\nBreak yarn, leave sts on waste yarn.\nBODY\nPlace "
+        "the 10 "
+        "held sts of one leg on the needles, cast on 3 sts, knit across the 10 held sts of the other leg, "
+        "cast on 3 "
+        "sts. (26 sts)\nBO 26 sts.",
+        ".+++.++"},
+       {"TROUSERS\nCO 40 sts.\nRnd 1: K20, place the remaining 20 sts on hold for left leg. (20 sts)\nRIGHT "
+        "LEG\nCast on 2 sts. (22 sts)\nBO 22 sts.\nLEFT LEG\nTransfer the 20 held sts to needles. (20 "
+        "sts)\nBO 20 sts.",
+        ".++.++.++"},
+       {"FRONT\nCO 12 sts.\nRnd 1: Knit. (12 sts)\nPlace 12 sts on a holder.\nBACK\nCO 12 sts.\nRnd 1: Knit. "
+        "(12 "
+        "sts)\nJoin both sides with a three-needle bind off.",
+        ".+++.+++"},
+       {"MITTEN\nCO 24 sts.\nRnd 1: K1, with waste yarn k5 for thumb, slip these 5 sts back to left needle "
+        "and knit "
+        "them again with main yarn, k to end. (24 sts)\nRnd 2: K12, CO 5 sts (backward loop), k to end. (29 "
+        "sts)",
+        ".+++"}});
+}
+
+TEST_CASE("checked pattern: stitches that waste yarn parts are taken from both sides of it") {
+  check_cases({{"MITTEN\nCO 24 sts.\nRnd 1: K1, with waste yarn k5 for thumb, slip these 5 sts back to left "
+                "needle and knit "
+                "them again with main yarn, k to end. (24 sts)\nBO 24 sts.\nTHUMB\nRemove the waste yarn and "
+                "place the 10 held "
+                "sts on needles. Pick up and knit 1 st at each side. (12 sts)\nBO 12 sts.",
+                ".+++.++"},
+               {"SOCK\nCO 32 sts.\nRnd 1: With waste yarn knit 16 sts for heel, slip these 16 sts back to "
+                "left needle, k to "
+                "end. (32 sts)\nBO 32 sts.\nHEEL\nRemove waste yarn and place the 32 heel sts back on "
+                "needles, pick up 1 st at "
+                "each side. (34 sts)\nBO 34 sts.",
+                ".+++.++"}});
+  CHECK(check_pattern(
+            "MITTEN\nCO 24 sts.\nRnd 1: K1, with waste yarn k5 for thumb, slip these 5 sts back to left "
+            "needle and knit them again with main yarn, k to end. (24 sts)\nBO 24 sts.\nTHUMB\nRemove the "
+            "waste yarn and place the 14 held sts on needles. (14 sts)\nBO 14 sts.")
+            .verdict == PatternVerdict::does_not_add_up);
+}
+
+TEST_CASE("checked pattern: more rounds than can be worked are told") {
+  std::string text = "CO 8 sts.\nRnd 1: Knit. (8 sts)\n";
+  for (int i = 0; i < 12; ++i) text += "Repeat the last rnd 99999 times more.\n";
+  const CheckedPattern checked = check_pattern(text);
+  CHECK(checked.verdict == PatternVerdict::not_understood);
+  std::string said;
+  for (const CheckedLine& line : checked.sizes[0].lines) said += line.sentence;
+  CHECK(said.find("longer than can be worked") != std::string::npos);
+}
+
 TEST_CASE("checked pattern: a line of work is never passed over") {
   for (const char* line : {"K 18.", "Zigzag rnd: K3, frob, k2tog. (13 sts)", "Purl 3 together around.",
                            "(K1, k2tog) all over. (13 sts)", "Repeat the second and fourth rnd. (13 sts)",

@@ -54,7 +54,7 @@ std::string name_behind(const Atoms& part, AtomWords words) {
 void WorldWorker::begin_piece(std::int64_t stitches) {
   needle_.set(stitches);
   has_needle_ = known_ = ever_cast_on_ = true;
-  closed_ = false;
+  closed_ = markers_lost_ = false;
   alternative_.reset();
   in_round_ = rows_ = false;
   CheckedPiece& piece = out_.pieces.emplace_back();
@@ -111,7 +111,11 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
     return true;
   }
   run_pending(true);
-  const bool adds = has_needle_ && !fresh_;
+  Atoms words = line;
+  const WorldCount stated = take_count(words, lexicon_);
+  // "RIGHT LEG / Cast on 2 sts. (22 sts)" beside the 20 that are there
+  const bool beside = has_needle_ && known_ && stated.total == needle_.count() + *count;
+  const bool adds = has_needle_ && (!fresh_ || beside);
   if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != *count && section_.empty() &&
       made_.empty()) {
     wrong("casts on " + stitches_text(*count) + ", and " + std::to_string(needle_.count()) +
@@ -364,7 +368,7 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   const bool held = holds_any(part, {"held", "waiting", "resting"}) ||
                     (holds_any(part, {"from", "off"}) && names_holder(part));
   if (!places || !(onto || held) || holds_any(part, {"marker", "markers"})) return false;
-  if (names_holder(part) && !held) return false;
+  if (names_holder(part) && !held && !part.front().is("remove")) return false;
   const auto told = stitches_in(part);
   if (!told && !holds_any(part, {"sts", "stitches", "st"})) return false;
   std::string name = name_behind(part, {"of"});
@@ -428,6 +432,10 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   std::size_t comma = 0;
   while (comma < part.size() && !part[comma].is(",")) ++comma;
   const Atoms rest(part.begin() + static_cast<std::ptrdiff_t>(std::min(comma, part.size())), part.end());
+  if (holds_any(rest, {"held"})) {  // ", cast on 3 sts, k across the held sts of the other leg": behind them
+    needle_.right = needle_.left;
+    needle_.left = {0};
+  }
   if (!rest.empty()) sentence(rest, rest);
   return true;
 }
@@ -470,8 +478,8 @@ bool WorldWorker::pick_up(const Atoms& part, const WorldCount& count) {
 }
 
 bool WorldWorker::join_ends(const Atoms& part) {
-  const bool three =
-      holds_any(part, {"3"}) && holds_any(part, {"needle"}) && holds_any(part, {"bind", "bo", "cast"});
+  const bool three = holds_any(part, {"3", "three"}) && holds_any(part, {"needle"}) &&
+                     holds_any(part, {"bind", "bo", "cast"});
   if (!three && !holds_any(part, {"kitchener", "graft"})) return false;
   run_pending(true);
   const auto told = stitches_in(part);

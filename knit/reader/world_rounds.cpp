@@ -196,7 +196,21 @@ void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
   }
 }
 
+namespace {
+
+constexpr std::int64_t steps_of_round = 50;  // what a round costs by itself, beside its stitches
+
+bool works_to_marker(const std::vector<WorldNode>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](const WorldNode& node) {
+    return node.until == WorldNode::Until::marker || works_to_marker(node.inside);
+  });
+}
+
+}  // namespace
+
+// Where markers stood is lost with the stitches.
 void WorldWorker::after_trouble(const WorldCount& count) {
+  markers_lost_ = markers_lost_ || needle_.marked;
   alternative_.reset();
   known_ = count.total && *count.total >= 0 && *count.total <= most_value;
   if (known_) needle_.set(*count.total);
@@ -246,6 +260,7 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   const WorldCount none;
   const WorldCount& said = count != nullptr ? *count : none;
   trace(index, said, nth);
+  budget_ -= steps_of_round;
   if (!recipes_[index].first.trouble.empty()) {
     const WorldRound& round = recipes_[index].first;
     if (recipes_[index].line == line_)
@@ -255,6 +270,14 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     broken_ = true;
     after_trouble(said);
     return false;
+  }
+  // "Knit across the 12 held sts": the round begins on an empty needle
+  const bool taken = !has_needle_ && !out_.pieces.empty() && !holders_.empty() &&
+                     std::any_of(recipes_[index].first.nodes.begin(), recipes_[index].first.nodes.end(),
+                                 [](const WorldNode& node) { return node.kind == WorldNode::Kind::take; });
+  if (taken) {
+    begin_piece(0);
+    out_.pieces.back().rounds.clear();
   }
   if (closed_ && !has_needle_) {
     if (fresh_ || section_.empty()) {
@@ -281,6 +304,12 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     return false;
   }
   if (!known_) return on_unknown(recipes_[index], name, count);
+  if (markers_lost_ && !needle_.marked && works_to_marker(recipes_[index].first.nodes)) {
+    say(LineVerdict::not_claimed, "");
+    broken_ = true;
+    after_trouble(said);
+    return true;
+  }
   // "Knit. (16 sts)" beside what was held: the needle as it is
   std::string why;
   WorldOutcome outcome;

@@ -152,7 +152,7 @@ class WorldWorker {
     std::optional<std::int64_t> total, change;
   };
   std::vector<Traced> trace_;
-  bool traces_ = true, only_tried_ = false;
+  bool traces_ = true, only_tried_ = false, markers_lost_ = false;
 
   std::vector<WorldRecipe> recipes_;
   std::vector<Index> history_;

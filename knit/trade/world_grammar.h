@@ -28,7 +28,7 @@ struct WorldNode {
     add,       // cast on or picked up in the round
     bind_off,  // `times` stitches; 0: all that are left
     turn,      // the rest stays unworked
-    insert     // `times` stitches with waste yarn, then slipped back
+    insert     // `times` stitches with waste yarn, then slipped back; `makes` 1: and worked again
   };
   enum class Until : std::uint8_t { times, end, marker };
   Kind kind = Kind::stitch;

@@ -144,6 +144,7 @@ class Hands {
       case Kind::insert:
         if (node.times > left()) wrong(node, needs(node.times));
         if (others_.hold && out.sound()) others_.hold(node, node.times);
+        if (node.makes > 0 && out.sound()) stitches(node, 1, 1, node.times);
         return;
     }
   }

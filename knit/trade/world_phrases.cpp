@@ -229,10 +229,7 @@ std::optional<WorldNode> inserted(PhraseCursor& at) {
   part = at.part();
   if (!part.empty() && is_any(part[0], {"slip", "sl", "return", "place"}) && holds_any(part, {"back"})) {
     at.skip(part.size());
-    if (holds_any(part, {"again"})) {  // "and knit them again"
-      node.kind = Kind::stitch;
-      node.takes = node.makes = 1;
-    }
+    if (holds_any(part, {"again"})) node.takes = node.makes = 1;  // "and knit them again"
   } else {
     at.back_to(before);
   }
@@ -515,7 +512,7 @@ bool PhraseCursor::remark() {
     }
     if (works(1) && !sees({"join", "being", "taking"})) {
       // "with MC k10": the colour's words end where the work begins
-      if (!sees({"with", "using", "in"})) return false;
+      if (!sees({"with", "using", "in"}) || sees({"waste", "scrap", "contrasting"}, 1)) return false;
       std::size_t ahead = 1;
       while (ahead < words.size() && ahead < 4 && !match(ahead) && !words[ahead].is_number()) ++ahead;
       if (ahead >= words.size() || !match(ahead)) return false;
@@ -535,7 +532,10 @@ bool PhraseCursor::remark() {
     }
     if (at_ + ahead >= line_.size() || ahead < 2) return false;
     const bool note =
-        sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional", "note"}, 1);
+        // "(backward loop)": how stitches are cast on
+        sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional", "note",
+              "backward", "backwards", "knitted", "cable"},
+             1);
     if (!note) return false;
     skip(ahead + 1);
     return true;
