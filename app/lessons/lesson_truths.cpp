@@ -12,7 +12,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "knit/model/words.h"
-#include "knit/rows/verdict.h"
+#include "knit/rows/rows.h"
 
 namespace app::truths {
 

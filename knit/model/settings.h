@@ -44,7 +44,6 @@ enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live 
 enum class ShortRows : std::uint8_t { off, automatic };
 // Rows that a tube keeps as they are beside an event; by_itself: what settles best, no short rows among it.
 enum class KeptBeside : std::uint8_t { by_itself, none, one, two };
-enum class Turns : std::uint8_t { german, wrap };  // how a short row is turned; the fabric is the same
 enum class Weld : std::uint8_t { off, on };        // merge coincident vertices on import
 
 struct MeshSettings {
@@ -156,7 +155,6 @@ struct SettleSettings {
 // What no stage reads: how the pattern is told.
 struct PatternSettings {
   GraftBy graft = GraftBy::kitchener;
-  Turns turns = Turns::german;
   friend bool operator==(const PatternSettings&, const PatternSettings&) = default;
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "knit/rows/ring.h"
-#include "knit/rows/verdict.h"
+#include "knit/rows/rows.h"
 
 namespace knit {
 

@@ -6,7 +6,6 @@
 
 #include "knit/mesh/surface_distance.h"
 #include "knit/rows/ring.h"
-#include "knit/rows/verdict.h"
 
 namespace knit {
 

@@ -13,6 +13,7 @@
 #include "knit/mesh/mesh.h"
 #include "knit/model/products.h"
 #include "knit/model/settings.h"
+#include "knit/model/ties.h"
 #include "knit/rows/ring_events.h"
 
 namespace knit {
@@ -100,5 +101,11 @@ SharedGap share_gap(const ClosedRow& row, const Ring& ring, const RowsSettings& 
 
 // Whether the walk ended with its anchor stuck: the rest of the ring skipped the band.
 bool stalled(const Walk& walk);
+
+// Whether a distance lies in the band; where rounding alone keeps it out, it is within.
+inline Verdict verdict_on(double distance, const Band& band) {
+  if (clearly_less(distance, band.low, band.high)) return Verdict::too_near;
+  return clearly_less(band.high, distance, band.high) ? Verdict::too_far : Verdict::accepted;
+}
 
 }  // namespace knit
