@@ -90,6 +90,7 @@ const std::vector<Arrow> arrows{
      {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows"},
      {"glm/"}},
     {"knit/settle", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
+    {"knit/relax", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/settle"}, {"glm/"}},
     {"knit/stitches", {"knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows"}, {"glm/"}},
     {"knit/order", {"knit/model", "knit/fabric", "knit/tubes", "knit/stitches"}, {}},
     {"knit/run",

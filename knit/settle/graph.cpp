@@ -46,7 +46,7 @@ class Gathering {
     graph_.courses = without(without(sides, graph_.wales), across_);
     if (!across_.empty())
       std::erase_if(graph_.quads, [&](const std::array<std::uint32_t, 4>& quad) { return spans_turn(quad); });
-    add_rims();
+    graph_.rims = rims_of(std::move(along_));
     return std::move(graph_);
   }
 
@@ -65,46 +65,44 @@ class Gathering {
     if (count == 4 && of_strip) graph_.quads.push_back(c);
   }
 
-  // Sides without a face beyond, followed round each opening. A face's sides run counter-clockwise, so from a stitch of a
-  // rim just one leads on; where openings touch, the one to the lower number is taken first.
-  void add_rims() {
-    std::sort(along_.begin(), along_.end());
-    Sides back;
-    for (const auto& [from, to] : along_) back.push_back({to, from});
-    std::sort(back.begin(), back.end());
-    const Sides open = without(along_, back);
-    std::vector<bool> walked(open.size(), false);
-    for (std::size_t first = 0; first < open.size(); ++first) {
-      if (walked[first]) continue;
-      std::vector<std::uint32_t> rim;
-      std::size_t at = first;
-      while (at < open.size() && !walked[at]) {
-        walked[at] = true;
-        rim.push_back(open[at][0]);
-        at = side_from(open, walked, open[at][1]);
-      }
-      graph_.rims.push_back(std::move(rim));
-    }
-  }
-  [[nodiscard]] bool spans_turn(const std::array<std::uint32_t, 4>& quad) const {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (std::binary_search(across_.begin(), across_.end(), rising(quad[i], quad[(i + 1) % 4]))) return true;
-    }
-    return false;
-  }
-  static std::size_t side_from(const Sides& open, const std::vector<bool>& walked, std::uint32_t stitch) {
-    auto at =
-        static_cast<std::size_t>(std::lower_bound(open.begin(), open.end(), Side{stitch, 0}) - open.begin());
-    while (at < open.size() && open[at][0] == stitch && walked[at]) ++at;
-    return at < open.size() && open[at][0] == stitch ? at : open.size();
-  }
-
   SettleGraph graph_;
   Sides along_;   // sides of faces, in their direction
   Sides across_;  // turns
 };
 
+std::size_t side_from(const Sides& open, const std::vector<bool>& walked, std::uint32_t stitch) {
+  auto at =
+      static_cast<std::size_t>(std::lower_bound(open.begin(), open.end(), Side{stitch, 0}) - open.begin());
+  while (at < open.size() && open[at][0] == stitch && walked[at]) ++at;
+  return at < open.size() && open[at][0] == stitch ? at : open.size();
+}
+
 }  // namespace
+
+// A face's sides run counter-clockwise, so from a stitch of a rim just one leads on; where openings touch, the one to the
+// lower number is taken first.
+std::vector<std::vector<std::uint32_t>> rims_of(Sides sides) {
+  std::sort(sides.begin(), sides.end());
+  Sides back;
+  back.reserve(sides.size());
+  for (const auto& [from, to] : sides) back.push_back({to, from});
+  std::sort(back.begin(), back.end());
+  const Sides open = without(sides, back);
+  std::vector<std::vector<std::uint32_t>> rims;
+  std::vector<bool> walked(open.size(), false);
+  for (std::size_t first = 0; first < open.size(); ++first) {
+    if (walked[first]) continue;
+    std::vector<std::uint32_t> rim;
+    std::size_t at = first;
+    while (at < open.size() && !walked[at]) {
+      walked[at] = true;
+      rim.push_back(open[at][0]);
+      at = side_from(open, walked, open[at][1]);
+    }
+    rims.push_back(std::move(rim));
+  }
+  return rims;
+}
 
 SettleGraph make_settle_graph(const Fabric& fabric) {
   Gathering gathering;

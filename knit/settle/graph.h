@@ -32,4 +32,8 @@ struct SettleGraph {
 
 SettleGraph make_settle_graph(const Fabric& fabric);
 
+// Rims of the openings between faces whose sides these are, in the faces' direction: sides without a face beyond, followed
+// round each opening.
+std::vector<std::vector<std::uint32_t>> rims_of(std::vector<std::array<std::uint32_t, 2>> sides);
+
 }  // namespace knit

@@ -130,10 +130,11 @@ double Elimination::solve_row(std::uint32_t k, std::size_t first) {
   return pivot;
 }
 
-void Elimination::solve(std::span<double> x, const Heard& heard) const {
+template <class Number>
+void Elimination::solve_for(std::span<Number> x, const Heard& heard) const {
   std::size_t said = 0;
   for (std::uint32_t k = 0; k < size_; ++k) {
-    const double number = x[k];
+    const Number number = x[k];
     for (std::size_t p = column_[k]; p < column_[k + 1]; ++p) x[row_[p]] -= number * value_[p];
     if (column_[k + 1] - said < numbers_between) continue;
     said = column_[k + 1];
@@ -142,7 +143,7 @@ void Elimination::solve(std::span<double> x, const Heard& heard) const {
   for (std::uint32_t k = 0; k < size_; ++k) x[k] *= 1.0 / pivot_[k];
   said = column_.back();
   for (std::uint32_t k = size_; k-- > 0;) {
-    double number = x[k];
+    Number number = x[k];
     for (std::size_t p = column_[k]; p < column_[k + 1]; ++p) number -= value_[p] * x[row_[p]];
     x[k] = number;
     if (said - column_[k] < numbers_between) continue;
@@ -150,5 +151,8 @@ void Elimination::solve(std::span<double> x, const Heard& heard) const {
     hear(heard, 1.0 - 0.5 * static_cast<double>(said) / static_cast<double>(column_.back()));
   }
 }
+
+void Elimination::solve(std::span<double> x, const Heard& heard) const { solve_for(x, heard); }
+void Elimination::solve(std::span<glm::dvec3> x, const Heard& heard) const { solve_for(x, heard); }
 
 }  // namespace knit

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,10 @@ class Elimination {
   [[nodiscard]] bool factored() const { return factored_; }
   // A x = what `x` is.
   void solve(std::span<double> x, const Heard& heard = {}) const;
+  // Three such at once, in one walk through L.
+  void solve(std::span<glm::dvec3> x, const Heard& heard = {}) const;
+  // How many numbers L has below its diagonal.
+  [[nodiscard]] std::size_t entries() const { return value_.size(); }
 
  private:
   void turn(const LowerHalf& matrix);
@@ -39,6 +44,8 @@ class Elimination {
   void factor(const Heard& heard);
   [[nodiscard]] std::size_t gather_row(std::uint32_t k);
   [[nodiscard]] double solve_row(std::uint32_t k, std::size_t first);
+  template <class Number>
+  void solve_for(std::span<Number> x, const Heard& heard) const;
 
   std::uint32_t size_ = 0;
   // A's rows: where each begins, and the end; its columns up to the diagonal, rising; its numbers.
