@@ -65,6 +65,13 @@ class Gathering {
     if (count == 4 && of_strip) graph_.quads.push_back(c);
   }
 
+  [[nodiscard]] bool spans_turn(const std::array<std::uint32_t, 4>& quad) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (std::binary_search(across_.begin(), across_.end(), rising(quad[i], quad[(i + 1) % 4]))) return true;
+    }
+    return false;
+  }
+
   SettleGraph graph_;
   Sides along_;   // sides of faces, in their direction
   Sides across_;  // turns
