@@ -41,6 +41,13 @@ std::vector<std::uint8_t> plain_below(const Join& join) {
     const auto below = static_cast<std::size_t>(ends.below);
     plain[below] = cells_of[below] == 1 && shared[static_cast<std::size_t>(ends.above)] == 1 ? 1 : 0;
   }
+  // An increase is worked in the bar between two stitches: neither is plain, whichever of them it is linked to.
+  const auto cells = static_cast<std::int32_t>(join.labels.size());
+  for (std::int32_t cell = 0; cell < cells; ++cell) {
+    if (!is_increase(join.labels[static_cast<std::size_t>(cell)])) continue;
+    for (const std::int32_t beside : {(cell + cells - 1) % cells, (cell + 1) % cells})
+      plain[static_cast<std::size_t>(ends_of(join, beside).below)] = 0;
+  }
   return plain;
 }
 

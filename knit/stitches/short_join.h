@@ -20,7 +20,7 @@ Join plan_short_join(std::span<const std::int32_t> mains, const Row& row);
 // `marked`: places in what the join takes.
 void mark_turns(Join& join, std::span<const std::int32_t> marked);
 
-// Stitches below that a join works by themselves, as they are: one stitch on one. A turn may stand beside these only.
+// Stitches below that a join works by themselves, as they are: one stitch on one, with no increase beside. A turn may stand beside these only.
 std::vector<std::uint8_t> plain_below(const Join& join);
 
 // The pairs of short rows that a round is worked over, in working order: the first and the last stitch of the round under them,
