@@ -5,9 +5,11 @@
 
 #include "knit/model/words.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/pattern_reader.h"
 #include "knit/reader/reader_grammar.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
+#include "knit/reader/short_needles.h"
 #include "knit/reader/world_worker.h"
 
 namespace knit {
@@ -116,9 +118,10 @@ void count_lines(CheckedPattern& checked, const Text& text) {
   }
 }
 
-// Pieces in this program's words: proven as a graph.
-CheckedPattern checked_limbs(std::string_view words, const Text& text, const Lexicon& lexicon) {
-  const ReadLimbs read = read_limbs(words);
+bool tells_short_row(const TextLine& line) { return short_row_line(tokens_of(line.text)).has_value(); }
+
+// This program's words, which are worked to the graph of stitches: pieces, and short rows.
+CheckedPattern checked_graph(const ReadPattern& read, const Text& text, const Lexicon& lexicon) {
   CheckedPattern checked;
   CheckedSize& size = checked.sizes.emplace_back();
   size.lines.resize(text.physical.size());
@@ -128,15 +131,15 @@ CheckedPattern checked_limbs(std::string_view words, const Text& text, const Lex
     if (number == 0 || number > size.lines.size()) continue;
     CheckedLine& line = size.lines[number - 1];
     Atoms copy = text.atoms[i];
-    const bool known = label_of(tokens_of(text.lines[i].text)).has_value();
-    if (known) {
+    const bool is_short = tells_short_row(text.lines[i]);
+    if (is_short || label_of(tokens_of(text.lines[i].text))) {
       line.verdict = LineVerdict::holds;
-      line.stitches = take_count(copy, lexicon).total;
+      if (!is_short) line.stitches = take_count(copy, lexicon).total;
     } else if (const auto label = world_label(copy, lexicon);
                label && looks_like_work(copy, lexicon) && !label->bare_number) {
       line.verdict = LineVerdict::not_understood;
       line.sentence = "line " + std::to_string(number) +
-                      ": how this round begins is not understood among pieces; say \"Rnd 7:\".";
+                      ": how this round begins is not understood here; say \"Rnd 7:\".";
       size.verdict = PatternVerdict::not_understood;
     }
   }
@@ -234,8 +237,10 @@ CheckedPattern check_pattern(std::string_view words) {
     if (sizes.empty() && begins) sizes = here;
     if (!here.empty() && here.size() == sizes.size()) ++groups;
   }
-  if (has_limb_headings(words)) {
-    CheckedPattern checked = checked_limbs(words, text, lexicon);
+  const bool pieces = has_limb_headings(words);
+  if (pieces || std::any_of(text.lines.begin(), text.lines.end(), tells_short_row)) {
+    CheckedPattern checked =
+        checked_graph(pieces ? as_pattern(read_limbs(words)) : read_pattern(words), text, lexicon);
     set_verdict(checked);
     count_lines(checked, text);
     return checked;

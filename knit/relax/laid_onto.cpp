@@ -11,7 +11,7 @@ namespace {
 
 using Symmetric = std::array<std::array<double, 4>, 4>;
 
-glm::dvec3 middle_of(std::span<const glm::dvec3> places) {
+glm::dvec3 centre_of(std::span<const glm::dvec3> places) {
   glm::dvec3 sum(0.0);
   for (const glm::dvec3& place : places) sum += place;
   return sum / static_cast<double>(places.size());
@@ -60,7 +60,7 @@ glm::dmat3 rotation(double w, double x, double y, double z) {
 
 std::vector<glm::dvec3> laid_onto(std::span<const glm::dvec3> places, std::span<const glm::dvec3> onto) {
   if (places.empty()) return {};
-  const glm::dvec3 from = middle_of(places), to = middle_of(onto);
+  const glm::dvec3 from = centre_of(places), to = centre_of(onto);
   glm::dmat3 s(0.0);  // s[i][j]: sum of a_i b_j
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec3 a = places[i] - from, b = onto[i] - to;
