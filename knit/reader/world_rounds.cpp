@@ -206,6 +206,14 @@ bool works_to_marker(const std::vector<WorldNode>& nodes) {
   });
 }
 
+bool moves_held(const std::vector<WorldNode>& nodes) {
+  using Kind = WorldNode::Kind;
+  return std::any_of(nodes.begin(), nodes.end(), [](const WorldNode& node) {
+    return node.kind == Kind::hold || node.kind == Kind::take || node.kind == Kind::insert ||
+           moves_held(node.inside);
+  });
+}
+
 }  // namespace
 
 // Where markers stood is lost with the stitches.
@@ -314,10 +322,13 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   std::string why;
   WorldOutcome outcome;
   const WorldNeedle before = needle_;
-  const std::vector<WorldHolder> held = holders_;
+  // Holders are copied only where a round may change them: there may be as many as lines.
+  const bool moves = moves_held(recipes_[index].first.nodes) || moves_held(recipes_[index].other.nodes);
+  const auto holders_now = [&] { return moves ? holders_ : std::vector<WorldHolder>{}; };
+  const std::vector<WorldHolder> held = holders_now();
   const auto attempt = [&](const WorldRound& round, const WorldNeedle& from) {
     needle_ = from;
-    holders_ = held;
+    if (moves) holders_ = held;
     const std::int64_t there = needle_.count();
     outcome = work_on(needle_, round.nodes, recipes_[index].flat, hands(), budget_);
     if (!outcome.sound()) return false;
@@ -328,7 +339,7 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   std::string first_why = why;
   WorldOutcome first = outcome;
   const WorldNeedle made = needle_;
-  const std::vector<WorldHolder> held_then = holders_;
+  const std::vector<WorldHolder> held_then = holders_now();
   if (!done && recipes_[index].first.choice) done = attempt(recipes_[index].other, before);
   if (!done && alternative_) {
     WorldNeedle from;
@@ -339,10 +350,10 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     // both ways work out, and nothing says which: the stitches are not known
     const std::int64_t one = needle_.count();
     const WorldNeedle kept = needle_;
-    const std::vector<WorldHolder> kept_held = holders_;
+    const std::vector<WorldHolder> kept_held = holders_now();
     const bool both = attempt(recipes_[index].other, before) && needle_.count() != one;
     needle_ = kept;
-    holders_ = kept_held;
+    if (moves) holders_ = kept_held;
     if (both) {
       not_understood(name + ": it can be meant in two ways, and no count says which.");
       known_ = false;
@@ -356,7 +367,7 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     return true;
   }
   needle_ = made;
-  holders_ = held_then;
+  if (moves) holders_ = held_then;
   if (!first.unknown.empty()) {
     not_understood(name + ": " + first.unknown, first.at, first.length);
     after_trouble(said);
