@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "knit/reader/limbs_lines.h"
+#include "knit/reader/limbs_reader.h"
 #include "knit/reader/reader_grammar.h"
 #include "knit/reader/reader_work.h"
 
@@ -471,6 +473,24 @@ bool LimbWorker::work_words(std::int32_t first, std::int32_t last, std::string_v
     if (!work(number, worked)) return false;
   }
   return true;
+}
+
+bool has_limb_headings(std::string_view text) {
+  const std::vector<TextLine> lines = pattern_lines(text);
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const TextLine& line) { return limb_heading_of(line.text).has_value(); });
+}
+
+ReadLimbs read_limbs(std::string_view text) {
+  LimbSections sections = limb_sections_of(text);
+  if (sections.stray) {
+    ReadLimbs read;
+    const std::string line = std::to_string(sections.stray->number);
+    read.mistakes.push_back({sections.stray->number, "line " + line + ": \"" + sections.stray->text +
+                                                         "\" stands before the first piece."});
+    return read;
+  }
+  return LimbWorker(std::move(sections.sections), sections.last_line).run();
 }
 
 }  // namespace knit
