@@ -8,6 +8,7 @@
 #include "app/describe/thing_places.h"
 #include "app/files/card.h"
 #include "app/files/gltf.h"
+#include "app/files/knitted.h"
 #include "app/files/pattern_export.h"
 #include "app/files/plots.h"
 #include "app/files/report.h"
@@ -61,32 +62,37 @@ std::string deal_group(const knit::Fabric& fabric, const knit::Deal& deal, std::
 
 }  // namespace
 
-std::string mesh_text(const Session& session) {
-  const knit::State state = shown_state(session);
+std::string mesh_text_of(const knit::Fabric& fabric, std::string_view remark) {
   std::string text =
       "# knit-mesh: stitches row by row in knitting order, a group for each row with the faces below it.\n";
   text += "# A stack of closed rounds, not a helix: each round begins beside the end of the one before.\n";
-  if (!state.fabric.deals().empty())
+  if (!fabric.deals().empty())
     text +=
         "# Where loops part or meet: the bridge's stitches after the row before, a group for each deal.\n";
-  if (has_settled(session))
-    text += session.view->positions == Positions::placed ? "# Stitches as they were placed.\n"
-                                                         : "# Stitches where they settled.\n";
-  for (const glm::dvec3& place : knit::knitting_path(state.fabric)) append_vertex(text, place);
-  for (const auto& row : state.fabric.rows()) {
-    if (const knit::Strip* strip = state.fabric.strip_into(row->id)) {
+  text += remark;
+  for (const glm::dvec3& place : knit::knitting_path(fabric)) append_vertex(text, place);
+  for (const auto& row : fabric.rows()) {
+    if (const knit::Strip* strip = fabric.strip_into(row->id)) {
       text += "g " + row_name(row->id) + "\n";
       for (const knit::Face& face : strip->faces) append_face(text, face);
-    } else if (state.fabric.strips().empty()) {
-      const std::size_t first = std::size_t{state.fabric.first_on_path(row->id)} + 1;
+    } else if (fabric.strips().empty()) {
+      const std::size_t first = std::size_t{fabric.first_on_path(row->id)} + 1;
       text += "g " + row_name(row->id) + "\nl " + std::to_string(first);
       for (const auto& edge : knit::edges_of(*row)) text += " " + std::to_string(first + edge.to);
       text += "\n";
     }
   }
-  for (std::size_t i = 0; i < state.fabric.deals().size(); ++i)
-    text += deal_group(state.fabric, *state.fabric.deals()[i], i + 1);
+  for (std::size_t i = 0; i < fabric.deals().size(); ++i)
+    text += deal_group(fabric, *fabric.deals()[i], i + 1);
   return text;
+}
+
+std::string mesh_text(const Session& session) {
+  std::string_view remark;
+  if (has_settled(session))
+    remark = session.view->positions == Positions::placed ? "# Stitches as they were placed.\n"
+                                                          : "# Stitches where they settled.\n";
+  return mesh_text_of(shown_fabric(session), remark);
 }
 
 namespace {
@@ -192,6 +198,9 @@ const std::array export_table{
                write_session, nullptr, ExportEndings{}, true},
     ExportInfo{"mesh", "knit mesh", "-knit.obj", About::piece,
                "write the knit mesh as OBJ (\"-\": standard output)", as_text<mesh_text>},
+    ExportInfo{"relaxed", "stuffed shape", "-relaxed.obj", About::piece,
+               "write the knit mesh as it will come off the needles and be stuffed, as OBJ",
+               as_text<relaxed_text>, relaxed_missing},
     ExportInfo{"map", "stitch map", "-map.txt", About::figures, "write the label arrays, a row a line",
                as_text<map_text>},
     ExportInfo{"report", "report", "-report.json", About::figures, "write the report as JSON",

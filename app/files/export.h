@@ -17,6 +17,8 @@ namespace app {
 // Wavefront OBJ of quads and triangles: stitches row by row in knitting order, a group a row. Before faces
 // are made, a row is a closed line.
 std::string mesh_text(const Session& session);
+// The same of any fabric; `remark`: lines of comment, or empty.
+std::string mesh_text_of(const knit::Fabric& fabric, std::string_view remark);
 
 // Appendix A's form: "1: [5, 5, 5, 5, 5, 5]".
 std::string map_text(const Session& session);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/files/card.h"
+#include "app/files/knitted.h"
 #include "app/files/pattern_export.h"
 #include "app/session/document.h"
 #include "app/session/remarks.h"
@@ -576,6 +577,7 @@ Json report_json(const Session& session) {
       shown);
   report["settled"] = settled_json(timeline, closeness.get());
   report["uncovered"] = uncovered_json(timeline, shown);
+  report["knitted"] = knitted_json(session);
   report["stretched"] = to_json(knit::stretched_rows(state, parameters.stitch.height));
   add_as_asked(timeline, shown, report);
   report["problems"] = problems_json(session);
