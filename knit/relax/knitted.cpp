@@ -16,7 +16,7 @@ namespace {
 
 using Places = std::span<const glm::dvec3>;
 
-glm::dvec3 middle_of(Places at) {
+glm::dvec3 mean_place(Places at) {
   glm::dvec3 sum(0.0);
   for (const glm::dvec3& place : at) sum += place;
   return sum / static_cast<double>(std::max<std::size_t>(at.size(), 1));
@@ -28,7 +28,7 @@ Places stitches_of(const Fabric& fabric, const Row& row, Places at) {
 
 std::vector<glm::dvec3> middles_of(const Fabric& fabric, Places at) {
   std::vector<glm::dvec3> middles;
-  for (const auto& row : fabric.rows()) middles.push_back(middle_of(stitches_of(fabric, *row, at)));
+  for (const auto& row : fabric.rows()) middles.push_back(mean_place(stitches_of(fabric, *row, at)));
   return middles;
 }
 
@@ -36,7 +36,7 @@ bool is_one_tube(const Fabric& fabric) { return fabric.deals().empty(); }
 
 // By the power method on the middles' squares; `along` where they lie on one spot.
 glm::dvec3 axis_of(const std::vector<glm::dvec3>& middles, const glm::dvec3& along) {
-  const glm::dvec3 centre = middle_of(middles);
+  const glm::dvec3 centre = mean_place(middles);
   glm::dvec3 axis = middles.back() - middles.front();
   if (glm::length(axis) == 0.0) return glm::normalize(along);
   axis = glm::normalize(axis);
@@ -64,7 +64,7 @@ Reach ends_along(Places at, const glm::dvec3& axis) {
   return ends;
 }
 
-double mean_along(Places at, const glm::dvec3& axis) { return glm::dot(middle_of(at), axis); }
+double mean_along(Places at, const glm::dvec3& axis) { return glm::dot(mean_place(at), axis); }
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   if (glm::length(a) == 0.0 || glm::length(b) == 0.0) return 0.0;
@@ -80,7 +80,7 @@ double bend_of(const std::vector<glm::dvec3>& middles) {
 }
 
 double roundness(Places at) {
-  const glm::dvec3 centre = middle_of(at);
+  const glm::dvec3 centre = mean_place(at);
   double near = std::numeric_limits<double>::infinity(), far = 0.0;
   for (const glm::dvec3& place : at) {
     const double length = glm::length(place - centre);
@@ -177,7 +177,7 @@ Extent extent_of(const Fabric& fabric, Places at, const glm::dvec3& along) {
   const Reach ends = ends_along(at, axis);
   Extent extent{ends.high - ends.low, 0.0};
   if (one) {
-    const glm::dvec3 centre = middle_of(middles);
+    const glm::dvec3 centre = mean_place(middles);
     for (const auto& row : fabric.rows()) {
       double sum = 0.0;
       for (const glm::dvec3& place : stitches_of(fabric, *row, at)) {
