@@ -311,3 +311,22 @@ TEST_CASE("checked pattern: the docs print the table of stitch words") {
   const std::string docs{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   CHECK(docs.find(trade_words_table()) != std::string::npos);
 }
+
+TEST_CASE("checked pattern: the legend of a chart is no work") {
+  CHECK(
+      signs_of(
+          "CO 6 sts.\nRnd 1: [K1, m1l] 6 times. (12 sts)\n  (blank)  k: knit\n     R     m1r: make 1 right\n"
+          "     L     m1l: make 1 left\n     /     k2tog: knit 2 together") == "++....");
+}
+
+TEST_CASE("checked pattern: short rows in this program's words are worked to the graph") {
+  const std::string begin = "CO 10 sts. Join to work in the round.\n";
+  const std::string rows =
+      "Short row 1 (RS): K6, turn. (6 sts after BOR)\nShort row 2 (WS): DS, p5, turn. (at BOR)\n";
+  const std::string end = "Rnd 2 (cont.): DS, knit to end. (10 sts)\n";
+  CHECK(check_pattern(begin + rows + end).verdict == PatternVerdict::holds);
+  CHECK(check_pattern(begin + rows + "Rnd 2 (cont.): DS, knit to end. (11 sts)\n").verdict ==
+        PatternVerdict::does_not_add_up);
+  CHECK(check_pattern(begin + rows + "Dec rnd: [K3, k2tog] 2 times.\n" + end).verdict !=
+        PatternVerdict::holds);
+}

@@ -90,11 +90,15 @@ double roundness(Places at) {
   return near > 0.0 ? far / near : 1.0;
 }
 
-void find_rounding(const Fabric& fabric, Places at, KnittedFigures& made) {
+// Of rows that were placed round: where the shape is not, nothing else is wanted.
+void find_rounding(const Fabric& fabric, Places placed, Places at, KnittedFigures& made) {
   constexpr std::size_t enough = 20;
+  constexpr double round_enough = 1.1;
   std::vector<double> all;
   for (const auto& row : fabric.rows()) {
-    if (!row->closed || row->stitches.size() < enough) continue;
+    if (!row->closed || row->stitches.size() < enough ||
+        roundness(stitches_of(fabric, *row, placed)) > round_enough)
+      continue;
     const double share = roundness(stitches_of(fabric, *row, at));
     all.push_back(share);
     if (!made.out_of_round || share > made.out_of_round->share) made.out_of_round = RowShare{row->id, share};
@@ -220,7 +224,7 @@ KnittedFigures knitted_figures(const Fabric& fabric, const RelaxPlan& plan, cons
   } else {
     find_turned(fabric, middles_before, middles_after, made);
   }
-  find_rounding(fabric, after, made);
+  find_rounding(fabric, before, after, made);
   const std::vector<RowId> row_of = rows_of(fabric);
   find_stretch(fabric, plan, after, row_of, made);
   const Enclosure all = enclosure_of(fabric);

@@ -367,8 +367,9 @@ bool is_word_list(std::span<const Atom> line, const Lexicon& lexicon) {
   constexpr std::size_t farthest = 12;
   for (std::size_t i = 1; i < std::min(line.size(), farthest); ++i) {
     if (!is_any(line[i], {":", "=", "-"})) continue;
+    const bool symbol = i == 2 && line[0].text.size() == 1 && lexicon.match(line, 1);  // of a chart
     const bool abbreviation =
-        lexicon.match(line, 0) ||
+        symbol || lexicon.match(line, 0) ||
         is_any(line[0], {"co",  "bo",   "rnd",  "rnds", "st",     "sts",  "pm",   "sm",  "m",    "rep",
                          "rs",  "ws",   "tog",  "beg",  "rem",    "mc",   "cc",   "dpn", "dpns", "w",
                          "est", "patt", "psso", "tbl",  "approx", "cont", "foll", "alt", "bor"});
