@@ -12,6 +12,7 @@
 #include "knit/model/bug.h"
 #include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
+#include "tests/support/bent_ellipsoid.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 
@@ -90,6 +91,12 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   edited.edit_from_here(lower);
   edited.extend_to_end();
   collect(edited, lower);
+  const auto bent = test_support::bent_ellipsoid(2.0);
+  const Parameters with_short_rows = test_support::parameters_of(*bent, ShortRows::automatic);
+  collect(run(bent, with_short_rows), with_short_rows);
+  const Step dropped{{Stage::rows, 7, 3}, PairDropped{3, 9, DropReason{}}};
+  sentences.emplace(kind_name(dropped), narrate(dropped, with_short_rows));
+  CHECK_FALSE(fields_of(dropped).empty());
   CHECK(sentences.size() == event_count);
   for (const auto& [kind, sentence] : sentences) {
     CAPTURE(kind, sentence);

@@ -21,6 +21,7 @@
 #include "knit/model/words.h"
 #include "knit/run/machine.h"
 #include "knit/timing/timing_code.h"
+#include "tests/support/bent_ellipsoid.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
 
@@ -123,6 +124,11 @@ std::vector<Session> all_ways() {
   runs.back().document->timeline.tune(contours);
   runs.back().document->timeline.extend_to_end();
   runs.push_back(example_with("thesis-sphere"));
+  runs.push_back(test_support::small_session());
+  const auto bent = test_support::bent_ellipsoid(2.0);
+  runs.back().document->timeline =
+      knit::Timeline(bent, test_support::parameters_of(*bent, knit::ShortRows::automatic));
+  runs.back().document->timeline.extend_to_end();
   return runs;
 }
 
@@ -151,7 +157,7 @@ struct Reached {
   }
 };
 
-// No small run is so crowded that mains find no room.
+// No small run is so crowded that mains or turns find no room.
 void take_crowded_rows(Reached& reached) {
   for (const auto placement : {knit::PlacementPolicy::thesis, knit::PlacementPolicy::even}) {
     knit::Parameters parameters;
@@ -159,6 +165,7 @@ void take_crowded_rows(Reached& reached) {
     const knit::SpacingChosen dense{knit::Rule::dense, knit::Rule::remainder_last, true, 0, 0, 5};
     reached.take({{knit::Stage::stitches, 3, 1}, dense}, parameters);
   }
+  reached.take({{knit::Stage::rows, 7, 3}, knit::PairDropped{3, 9, knit::DropReason{}}}, {});
 }
 
 std::size_t columns(const std::string& text) {

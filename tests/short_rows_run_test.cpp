@@ -8,40 +8,15 @@
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
 #include "knit/stitches/short_join.h"
+#include "tests/support/bent_ellipsoid.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 
 using namespace knit;
+using test_support::bent_ellipsoid;
+using test_support::parameters_of;
 
 namespace {
-
-// A long ellipsoid, bent over its length by `turn` radians about z.
-std::shared_ptr<const Input> bent_ellipsoid(double turn) {
-  Mesh mesh = sphere(28, 40, false);
-  const double half = 4.0;
-  for (glm::dvec3& p : mesh.positions) {
-    const double along = half * p.y;
-    if (turn == 0.0) {
-      p.y = along;
-      continue;
-    }
-    const double radius = 2.0 * half / turn, angle = along / radius;
-    p = {radius - (radius - p.x) * std::cos(angle), (radius - p.x) * std::sin(angle), p.z};
-  }
-  return make_input(std::move(mesh));
-}
-
-Parameters parameters_of(const Input& input, ShortRows rows) {
-  Parameters parameters = default_parameters(input.bounds);
-  give_width(parameters, 0.36);
-  give_height(parameters, 0.36);
-  parameters.timing.kind = TimingKind::harmonic;
-  parameters.rows.source = RowSource::contours;
-  parameters.stitches.placement = PlacementPolicy::nearest;
-  parameters.settle.settling = Settling::on;
-  parameters.short_rows.rows = rows;
-  return resolved(parameters, input);
-}
 
 struct Ran {
   State state;
