@@ -22,7 +22,7 @@ void show_pattern(Desk& desk) {
 
 // The first round whose line stands on the screen, counted from `from`.
 std::int32_t seen_round(Desk& desk, std::int32_t from = 1) {
-  for (std::int32_t round = from; round <= desk.ui.own<ChartCache>().rounds(); ++round) {
+  for (std::int32_t round = from; round <= desk.ui.own<ChartCache>().last_row(); ++round) {
     if (desk.ui.controls.count("pattern/round/" + std::to_string(round)) > 0) return round;
   }
   FAIL("no round is seen");
@@ -75,7 +75,7 @@ TEST_CASE("the pattern's lines are the document, in its order") {
     CHECK(line.rounds->first == next);
     next = line.rounds->last + 1;
   }
-  CHECK(next == desk.ui.own<ChartCache>().rounds() + 1);
+  CHECK(next == desk.ui.own<ChartCache>().last_row() + 1);
   CHECK(headings == std::vector<std::string>{"Finished size", "Materials", "Gauge", "Abbreviations", "Notes",
                                              "Instructions", "Finishing"});
 }
@@ -93,13 +93,13 @@ TEST_CASE("lines stand one below the other, and a round finds its own") {
     CHECK(layout.line_below(placed.top) == i);
   }
   CHECK(bottom <= layout.height());
-  for (std::int32_t round = 1; round <= desk.ui.own<ChartCache>().rounds(); ++round) {
+  for (std::int32_t round = 1; round <= desk.ui.own<ChartCache>().last_row(); ++round) {
     const auto line = layout.line_of(round);
     REQUIRE(line);
     CHECK(layout.lines()[*line].line.rounds->holds(round));
   }
   CHECK_FALSE(layout.line_of(0));
-  CHECK_FALSE(layout.line_of(desk.ui.own<ChartCache>().rounds() + 1));
+  CHECK_FALSE(layout.line_of(desk.ui.own<ChartCache>().last_row() + 1));
 }
 
 TEST_CASE("a line under the pointer lights its rounds in the view, and a click goes there") {
@@ -152,7 +152,7 @@ TEST_CASE("the round at hand is kept in sight while the run plays") {
   show_pattern(desk);
   desk.act({ToFirst{}});
   desk.settle();
-  const std::int32_t last = desk.ui.own<ChartCache>().rounds();
+  const std::int32_t last = desk.ui.own<ChartCache>().last_row();
   CHECK_FALSE(is_seen(desk, last));
   for (const std::int32_t round : {2, last / 2, last, 3}) {
     CAPTURE(round);
@@ -182,7 +182,7 @@ TEST_CASE("the round under the pointer on the timeline is meant everywhere") {
   Desk desk;
   show_pattern(desk);
   const knit::Timeline& timeline = desk.session.document->timeline;
-  const knit::Place wanted{knit::Stage::stitches, desk.ui.own<ChartCache>().rounds() / 2, INT32_MAX};
+  const knit::Place wanted{knit::Stage::stitches, desk.ui.own<ChartCache>().last_row() / 2, INT32_MAX};
   const Box box = desk.ui.controls.at("track");
   const float margin = desk.layout.scale * 6.0f;
   const Track track{box.x + margin, box.right() - margin, box.y, box.bottom(), timeline.known()};
