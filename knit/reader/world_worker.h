@@ -129,7 +129,7 @@ class WorldWorker {
 
   WorldNeedle needle_;
   bool has_needle_ = false, known_ = false, ever_cast_on_ = false, tells_ = false, in_round_ = false,
-       rows_ = false, short_rows_ = false;
+       rows_ = false;
   bool closed_ = false, broken_ = false, closed_once_ = false;
   std::optional<std::int64_t> last_count_;
   std::size_t closed_line_ = 0;
