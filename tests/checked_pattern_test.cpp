@@ -320,7 +320,7 @@ TEST_CASE("checked pattern: the legend of a chart is no work") {
 }
 
 TEST_CASE("checked pattern: short rows in this program's words are worked to the graph") {
-  const std::string begin = "CO 10 sts. Join to work in the round.\n";
+  const std::string begin = "CO 10 sts (Rnd 1). Join to work in the round.\n";
   const std::string rows =
       "Short row 1 (RS): K6, turn. (6 sts after BOR)\nShort row 2 (WS): DS, p5, turn. (at BOR)\n";
   const std::string end = "Rnd 2 (cont.): DS, knit to end. (10 sts)\n";

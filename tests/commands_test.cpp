@@ -16,7 +16,8 @@ TEST_CASE("every key of the table gives its action, and no key is nameless") {
       Desk desk;
       desk.open();
       if (info.command == Command::close) desk.session.view->gaze.picking = Picking::start;
-      if (info.command == Command::next_mistake || info.command == Command::last_mistake)
+      if (info.command == Command::next_mistake || info.command == Command::last_mistake ||
+          info.command == Command::save_checked)
         desk.act({ShowChecker{}, SetCheckedText{"CO 6 sts.\nRnd 1: Knit. (7 sts)\n"}});
       INFO(tooltip_of(info) << " by " << text_of(chord));
       const Actions wishes = desk.press(chord);

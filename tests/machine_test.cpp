@@ -91,7 +91,7 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   edited.edit_from_here(lower);
   edited.extend_to_end();
   collect(edited, lower);
-  const auto bent = test_support::bent_ellipsoid(2.0);
+  const auto bent = test_support::bent_ellipsoid(1.8);
   const Parameters with_short_rows = test_support::parameters_of(*bent, ShortRows::automatic);
   collect(run(bent, with_short_rows), with_short_rows);
   const Step dropped{{Stage::rows, 7, 3}, PairDropped{3, 9, DropReason{}}};

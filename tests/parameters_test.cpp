@@ -289,7 +289,9 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
       for (const ParameterInfo& info : parameter_table()) {
         CAPTURE(info.key, rows, placement);
         const bool of_settling = info.key.substr(0, 7) == "settle-";  // it is off, and counts are whole
-        const bool of_short_rows = info.key.substr(0, 5) == "turn-" || info.key.substr(0, 9) == "short-row";
+        const bool of_short_rows = info.key.substr(0, 5) == "turn-" ||
+                                   info.key.substr(0, 10) == "short-row-" || info.key == "short-rows-kept" ||
+                                   (info.key == "short-rows" && rows == RowSource::rings);
         const bool idle = of_settling || of_short_rows || info.key.substr(0, 7) == "rhythm-" ||
                           (among(of_rings, info.key) && rows == RowSource::contours) ||
                           (among(of_contours, info.key) && rows == RowSource::rings) ||

@@ -125,7 +125,7 @@ std::vector<Session> all_ways() {
   runs.back().document->timeline.extend_to_end();
   runs.push_back(example_with("thesis-sphere"));
   runs.push_back(test_support::small_session());
-  const auto bent = test_support::bent_ellipsoid(2.0);
+  const auto bent = test_support::bent_ellipsoid(1.8);
   runs.back().document->timeline =
       knit::Timeline(bent, test_support::parameters_of(*bent, knit::ShortRows::automatic));
   runs.back().document->timeline.extend_to_end();

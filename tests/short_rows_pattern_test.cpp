@@ -41,6 +41,7 @@ const State& piece() {
     parameters.rows.source = RowSource::contours;
     parameters.stitches.placement = PlacementPolicy::nearest;
     parameters.short_rows.rows = ShortRows::automatic;
+    parameters.short_rows.kept = KeptBeside::none;
     parameters = resolved(parameters, *input);
     State state;
     while (!state.finished()) {

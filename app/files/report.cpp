@@ -506,7 +506,9 @@ std::vector<TubeLabels> label_rows(const knit::State& state) {
     const knit::Row& first = fabric.row(id);
     std::vector<const knit::Join*> joins;
     const bool cast_on = first.on.empty();
+    knit::RowId last = id;
     for (; id <= fabric.row_count() && fabric.row(id).tube == first.tube; ++id) {
+      last = id;
       if (knit::is_short(fabric.row(id))) continue;
       if (const knit::Join* join = fabric.join_into(id)) joins.push_back(join);
     }
@@ -515,7 +517,7 @@ std::vector<TubeLabels> label_rows(const knit::State& state) {
     tubes.push_back(
         {first.tube, knit::appendix_view(below, joins, all_labelled && ends, cast_on ? first.id : 0)});
     knit::add_short_rows(fabric, first.tube, tubes.back().rows);
-    tubes.back().last = id - 1;
+    tubes.back().last = last;
   }
   return tubes;
 }

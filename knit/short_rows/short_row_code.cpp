@@ -15,16 +15,10 @@ constexpr std::string_view source = "docs/algorithm.md, Short rows";
 bool never_chosen(const Parameters& /*parameters*/) { return false; }
 
 constexpr std::array lines{
-    CodeLine{"for no short rows and {} = 0, 1, 2 rows kept at events",
-             {&var::rows_kept},
-             &var::rows_kept,
-             "No number is best on every shape, and on many none is better than no short rows.",
-             source,
-             lit_by<KeptTried>},
-    CodeLine{"  {} \xE2\x86\x90 of the settled fabric, a stitch",
-             {&var::settled_sum},
+    CodeLine{"for {} = none, 0, 1, 2: settled, {}",
+             {&var::rows_kept, &var::settled_sum},
              &var::settled_sum,
-             "The whole piece is worked and settled, to see what each way is worth.",
+             "The piece is worked and settled without short rows, and with so many rows kept beside events.",
              source,
              lit_by<KeptTried>},
     CodeLine{"take the {} of least {}",
@@ -33,16 +27,10 @@ constexpr std::array lines{
              "Of equal ones no short rows, then the fewest rows kept.",
              source,
              lit_by<KeptChosen>},
-    CodeLine{"for each tube: time and angle of its own",
-             {},
-             &var::chart_levels,
-             "Harmonic both, so that each level is one loop and columns run straight up.",
-             source,
-             lit_by<TubeCharted>},
-    CodeLine{"  rounds {} apart on the near side",
+    CodeLine{"for each tube: a chart, rounds {} apart",
              {&var::near_spacing},
              &var::full_rounds,
-             "The next round stands where the nearest columns have advanced a stitch's height.",
+             "Time and angle are harmonic; the next round stands where the nearest columns have risen by h.",
              source,
              lit_by<TubeCharted>},
     CodeLine{"  for each gap {}",
@@ -102,8 +90,8 @@ constexpr std::array lines{
              source,
              lit_by<ShortRowWorked>}};
 
-constexpr std::array aside{&var::residual,  &var::no_chart, &var::lag_column,
-                           &var::least_lag, &var::lag_left, &var::wrong_side};
+constexpr std::array aside{&var::residual, &var::no_chart,   &var::lag_column,  &var::least_lag,
+                           &var::lag_left, &var::wrong_side, &var::chart_levels};
 
 }  // namespace
 

@@ -93,10 +93,7 @@ std::string KeptTried::sentence(const Telling& /*at*/) const {
          " thousandths a stitch are left" + (best ? ", the least so far." : ".");
 }
 StepFields KeptTried::numbers() const {
-  return {{var::rows_kept, kept},
-          {var::pairs, pairs},
-          {"stitches", nullptr, stitches},
-          {var::settled_sum, static_cast<double>(sum)}};
+  return {{var::rows_kept, kept}, {var::pairs, pairs}, {var::settled_sum, static_cast<double>(sum)}};
 }
 
 std::string KeptChosen::sentence(const Telling& /*at*/) const {

@@ -39,7 +39,8 @@ LabelRow labels_of_short(const Fabric& fabric, const Row& row, RowId on, std::in
   LabelRow made{on, std::nullopt, {}};
   if (const Join* join = fabric.join_into(row.id)) made.labels = join->labels;
   const std::int32_t all = size_of(fabric.row(on));
-  const std::int32_t first = fabric.under_short_rows(row.on).at(0).stitch, last = first + size_of(row) - 1;
+  const std::int32_t first = fabric.under_short_rows(row.on).at(0).stitch,
+                     last = first + static_cast<std::int32_t>(row.stitches.size()) - 1;
   const std::int32_t begins = row.turned->back ? last : first;
   made.at = last < all ? begins : begins - all;
   if (row.turned->back) std::reverse(made.labels.begin(), made.labels.end());

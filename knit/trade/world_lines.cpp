@@ -367,7 +367,8 @@ bool is_word_list(std::span<const Atom> line, const Lexicon& lexicon) {
   constexpr std::size_t farthest = 12;
   for (std::size_t i = 1; i < std::min(line.size(), farthest); ++i) {
     if (!is_any(line[i], {":", "=", "-"})) continue;
-    const bool symbol = i == 2 && line[0].text.size() == 1 && lexicon.match(line, 1);  // of a chart
+    const bool symbol =
+        line[0].text.size() == 1 && lexicon.match(line, 1);  // "L  m1l: make 1 left", of a chart
     const bool abbreviation =
         symbol || lexicon.match(line, 0) ||
         is_any(line[0], {"co",  "bo",   "rnd",  "rnds", "st",     "sts",  "pm",   "sm",  "m",    "rep",

@@ -25,7 +25,7 @@ inline const std::vector<Arrow> arrows{
     {"knit/fabric", {"knit/mesh", "knit/model"}, {"glm/"}},
     {"knit/timing", {"knit/mesh", "knit/import", "knit/model"}, {"glm/", "Eigen/"}},
     {"knit/tubes", {"knit/mesh", "knit/import", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
-    {"knit/rhythm", {"knit/model"}, {}},
+    {"knit/rhythm", {"knit/mesh", "knit/model"}, {}},
     {"knit/rows",
      {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rhythm"},
      {"glm/"}},

@@ -97,6 +97,7 @@ void draw_gauge(PanelFrame& frame, const Checker& checker) {
     const std::string shown = shown_number(value);
     edit_number(frame, name, value, {shown, shown, value, least_gauge, most_gauge, DragPace::ratio},
                 frame.units(58.0f));
+    frame.mark(name);
     return value;
   };
   CheckedGauge gauge = checker.gauge;

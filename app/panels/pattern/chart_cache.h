@@ -51,8 +51,9 @@ class ChartCache {
   [[nodiscard]] const knit::ChartStitches& stitches() const { return stitches_; }
   // What the pattern calls a row.
   [[nodiscard]] knit::WrittenRow written(std::int32_t row) const {
-    const bool known = row >= 1 && row <= std::ssize(written_);
-    return known ? written_[static_cast<std::size_t>(row - 1)] : knit::WrittenRow{row, 0};
+    constexpr std::int32_t first = 1;
+    const bool known = row >= first && row <= std::ssize(written_);
+    return known ? written_[static_cast<std::size_t>(row - first)] : knit::WrittenRow{row, 0};
   }
 
  private:

@@ -58,10 +58,10 @@ void draw_turning(PanelFrame& frame, const ChartCache& cache, std::int32_t row) 
   const knit::WrittenRow at = cache.written(row);
   TurningBar bar(frame);
   const auto to = [&](std::int32_t number) { return KnitAlong{std::clamp(number, 1, last)}; };
+  const auto by = [&](std::int32_t stops) { return to(row + stops); };
   bar.turn("first", Icon::first, to(1), "To the cast on.");
-  bar.turn("back", Icon::back, Command::back_item, to(row - 1), "One round back");
-  bar.turn("forward", Icon::forward, Command::forward_item, to(row + 1),
-           "This round is knitted: the next one");
+  bar.turn("back", Icon::back, Command::back_item, by(-1), "One round back");
+  bar.turn("forward", Icon::forward, Command::forward_item, by(1), "This round is knitted: the next one");
   const std::string round = std::to_string(at.round) + " of " + std::to_string(cache.written(last).round);
   bar.end(at.short_row > 0 ? "Short row " + std::to_string(at.short_row) + " before round " + round
                            : "Round " + round);
