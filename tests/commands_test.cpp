@@ -1,10 +1,12 @@
 // Keys: each gives its action, and none while a person types.
 #include "app/panels/kit/commands.h"
-#include "app/panels/parameters/parameters.h"
-#include "app/session/view.h"
 
+#include <memory>
 #include <set>
 
+#include "app/checker/checker.h"
+#include "app/panels/parameters/parameters.h"
+#include "app/session/view.h"
 #include "tests/support/desk.h"
 
 using namespace desk;
@@ -17,8 +19,12 @@ TEST_CASE("every key of the table gives its action, and no key is nameless") {
       desk.open();
       if (info.command == Command::close) desk.session.view->gaze.picking = Picking::start;
       if (info.command == Command::next_mistake || info.command == Command::last_mistake ||
-          info.command == Command::save_checked)
+          info.command == Command::save_checked) {
         desk.act({ShowChecker{}, SetCheckedText{"CO 6 sts.\nRnd 1: Knit. (7 sts)\n"}});
+        auto named = std::make_shared<Checker>(*desk.session.view->checker);
+        named->path = "pattern.txt";
+        desk.session.view->checker = named;
+      }
       INFO(tooltip_of(info) << " by " << text_of(chord));
       const Actions wishes = desk.press(chord);
       REQUIRE(wishes.size() == 1);

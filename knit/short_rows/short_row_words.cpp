@@ -123,7 +123,6 @@ std::string TubeCharted::sentence(const Telling& /*at*/) const {
 StepFields TubeCharted::numbers() const {
   return {{var::chart_levels, levels},
           {var::full_rounds, rounds},
-          {"rows", nullptr, rows},
           {var::residual, static_cast<double>(residual)},
           {var::near_spacing, static_cast<double>(spacing)},
           {var::no_chart, word_of(none)}};

@@ -36,6 +36,13 @@ constexpr CodeLine count_change{"{} \xE2\x86\x90 {} \xE2\x88\x92 {}",
                                 "Stitches to add to the row below, or to take away.",
                                 "Thesis 3.2.4, step 1",
                                 lit_by<JoinCounted>};
+constexpr CodeLine mark_turn{
+    "where a short row turned: {} {}",
+    {&var::cell, &var::label},
+    &var::label,
+    "Short rows end with a turn, and the stitch beyond is marked in the row that works it.",
+    "docs/algorithm.md, Short rows",
+    lit_by<TurnPlaced>};
 constexpr CodeLine count_mains{"{} \xE2\x86\x90 |{}| / 2, rounded up",
                                {&var::wanted, &var::change},
                                &var::wanted,
@@ -108,7 +115,8 @@ constexpr std::array thesis_lines{
         lit_if<&SpacingChosen::rule, Rule::dense>},
     place_main,
     place_after,
-    place_before};
+    place_before,
+    mark_turn};
 
 constexpr std::array even_lines{count_change,
                                 count_mains,
@@ -132,7 +140,8 @@ constexpr std::array even_lines{count_change,
                                          lit_if<&SpacingChosen::rule, Rule::dense>},
                                 place_main,
                                 place_after,
-                                place_before};
+                                place_before,
+                                mark_turn};
 
 constexpr std::array nearest_lines{
     count_change,
@@ -162,7 +171,8 @@ constexpr std::array nearest_lines{
         "A stitch with two links is shaping: an increase where the row grows, a decrease where it shrinks. "
         "Its label leans by the side on which the nearest main stands.",
         "docs/algorithm.md, Placement nearest",
-        lit_by<ShapingPlaced>}};
+        lit_by<ShapingPlaced>},
+    mark_turn};
 
 constexpr std::array repeat_lines{
     count_change,
@@ -189,7 +199,8 @@ constexpr std::array repeat_lines{
              "the next "
              "one, in the middle, or in turn.",
              "docs/algorithm.md, Rhythm: Placement",
-             lit_by<ShapingPlaced>}};
+             lit_by<ShapingPlaced>},
+    mark_turn};
 
 constexpr std::array face_lines{
     CodeLine{"for each cell b of the larger row",
