@@ -164,7 +164,12 @@ void take_crowded_rows(Reached& reached) {
     parameters.stitches.placement = placement;
     const knit::SpacingChosen dense{knit::Rule::dense, knit::Rule::remainder_last, true, 0, 0, 5};
     reached.take({{knit::Stage::stitches, 3, 1}, dense}, parameters);
+    reached.take({{knit::Stage::stitches, 3, 2}, knit::TurnPlaced{3, knit::Label::turn_left}}, parameters);
   }
+  knit::Parameters rhythm;
+  rhythm.rows.source = knit::RowSource::contours;
+  rhythm.rhythm.counts = knit::CountPlanning::rhythm;
+  reached.take({{knit::Stage::stitches, 3, 2}, knit::TurnPlaced{3, knit::Label::turn_left}}, rhythm);
   reached.take({{knit::Stage::rows, 7, 3}, knit::PairDropped{3, 9, knit::DropReason{}}}, {});
 }
 
