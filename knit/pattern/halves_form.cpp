@@ -88,7 +88,7 @@ std::string way_words(const Way& way) {
     const Quarter& quarter = way[i];
     if (quarter.after != Hand::knit) {
       if (i > 0 && reached != i - 1) go_to(i - 1, 0);
-      parts.push_back("K1");
+      parts.emplace_back("K1");
       parts.push_back(hand_words(quarter.after));
     }
     if (quarter.before != Hand::knit) {

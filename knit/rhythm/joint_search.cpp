@@ -159,6 +159,7 @@ class JointSearch {
       std::sort(numbers.begin(), numbers.end());
     }
     std::vector<Place> places;
+    places.reserve(numbers.size());
     for (const std::int32_t number : numbers) places.push_back(place_of(number));
     return places;
   }

@@ -86,8 +86,8 @@ DropReason reason_of(const Span& span, std::int32_t count) {
 }  // namespace
 
 std::string sentence_of(const DroppedPair& dropped, std::int32_t row) {
-  const std::string what = "Row " + std::to_string(row) + ": a short row over " +
-                           std::to_string(std::max(0, dropped.stitches())) + " stitches was left out: ";
+  std::string what = "Row " + std::to_string(row) + ": a short row over " +
+                     std::to_string(std::max(0, dropped.stitches())) + " stitches was left out: ";
   switch (dropped.reason) {
     case DropReason::no_plain_stitch:
       return what + "no plain stitch to turn at within 3 stitches.";

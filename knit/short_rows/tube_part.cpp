@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "knit/mesh/outside.h"
@@ -82,6 +83,40 @@ std::vector<std::vector<std::uint32_t>> loops_at(const std::vector<Triangle>& tr
   return loops;
 }
 
+// What a triangle becomes whose edges have points in their middle, or none; of two ways the one with the shorter edge.
+void add_parts(Triangle f, const NewPoints& halves, std::span<const glm::dvec3> points,
+               std::vector<Triangle>& made) {
+  std::array<VertexId, 3> half{};
+  const auto find_halves = [&] {
+    for (std::size_t k = 0; k < 3; ++k) half[k] = halves.at(f[k], f[(k + 1) % 3]);
+  };
+  find_halves();
+  const auto count = 3 - std::count(half.begin(), half.end(), no_vertex);
+  if (count == 0) return made.push_back(f);
+  if (count == 3) {
+    made.insert(made.end(), {{f[0], half[0], half[2]},
+                             {half[0], f[1], half[1]},
+                             {half[2], half[1], f[2]},
+                             {half[0], half[1], half[2]}});
+    return;
+  }
+  while (half[0] == no_vertex || (count == 2 && half[1] == no_vertex)) {
+    f = {f[1], f[2], f[0]};
+    find_halves();
+  }
+  const auto& [a, b, c] = f;
+  if (count == 1) {
+    made.insert(made.end(), {{a, half[0], c}, {half[0], b, c}});
+    return;
+  }
+  made.push_back({half[0], b, half[1]});
+  if (glm::length(points[a] - points[half[1]]) < glm::length(points[half[0]] - points[c])) {
+    made.insert(made.end(), {{a, half[0], half[1]}, {a, half[1], c}});
+  } else {
+    made.insert(made.end(), {{a, half[0], c}, {half[0], half[1], c}});
+  }
+}
+
 // Halves edges that are too long, all at once, until none is. The surface stays.
 void halve_long_edges(std::vector<glm::dvec3>& points, std::vector<Triangle>& triangles, double longest) {
   while (true) {
@@ -97,40 +132,7 @@ void halve_long_edges(std::vector<glm::dvec3>& points, std::vector<Triangle>& tr
     halves.edges.erase(std::unique(halves.edges.begin(), halves.edges.end()), halves.edges.end());
     for (const auto& [a, b] : halves.edges) points.push_back(0.5 * (points[a] + points[b]));
     std::vector<Triangle> made;
-    for (Triangle f : triangles) {
-      std::array<VertexId, 3> half{};
-      const auto find_halves = [&] {
-        for (std::size_t k = 0; k < 3; ++k) half[k] = halves.at(f[k], f[(k + 1) % 3]);
-      };
-      find_halves();
-      const auto count = 3 - std::count(half.begin(), half.end(), no_vertex);
-      if (count == 0) {
-        made.push_back(f);
-        continue;
-      }
-      if (count == 3) {
-        made.insert(made.end(), {{f[0], half[0], half[2]},
-                                 {half[0], f[1], half[1]},
-                                 {half[2], half[1], f[2]},
-                                 {half[0], half[1], half[2]}});
-        continue;
-      }
-      while (half[0] == no_vertex || (count == 2 && half[1] == no_vertex)) {
-        f = {f[1], f[2], f[0]};
-        find_halves();
-      }
-      const auto& [a, b, c] = f;
-      if (count == 1) {
-        made.insert(made.end(), {{a, half[0], c}, {half[0], b, c}});
-        continue;
-      }
-      made.push_back({half[0], b, half[1]});
-      if (glm::length(points[a] - points[half[1]]) < glm::length(points[half[0]] - points[c])) {
-        made.insert(made.end(), {{a, half[0], half[1]}, {a, half[1], c}});
-      } else {
-        made.insert(made.end(), {{a, half[0], c}, {half[0], half[1], c}});
-      }
-    }
+    for (const Triangle& f : triangles) add_parts(f, halves, points, made);
     triangles = std::move(made);
   }
 }
@@ -311,6 +313,7 @@ std::variant<TubePart, NoPart> TubeCutter::part(std::size_t low, std::size_t hig
 
   std::vector<glm::dvec3> points = points_;
   std::vector<Triangle> triangles;
+  triangles.reserve(region.size());
   for (const std::uint32_t t : region) triangles.push_back(triangles_[t]);
   const glm::dvec3 on_low = points_[loops_[low].sides[0][0]];
   drop_unused(points, triangles);
