@@ -115,6 +115,7 @@ void draw_sizes(PanelFrame& frame) {
   constexpr std::size_t most_buttons = 6;
   if (sizes.size() <= most_buttons) {
     std::vector<std::string_view> names;
+    names.reserve(sizes.size());
     for (const knit::CheckedSize& size : sizes) names.push_back(size.name);
     const int chosen = segmented("sizes", names, static_cast<int>(checker.size), 0.0f);
     if (chosen >= 0) frame.wish(ShowCheckedSize{static_cast<std::size_t>(chosen)});
