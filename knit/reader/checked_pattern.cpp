@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::int64_t most_tried = 240;  // stitches that a stitch pattern without a cast on is tried on
 constexpr std::size_t most_tried_text = 20'000;
+constexpr std::size_t most_sizes = 40;
 constexpr int most_workings = 6;             // of the whole text
 constexpr std::int64_t most_steps = 20'000;  // of its rounds
 
@@ -217,77 +218,97 @@ void work_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Text&
   }
 }
 
-}  // namespace
+// What kind of text it is, from all of its lines.
+struct Survey {
+  std::size_t crochet = 0, knitting = 0;  // lines
+  bool cast = false;                      // stitches are cast on
+  std::vector<std::int64_t> sizes;        // of the first cast on that tells them
+  std::size_t groups = 0;                 // lines that tell as many numbers
 
-CheckedPattern check_pattern(std::string_view words) {
-  const Lexicon lexicon;
-  Text text{pattern_lines(words), {}, physical_lines(words)};
-  text.atoms.reserve(text.lines.size());
-  std::size_t crochet = 0, knitting = 0;
-  bool cast = false;
-  std::vector<std::int64_t> sizes;
-  std::size_t groups = 0;
-  for (const TextLine& line : text.lines) {
-    const Atoms& atoms = text.atoms.emplace_back(atoms_of(line.text));
-    crochet += crochet_words(atoms) > 0 ? 1 : 0;
-    const bool begins = casts_on(atoms);
-    cast = cast || begins;
-    knitting += begins || (world_label(atoms, lexicon) && crochet_words(atoms) == 0) ? 1 : 0;
-    const std::vector<std::int64_t> here = sizes_in(atoms);
-    if (sizes.empty() && begins) sizes = here;
-    if (!here.empty() && here.size() == sizes.size()) ++groups;
+  [[nodiscard]] bool is_crochet() const { return crochet >= 2 && crochet > knitting; }
+};
+
+Survey survey_of(const std::vector<Atoms>& lines, const Lexicon& lexicon) {
+  Survey survey;
+  for (const Atoms& line : lines) {
+    const bool crochet = crochet_words(line) > 0;
+    const bool begins = casts_on(line);
+    survey.crochet += crochet ? 1 : 0;
+    survey.cast = survey.cast || begins;
+    survey.knitting += begins || (!crochet && world_label(line, lexicon)) ? 1 : 0;
+    const std::vector<std::int64_t> here = sizes_in(line);
+    if (survey.sizes.empty() && begins) survey.sizes = here;
+    if (!here.empty() && here.size() == survey.sizes.size()) ++survey.groups;
   }
-  const bool pieces = has_limb_headings(words);
-  if (pieces || std::any_of(text.lines.begin(), text.lines.end(), tells_short_row)) {
-    CheckedPattern checked =
-        checked_graph(pieces ? as_pattern(read_limbs(words)) : read_pattern(words), text, lexicon);
-    set_verdict(checked);
-    count_lines(checked, text);
-    return checked;
-  }
-  CheckedPattern checked;
-  const std::size_t number = sizes.empty() ? 1 : std::min<std::size_t>(sizes.size(), 40);
-  WorldWorker unstarted(lexicon, 0, 1);
+  return survey;
+}
+
+// Each size that the cast on tells; the first alone where no other line tells them.
+void work_sizes(CheckedPattern& checked, const Lexicon& lexicon, const Text& text, const Survey& survey) {
+  const std::size_t told = survey.sizes.size();
+  const bool only_first = told > 1 && survey.groups < 2;
+  const std::size_t number = only_first ? 1 : std::min(told, most_sizes);
   for (std::size_t i = 0; i < number; ++i) {
     std::size_t rounds = 0;
-    CheckedSize size;
-    if (sizes.empty()) {
-      size = unstarted.run(text.lines, text.atoms, text.physical, 0);
-      rounds = unstarted.rounds();
-    } else {
-      size = worked(lexicon, text, i, sizes.size(), 0, rounds);
-    }
-    if (!sizes.empty()) size.name = std::to_string(sizes[i]);
+    CheckedSize size = worked(lexicon, text, i, told, 0, rounds);
+    size.name = std::to_string(survey.sizes[i]);
     if (i == 0) checked.rounds = rounds;
     checked.sizes.push_back(std::move(size));
-    if (number > 1 && groups < 2) {
-      checked.remark =
-          "Only the cast on tells sizes; the first one, " + std::to_string(sizes[0]) + ", is worked.";
-      break;
-    }
   }
-  if (crochet >= 2 && crochet > knitting) {
-    checked.remark = "This is crochet, and only knitting is worked here.";
-    for (CheckedSize& size : checked.sizes) {
-      size.verdict = PatternVerdict::not_understood;
-      size.pieces.clear();
-      for (CheckedLine& line : size.lines) {
-        if (line.verdict == LineVerdict::no_instruction) continue;
-        line = {
-            line.number,
+  if (only_first)
+    checked.remark =
+        "Only the cast on tells sizes; the first one, " + std::to_string(survey.sizes[0]) + ", is worked.";
+}
+
+void refuse_crochet(CheckedSize& size) {
+  size.verdict = PatternVerdict::not_understood;
+  size.pieces.clear();
+  for (CheckedLine& line : size.lines) {
+    if (line.verdict == LineVerdict::no_instruction) continue;
+    line = {line.number,
             LineVerdict::not_understood,
             std::nullopt,
             "line " + std::to_string(line.number) + ": this is crochet, and only knitting is worked here.",
             0,
             0};
-      }
-    }
-  } else if (!cast) {
-    work_on_repeat(checked, lexicon, text, words.size(), unstarted);
   }
+}
+
+// Patterns of the world, worked on the counts of stitches.
+CheckedPattern checked_world(const Text& text, const Lexicon& lexicon, std::size_t length) {
+  const Survey survey = survey_of(text.atoms, lexicon);
+  CheckedPattern checked;
+  WorldWorker unstarted(lexicon, 0, 1);
+  if (survey.sizes.empty()) {
+    checked.sizes.push_back(unstarted.run(text.lines, text.atoms, text.physical, 0));
+    checked.rounds = unstarted.rounds();
+  } else {
+    work_sizes(checked, lexicon, text, survey);
+  }
+  if (survey.is_crochet()) {
+    checked.remark = "This is crochet, and only knitting is worked here.";
+    for (CheckedSize& size : checked.sizes) refuse_crochet(size);
+  } else if (!survey.cast) {
+    work_on_repeat(checked, lexicon, text, length, unstarted);
+  }
+  return checked;
+}
+
+}  // namespace
+
+CheckedPattern check_pattern(std::string_view text) {
+  const Lexicon lexicon;
+  Text parted{pattern_lines(text), {}, physical_lines(text)};
+  parted.atoms.reserve(parted.lines.size());
+  for (const TextLine& line : parted.lines) parted.atoms.push_back(atoms_of(line.text));
+  const bool pieces = has_limb_headings(text);
+  const bool graph = pieces || std::any_of(parted.lines.begin(), parted.lines.end(), tells_short_row);
+  CheckedPattern checked =
+      graph ? checked_graph(pieces ? as_pattern(read_limbs(text)) : read_pattern(text), parted, lexicon)
+            : checked_world(parted, lexicon, text.size());
   set_verdict(checked);
-  count_lines(checked, text);
-  checked.is_pattern = checked.rounds > 0 || checked.verdict != PatternVerdict::holds;
+  count_lines(checked, parted);
+  if (!graph) checked.is_pattern = checked.rounds > 0 || checked.verdict != PatternVerdict::holds;
   return checked;
 }
 
