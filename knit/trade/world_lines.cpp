@@ -303,6 +303,46 @@ class LabelReader {
   WorldLabel label_;
 };
 
+// "(make 2)": how often the piece is made. Leaves `at` on the closing bracket; false: its number is none of pieces.
+bool read_made(std::span<const Atom> line, std::size_t& at, WorldTitle& title) {
+  const std::size_t open = at;
+  std::size_t end = open + 1;
+  for (; end < line.size() && !line[end].is(")"); ++end) {
+    if (!line[end].is_number()) continue;
+    if (holds_any(line.subspan(open, end - open + 1), {"make", "both", "work", "knit", "x"}))
+      title.made = line[end].value;
+    if (!holds_any(line.subspan(open), {"make", "x", "work", "knit", "of"})) return false;
+  }
+  if (holds_any(line.subspan(open, end - open), {"twice"})) title.made = 2;
+  at = end;
+  return true;
+}
+
+// Words that no title has: of stitches and rounds, but for those that may name a piece too, beside another.
+bool is_work_word(std::span<const Atom> line, std::size_t at, const Lexicon& lexicon) {
+  if (is_stitches(line[at]) || is_rounds(line[at])) return true;
+  const bool names_too =
+      line.size() > 1 && is_any(line[at], {"slip", "knit", "purl", "increase", "decrease"});
+  return !names_too && lexicon.match(line, at);
+}
+
+// What a line of work begins with, and a title does not.
+bool is_order(const Atom& atom) {
+  return is_any(
+      atom,
+      {"k",     "p",   "knit",  "purl",   "work",  "co",     "bo",       "cast",   "bind", "join", "repeat",
+       "rep",   "cut", "break", "fasten", "turn",  "place",  "continue", "slip",   "sl",   "pick", "stuff",
+       "graft", "sew", "weave", "put",    "leave", "return", "transfer", "thread", "draw", "pull", "make"});
+}
+
+// MATERIALS, NOTES: a section that tells about the pattern.
+bool tells_about(std::span<const Atom> line) {
+  return holds_any(line, {"materials",  "gauge",    "tension", "abbreviations", "notes",     "note",
+                          "finished",   "size",     "sizes",   "needles",       "yarn",      "chart",
+                          "finishing",  "assembly", "key",     "measurements",  "skills",    "supplies",
+                          "techniques", "stitches", "making",  "level",         "equipment", "glossary"});
+}
+
 }  // namespace
 
 std::optional<WorldLabel> world_label(std::span<const Atom> line, const Lexicon& lexicon) {
@@ -315,51 +355,24 @@ std::optional<WorldTitle> world_title(std::span<const Atom> line, const Lexicon&
   std::size_t words = 0;
   bool strange = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i].is("(")) {  // "(make 2)"
-      std::size_t j = i + 1;
-      while (j < line.size() && !line[j].is(")")) {
-        if (line[j].is_number() &&
-            holds_any(line.subspan(i, j - i + 1), {"make", "both", "work", "knit", "x"}))
-          title.made = line[j].value;
-        if (line[j].is_number() && !holds_any(line.subspan(i), {"make", "x", "work", "knit", "of"}))
-          return std::nullopt;
-        ++j;
-      }
-      if (holds_any(line.subspan(i, j - i), {"twice"})) title.made = 2;
-      i = j;
+    if (line[i].is("(")) {
+      if (!read_made(line, i, title)) return std::nullopt;
+    } else if (is_any(line[i], {"-", ":", "/", "=", "#", "_", "'", "&"})) {
       continue;
-    }
-    if (line[i].is("-") || line[i].is(":") || line[i].is("/") || line[i].is("=") || line[i].is("#") ||
-        line[i].is("_") || line[i].is("'") || line[i].is("&"))
-      continue;
-    if (line[i].is("make") && i + 1 < line.size() && line[i + 1].is_number()) {
+    } else if (line[i].is("make") && i + 1 < line.size() && line[i + 1].is_number()) {
       title.made = line[i + 1].value;
       ++i;
-      continue;
-    }
-    if (!line[i].is_word()) {
+    } else if (!line[i].is_word()) {
       strange = true;
-      continue;
-    }
-    const auto word = lexicon.match(line, i);
-    if (word && !(line.size() > 1 && is_any(line[i], {"slip", "knit", "purl", "increase", "decrease"})))
+    } else if (is_work_word(line, i, lexicon)) {
       return std::nullopt;
-    if (is_stitches(line[i]) || is_rounds(line[i])) return std::nullopt;
-    title.name += (title.name.empty() ? "" : " ") + line[i].text;
-    ++words;
+    } else {
+      title.name += (title.name.empty() ? "" : " ") + line[i].text;
+      ++words;
+    }
   }
-  if (strange || words == 0 || words > most_words || title.made < 1) return std::nullopt;
-  if (is_any(line[0],
-             {"k",      "p",        "knit",   "purl",  "work",  "co",     "bo",    "cast",  "bind",
-              "join",   "repeat",   "rep",    "cut",   "break", "fasten", "turn",  "place", "continue",
-              "slip",   "sl",       "pick",   "stuff", "graft", "sew",    "weave", "put",   "leave",
-              "return", "transfer", "thread", "draw",  "pull",  "make"}))
-    return std::nullopt;
-  title.tells =
-      holds_any(line, {"materials",  "gauge",    "tension", "abbreviations", "notes",     "note",
-                       "finished",   "size",     "sizes",   "needles",       "yarn",      "chart",
-                       "finishing",  "assembly", "key",     "measurements",  "skills",    "supplies",
-                       "techniques", "stitches", "making",  "level",         "equipment", "glossary"});
+  if (strange || words == 0 || words > most_words || title.made < 1 || is_order(line[0])) return std::nullopt;
+  title.tells = tells_about(line);
   return title;
 }
 
