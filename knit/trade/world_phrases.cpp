@@ -7,6 +7,15 @@ namespace {
 using Kind = WorldNode::Kind;
 using Until = WorldNode::Until;
 
+// The word that a remark without brackets begins with.
+bool opens_remark(const Atom& atom) {
+  return is_any(atom, {"with",     "using",   "in",         "being",    "taking", "careful", "join",
+                       "rejoin",   "break",   "cut",        "change",   "switch", "attach",  "drop",
+                       "stuff",    "loosely", "tightly",    "not",      "do",     "don't",   "begin",
+                       "starting", "ending",  "twisting",   "remember", "for",    "as",      "adjust",
+                       "arrange",  "divide",  "distribute", "keeping",  "note",   "evenly"});
+}
+
 bool is_marker(const Atom& atom) {
   return is_any(atom, {"m", "marker", "markers", "mkr", "mkrs", "bor", "eor"});
 }
@@ -493,54 +502,59 @@ bool PhraseCursor::one_stitch() {
 
 bool PhraseCursor::remark() {
   if (done()) return false;
+  if (opens_remark(peek())) return remark_words();
+  return sees({"(", "["}) && remark_in_brackets();
+}
+
+bool PhraseCursor::remark_words() {
+  if (take({"loosely", "tightly", "evenly"})) return true;
+  const std::size_t length = part().size();
+  if (length == 0) return false;
+  if (!sees({"join", "being", "taking"}) && works_behind_first()) return colour_words();
+  skip(length);
+  return true;
+}
+
+// Whether the part says work or a number behind its first word.
+bool PhraseCursor::works_behind_first() const {
   const std::span<const Atom> words = part();
-  const auto works = [&](std::size_t from) {
-    for (std::size_t i = from; i < words.size(); ++i) {
-      if (words[i].is_number() || match(i)) return true;
-    }
-    return false;
-  };
-  if (sees({"with",   "using",    "in",      "being",      "taking",   "careful", "careful",
-            "join",   "rejoin",   "break",   "cut",        "change",   "switch",  "attach",
-            "drop",   "stuff",    "loosely", "tightly",    "not",      "do",      "don't",
-            "begin",  "starting", "ending",  "twisting",   "remember", "for",     "as",
-            "adjust", "arrange",  "divide",  "distribute", "keeping",  "note",    "evenly"})) {
-    const bool loose = sees({"loosely", "tightly", "evenly"});
-    if (loose) {
-      skip();
-      return true;
-    }
-    if (works(1) && !sees({"join", "being", "taking"})) {
-      // "with MC k10": the colour's words end where the work begins
-      if (!sees({"with", "using", "in"}) || sees({"waste", "scrap", "contrasting"}, 1)) return false;
-      std::size_t ahead = 1;
-      while (ahead < words.size() && ahead < 4 && !match(ahead) && !words[ahead].is_number()) ++ahead;
-      if (ahead >= words.size() || !match(ahead)) return false;
-      skip(ahead);
-      return true;
-    }
-    skip(words.size());
-    return !words.empty();
-  }
-  if (sees({"(", "["})) {  // "(dec)", "(RS)": a note
-    std::size_t ahead = 1;
-    while (at_ + ahead < line_.size() && !sees({")", "]"}, ahead)) {
-      if (peek(ahead).is_number() || sees({"(", "["}, ahead)) return false;
-      const auto word = match(ahead);
-      if (word && !sees({"inc", "dec", "increase", "decrease"}, ahead)) return false;
-      ++ahead;
-    }
-    if (at_ + ahead >= line_.size() || ahead < 2) return false;
-    const bool note =
-        // "(backward loop)": how stitches are cast on
-        sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional", "note",
-              "backward", "backwards", "knitted", "cable"},
-             1);
-    if (!note) return false;
-    skip(ahead + 1);
-    return true;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i].is_number() || match(i)) return true;
   }
   return false;
+}
+
+// "with MC k10": the colour's words end where the work begins.
+bool PhraseCursor::colour_words() {
+  constexpr std::size_t most_words = 4;
+  if (!sees({"with", "using", "in"}) || sees({"waste", "scrap", "contrasting"}, 1)) return false;
+  const std::span<const Atom> words = part();
+  std::size_t ahead = 1;
+  while (ahead < words.size() && ahead < most_words && !match(ahead) && !words[ahead].is_number()) ++ahead;
+  if (ahead >= words.size() || !match(ahead)) return false;
+  skip(ahead);
+  return true;
+}
+
+// "(dec)", "(RS)", and "(backward loop)": how stitches are cast on.
+bool PhraseCursor::remark_in_brackets() {
+  const std::size_t end = note_end();
+  if (end < 2 || !sees({"rs", "ws", "dec", "inc", "increase", "decrease", "right", "wrong", "optional",
+                        "note", "backward", "backwards", "knitted", "cable"},
+                       1))
+    return false;
+  skip(end + 1);
+  return true;
+}
+
+// How far ahead the bracket that stands here closes; 0: it does not, or holds work.
+std::size_t PhraseCursor::note_end() const {
+  for (std::size_t ahead = 1; at_ + ahead < line_.size(); ++ahead) {
+    if (sees({")", "]"}, ahead)) return ahead;
+    if (peek(ahead).is_number() || sees({"(", "["}, ahead)) return 0;
+    if (match(ahead) && !sees({"inc", "dec", "increase", "decrease"}, ahead)) return 0;
+  }
+  return 0;
 }
 
 }  // namespace knit

@@ -58,6 +58,11 @@ class PhraseCursor {
   std::optional<RepeatWords> end_words();
   std::optional<RepeatWords> each_words();
   bool of_the_round();
+  bool remark_words();
+  [[nodiscard]] bool works_behind_first() const;
+  bool colour_words();
+  bool remark_in_brackets();
+  [[nodiscard]] std::size_t note_end() const;
 
   std::span<const Atom> line_;
   const Lexicon& lexicon_;
