@@ -137,7 +137,7 @@ std::string ShortNeedles::work(const ShortRowLine& line) {
     return "no short row was worked before it.";
   for (const Step& next : line.steps) {
     if (turns_.back()) return "nothing is worked after the turn.";
-    const std::string mistake = step(line, next);
+    std::string mistake = step(line, next);
     if (!mistake.empty()) return mistake;
   }
   return end_of(line);
@@ -164,7 +164,7 @@ std::string ShortNeedles::step(const ShortRowLine& line, const Step& step) {
 std::string ShortNeedles::double_stitch() {
   if (!after_turn_) return "DS without a turn before it.";
   after_turn_ = false;
-  const std::string not_last = "DS is not made from the stitch that was worked last.";
+  std::string not_last = "DS is not made from the stitch that was worked last.";
   const std::int64_t at = wrong_side_ ? cursor_ - 1 : cursor_;
   if (at >= size()) return not_last;
   Loop& loop = loops_[ahead()];

@@ -38,7 +38,7 @@ struct ShortRowLine {
   std::string mistake;                 // empty, or what cannot be read
 };
 // Nothing where the line is none of these. Case and blanks do not matter.
-std::optional<ShortRowLine> short_row_line(std::span<const Token> line);
+std::optional<ShortRowLine> short_row_line(std::span<const Token> tokens);
 
 class ShortNeedles {
  public:

@@ -248,9 +248,8 @@ class RoundParser {
       const auto words = at_.repeat_words();
       const bool single = words && (node.plain || !word.counts || words->until != Until::end);
       // "m1l to end" and "K4, m1l around" repeat more than the last stitch: the sequence takes that up.
-      if (words && !words->each && words->until == Until::end && !node.plain) {
-        at_.back_to(before);
-      } else if (words && single) {
+      const bool of_sequence = words && !words->each && words->until == Until::end && !node.plain;
+      if (words && single && !of_sequence) {
         if (words->each && word.takes == 0) node.takes = 1, node.makes = 2;
         apply(node, *words);
         node.plain = false;

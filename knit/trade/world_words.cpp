@@ -124,9 +124,8 @@ std::size_t suffix_at(std::span<const Atom> atoms, std::size_t at) {
       here += dash + 1;
     else if (is(0, {"through"}) && is(1, {"back"}) && is(2, {"loop", "loops", "lp", "lps"}))
       here += 3;
-    else if (is(0, {"with"}) && is(1, {"yarn"}) && is(2, {"in"}) && is(3, {"front", "back"}))
-      here += 4;
-    else if (is(0, {"as"}) && is(1, {"if"}) && is(2, {"to"}) && is(3, {"knit", "purl"}))
+    else if ((is(0, {"with"}) && is(1, {"yarn"}) && is(2, {"in"}) && is(3, {"front", "back"})) ||
+             (is(0, {"as"}) && is(1, {"if"}) && is(2, {"to"}) && is(3, {"knit", "purl"})))
       here += 4;
     else
       return here - at;
