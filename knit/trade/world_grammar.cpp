@@ -18,7 +18,7 @@ constexpr int most_depth = 6;
 class RoundParser {
  public:
   RoundParser(std::span<const Atom> line, const Lexicon& lexicon, bool other)
-      : at_(line, lexicon), lexicon_(lexicon), other_(other) {}
+      : at_(line, lexicon), other_(other) {}
 
   WorldRound run() {
     WorldRound round;
@@ -346,7 +346,6 @@ class RoundParser {
   }
 
   PhraseCursor at_;
-  const Lexicon& lexicon_;
   bool other_;
   bool choice_ = false;
   WorldRound round_;

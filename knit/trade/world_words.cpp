@@ -7,8 +7,7 @@ namespace knit {
 
 namespace {
 
-constexpr std::string_view cyc = "Craft Yarn Council", uk = "UK usage", maps = "Stitch Maps",
-                           use = "published patterns";
+constexpr std::string_view cyc = "Craft Yarn Council", maps = "Stitch Maps", use = "published patterns";
 
 constexpr std::array words{
     TradeWord{"k|knit", 1, 1, true, "knit", cyc},
