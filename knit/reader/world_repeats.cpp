@@ -16,81 +16,277 @@ std::span<const Atom> from(const Atoms& line, std::size_t at) {
   return std::span(line).subspan(std::min(at, line.size()));
 }
 
-}  // namespace
+// "3", "3 - 6", "3 to 6": first and last.
+std::optional<std::pair<std::int64_t, std::int64_t>> number_range(PhraseCursor& here) {
+  if (!here.peek().is_number()) return std::nullopt;
+  const std::int64_t first = here.peek().value;
+  std::int64_t last = first;
+  here.skip();
+  if (here.sees({"-", "to", "through"}) && here.peek(1).is_number()) {
+    last = here.peek(1).value;
+    here.skip(2);
+  }
+  if (last < first || last - first > 10'000) return std::nullopt;
+  return std::pair(first, last);
+}
 
-// "rnds 3 and 4", "last 2 rnds", "these 2 rounds", "dec rnd", "rnd 3".
-std::optional<std::vector<WorldWorker::Index>> WorldWorker::recipes_in(const Atoms& line, std::size_t& at) {
-  PhraseCursor here(line, lexicon_);
-  here.back_to(at);
-  std::vector<Index> found;
-  const auto last = [&](std::int64_t count) {
-    if (count < 1 || count > static_cast<std::int64_t>(history_.size())) return false;
-    found.assign(history_.end() - static_cast<std::ptrdiff_t>(count), history_.end());
-    return true;
-  };
-  const bool these = here.take({"last", "these", "previous", "those", "preceding"});
-  if (these) {
-    std::int64_t count = 1;
-    if (here.peek().is_number()) count = here.peek().value, here.skip();
-    here.take({"previous"});
-    const bool many = here.sees({"rnds", "rounds", "rows"});
-    if (!is_rounds(here.peek()) || (many && count == 1)) return std::nullopt;
-    here.skip();
-    if (!last(count)) return std::nullopt;
-    at = here.at();
-    return found;
-  }
-  if (is_rounds(here.peek()) || (here.sees({"r"}) && here.peek(1).is_number())) {
-    here.skip();
-    for (;;) {
-      if (!here.peek().is_number()) return std::nullopt;
-      const std::int64_t first = here.peek().value;
-      std::int64_t until = first;
-      here.skip();
-      if (here.sees({"-", "to", "through"}) && here.peek(1).is_number()) {
-        until = here.peek(1).value;
-        here.skip(2);
-      }
-      if (until < first || until - first > 10'000) return std::nullopt;
-      for (std::int64_t number = first; number <= until; ++number) {
-        const auto known = by_number_.find(number);
-        if (known == by_number_.end()) return std::nullopt;
-        found.push_back(known->second);
-      }
-      if (here.sees({",", "and", "&"}) && here.peek(1).is_number() &&
-          !here.sees({"times", "time", "more", "x"}, 2))
-        here.skip();
-      else
-        break;
-    }
-    at = here.at();
-    return found;
-  }
+// The "and" of "rnds 3 and 4", not that of "rnd 3, 4 times".
+bool take_and_before_number(PhraseCursor& here) {
+  if (!here.sees({",", "and", "&"}) || !here.peek(1).is_number()) return false;
+  if (here.sees({"times", "time", "more", "x"}, 2)) return false;
+  here.skip();
+  return true;
+}
+
+// "dec rnd", "second inc round" as "second inc rnd"; empty where no round is named within four words.
+std::string round_name(PhraseCursor& here) {
   std::string name;
   for (std::size_t words = 0; words < 4 && !here.done() && here.peek().is_word(); ++words) {
     const bool round = is_rounds(here.peek());
     name += (name.empty() ? "" : " ") + (round ? std::string("rnd") : here.peek().text);
     here.skip();
-    if (!round) continue;
-    if (here.peek().is_word() && here.peek().length == 1 &&
-        by_name_.count(name + " " + here.peek().text) != 0) {
-      name += " " + here.peek().text;
-      here.skip();
-    }
-    auto known = by_name_.find(name);
-    if (known == by_name_.end() && name.starts_with("decrease")) known = by_name_.find("dec rnd");
-    if (known == by_name_.end() && name.starts_with("increase")) known = by_name_.find("inc rnd");
-    if (known == by_name_.end() && name == "dec rnd") known = by_name_.find("decrease rnd");
-    if (known == by_name_.end() && name == "inc rnd") known = by_name_.find("increase rnd");
-    if (known == by_name_.end()) return std::nullopt;
-    at = here.at();
-    return std::vector<Index>{known->second};
+    if (round) return name;
   }
-  return std::nullopt;
+  return {};
+}
+
+// A text may define a "Decrease round" and work a "dec rnd", or the reverse.
+std::string other_name(const std::string& name) {
+  if (name.starts_with("decrease")) return "dec rnd";
+  if (name.starts_with("increase")) return "inc rnd";
+  if (name == "dec rnd") return "decrease rnd";
+  if (name == "inc rnd") return "increase rnd";
+  return name;
+}
+
+// Behind "every": "other rnd", "4th rnd", "following 6th row"; plain rounds lie between.
+bool read_every(PhraseCursor& here, WorldRepeat& repeat) {
+  std::int64_t step = 1;
+  if (here.take({"other", "alternate", "alt"})) step = 2;
+  here.take({"following", "foll"});
+  if (here.peek().is_number()) {
+    step = here.peek().value;
+    here.skip();
+    here.take({"st", "nd", "rd", "th"});
+  }
+  here.take({"following", "foll"});
+  if (!is_rounds(here.peek()) || step < 1 || step > 10'000) return false;
+  here.skip();
+  repeat.between = step - 1;
+  return true;
+}
+
+// Behind "until": "you have 12 sts left", "12 remain", "piece measures 10 cm".
+bool read_until(PhraseCursor& here, WorldRepeat& repeat) {
+  here.take({"you", "there"});
+  here.take({"have", "are"});
+  here.take({"only"});
+  if (here.peek().is_number() && (is_stitches(here.peek(1)) || here.sees({"remain", "rem"}, 1))) {
+    repeat.until = here.peek().value;
+    here.skip(2);
+    while (here.take({"remain", "rem", "left", "are", "on", "needle", "needles", "in", "total", "remaining",
+                      "have", "been", "reached"})) {
+    }
+    return true;
+  }
+  repeat.free =
+      here.sees({"piece", "work", "it", "length", "body", "sleeve", "leg", "hat", "cuff", "measures"});
+  return repeat.free;
+}
+
+// "once more", "5 times", "another 3 times", "3 more times". `again`: told as a repeat, so that "6 times in all" is
+// five more.
+bool read_times(PhraseCursor& here, bool again, WorldRepeat& repeat) {
+  if (here.take({"once"})) {
+    repeat.times = 1;
+    here.take({"more", "again"});
+    return true;
+  }
+  const auto words = here.repeat_words();
+  if (words && words->until == WorldNode::Until::times) {
+    repeat.times = words->times - (words->in_all && again ? 1 : 0);
+    return true;
+  }
+  if (here.sees({"another"}) && here.peek(1).is_number()) {
+    here.skip();
+    return true;
+  }
+  if (here.peek().is_number() && here.sees({"more"}, 1)) {
+    repeat.times = here.peek().value;
+    here.skip(2);
+    here.take({"times", "time"});
+    return true;
+  }
+  return here.take({"again", "more"});
+}
+
+// Whether the next words of a repeat, behind its rounds, are understood.
+bool read_clause(PhraseCursor& here, bool again, WorldRepeat& repeat) {
+  if (here.take({",", ".", "as", "and", "then", "on", "this", "these", "evenly", "set", "established"}))
+    return true;
+  if (here.take({"every"})) return read_every(here, repeat);
+  if (here.take({"until", "to"})) return read_until(here, repeat);
+  return read_times(here, again, repeat);
+}
+
+// Each round leaves as many stitches as it found, whatever their number.
+bool keeps_count(const std::vector<WorldNode>& nodes) {
+  const bool one =
+      nodes.size() == 1 && nodes[0].takes == nodes[0].makes && nodes[0].kind == WorldNode::Kind::stitch;
+  const auto fixed = fixed_work(nodes);
+  return one || (fixed && fixed->takes == fixed->makes);
+}
+
+// `rounds`: how many are to be worked in all; 0: as often as the repeat says.
+std::int64_t passes_of(const WorldRepeat& repeat, std::int64_t rounds) {
+  const auto each = static_cast<std::int64_t>(repeat.recipes.size());
+  if (rounds > 0) return (rounds + each - 1) / each;
+  return repeat.free ? 1 : repeat.times;
+}
+
+// What "Knit 3 rounds", "Work 1 rnd, decreasing 8 sts evenly" or "Work in rib for 5 cm" tells.
+struct PlainWords {
+  std::optional<std::int64_t> rounds;
+  std::optional<std::size_t> shape_at;  // where "decreasing" stands
+  bool length = false;                  // worked to a length
+  bool strange = false;                 // more than plain rounds
+};
+
+// One word, with those that belong to it but for the last.
+void read_plain_word(PhraseCursor& here, PlainWords& told) {
+  const bool number = here.peek().is_number();
+  if (number && is_rounds(here.peek(1))) {
+    told.rounds = here.peek().value;
+    here.skip();
+  } else if (number && here.sees({"more", "plain", "further", "complete"}, 1) && is_rounds(here.peek(2))) {
+    told.rounds = here.peek().value;
+    here.skip(2);
+  } else if (here.sees({"dec", "decreasing", "inc", "increasing", "decrease", "increase"})) {
+    told.shape_at = here.at();
+  } else if (here.sees({"until", "inches", "cm", "inch", "\""}) || (here.sees({"in"}) && here.at() > 1)) {
+    told.length = told.length || here.sees({"until", "inches", "cm", "inch"});
+  } else if (here.sees({"every", "all"}) && is_rounds(here.peek(1))) {
+    told.length = true;
+    here.skip();
+  } else if (number && here.sees({"cm", "inches", "in", "inch", "/", ".", "mm"}, 1)) {
+    told.length = true;
+  } else if (here.sees({"sts", "times", "m1", "kfb", "marker", "to", "rep", "repeat", "yo"}) &&
+             !told.length) {
+    told.strange = true;
+  }
+}
+
+// Nothing: it is not plain rounds that the line tells of.
+std::optional<PlainWords> plain_words(PhraseCursor& here) {
+  PlainWords told;
+  for (; !here.done() && !told.shape_at; here.skip()) {
+    if (here.sees({"until"}) && here.peek(1).is_number()) return std::nullopt;
+    read_plain_word(here, told);
+  }
+  if (told.strange) return std::nullopt;
+  if (told.rounds) return *told.rounds < 1 ? std::nullopt : std::optional(told);
+  if (!told.length || told.shape_at) return std::nullopt;
+  return told;
+}
+
+bool holds_rounds(std::span<const Atom> atoms) {
+  return std::any_of(atoms.begin(), atoms.end(), [](const Atom& atom) { return is_rounds(atom); });
+}
+
+// "[Knit 1 rnd, inc rnd] …", not "[k2, p2] …".
+bool begins_with_rounds(const Atoms& body) {
+  if (body.empty() || !is_any(body.front(), {"[", "("})) return false;
+  const auto close = std::find_if(body.begin(), body.end(), [](const Atom& atom) {
+    return is_any(atom, {")", "]"});
+  });
+  return holds_rounds(std::span(body.begin(), close));
+}
+
+// `model` with `to` for each `old`; nothing where `old` does not stand there.
+std::optional<Atoms> exchanged(const Atoms& model, std::span<const Atom> old, std::span<const Atom> to) {
+  const auto stands_at = [&](std::size_t at) {
+    return !old.empty() && at + old.size() <= model.size() &&
+           std::equal(old.begin(), old.end(), model.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](const Atom& said, const Atom& worked) { return worked.is(said.text); });
+  };
+  Atoms changed;
+  bool found = false;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!stands_at(i)) {
+      changed.push_back(model[i]);
+      continue;
+    }
+    changed.insert(changed.end(), to.begin(), to.end());
+    i += old.size() - 1;
+    found = true;
+  }
+  if (!found) return std::nullopt;
+  return changed;
+}
+
+}  // namespace
+
+// "last 2 rnds", "these 2 rounds": behind the first word.
+std::optional<std::vector<WorldWorker::Index>> WorldWorker::last_recipes(PhraseCursor& here) const {
+  std::int64_t count = 1;
+  if (here.peek().is_number()) count = here.peek().value, here.skip();
+  here.take({"previous"});
+  const bool many = here.sees({"rnds", "rounds", "rows"});
+  if (!is_rounds(here.peek()) || (many && count == 1)) return std::nullopt;
+  here.skip();
+  if (count < 1 || count > static_cast<std::int64_t>(history_.size())) return std::nullopt;
+  return std::vector<Index>(history_.end() - static_cast<std::ptrdiff_t>(count), history_.end());
+}
+
+// "3 and 4", "1 - 6": behind "rnds".
+std::optional<std::vector<WorldWorker::Index>> WorldWorker::numbered_recipes(PhraseCursor& here) const {
+  std::vector<Index> found;
+  do {
+    const auto range = number_range(here);
+    if (!range) return std::nullopt;
+    for (std::int64_t number = range->first; number <= range->second; ++number) {
+      const auto known = by_number_.find(number);
+      if (known == by_number_.end()) return std::nullopt;
+      found.push_back(known->second);
+    }
+  } while (take_and_before_number(here));
+  return found;
+}
+
+// "dec rnd", "rnd a"
+std::optional<std::vector<WorldWorker::Index>> WorldWorker::named_recipe(PhraseCursor& here) const {
+  std::string name = round_name(here);
+  if (name.empty()) return std::nullopt;
+  if (here.peek().is_word() && here.peek().length == 1 &&
+      by_name_.count(name + " " + here.peek().text) != 0) {
+    name += " " + here.peek().text;
+    here.skip();
+  }
+  auto known = by_name_.find(name);
+  if (known == by_name_.end()) known = by_name_.find(other_name(name));
+  if (known == by_name_.end()) return std::nullopt;
+  return std::vector<Index>{known->second};
+}
+
+// "rnds 3 and 4", "last 2 rnds", "these 2 rounds", "dec rnd", "rnd 3".
+std::optional<std::vector<WorldWorker::Index>> WorldWorker::recipes_in(const Atoms& line, std::size_t& at) {
+  PhraseCursor here(line, lexicon_);
+  here.back_to(at);
+  std::optional<std::vector<Index>> found;
+  if (here.take({"last", "these", "previous", "those", "preceding"})) {
+    found = last_recipes(here);
+  } else if (is_rounds(here.peek()) || (here.sees({"r"}) && here.peek(1).is_number())) {
+    here.skip();
+    found = numbered_recipes(here);
+  } else {
+    found = named_recipe(here);
+  }
+  if (found) at = here.at();
+  return found;
 }
 
 // Nothing and `trouble`: it repeats rounds, and which or how often is not clear.
-std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, bool& trouble) {
+std::optional<WorldRepeat> WorldWorker::repeat_in(const Atoms& line, bool& trouble) {
   PhraseCursor here(line, lexicon_);
   here.take({"then", "now"});
   const bool says = here.take({"rep", "repeat", "repeating"});
@@ -105,155 +301,79 @@ std::optional<WorldWorker::Repeat> WorldWorker::repeat_in(const Atoms& line, boo
     return std::nullopt;
   }
   here.back_to(at);
-  Repeat repeat;
+  WorldRepeat repeat;
   repeat.recipes = *recipes;
-  bool told = false;
-  while (!here.done()) {
-    if (here.take({",", ".", "as", "and", "then", "on", "this", "these", "evenly", "set", "established"}))
-      continue;
-    if (here.take({"every"})) {  // "every 4th rnd": plain rounds between
-      std::int64_t step = 1;
-      if (here.take({"other", "alternate", "alt"})) step = 2;
-      here.take({"following", "foll"});
-      if (here.peek().is_number()) {
-        step = here.peek().value;
-        here.skip();
-        here.take({"st", "nd", "rd", "th"});
-      }
-      here.take({"following", "foll"});
-      if (!is_rounds(here.peek()) || step < 1 || step > 10'000) {
-        trouble = true;
-        return std::nullopt;
-      }
-      here.skip();
-      repeat.between = step - 1;
-      continue;
-    }
-    const std::size_t before = here.at();
-    if (here.take({"until", "to"})) {
-      here.take({"you", "there"});
-      here.take({"have", "are"});
-      here.take({"only"});
-      if (here.peek().is_number() && (is_stitches(here.peek(1)) || here.sees({"remain", "rem"}, 1))) {
-        repeat.until = here.peek().value;
-        here.skip(2);
-        while (here.take({"remain", "rem", "left", "are", "on", "needle", "needles", "in", "total",
-                          "remaining", "have", "been", "reached"})) {
-        }
-        told = true;
-        continue;
-      }
-      if (here.sees({"piece", "work", "it", "length", "body", "sleeve", "leg", "hat", "cuff", "measures"})) {
-        repeat.free = true;
-        return repeat;
-      }
-      here.back_to(before);
-      trouble = true;
-      return std::nullopt;
-    }
-    if (here.take({"once"})) {
-      repeat.times = 1;
-      here.take({"more", "again"});
-      told = true;
-      continue;
-    }
-    const auto words = here.repeat_words();
-    if (words && words->until == WorldNode::Until::times) {
-      repeat.times = words->times - (words->in_all && says ? 1 : 0);
-      told = true;
-      continue;
-    }
-    if (here.sees({"another"}) && here.peek(1).is_number()) {
-      here.skip();
-      continue;
-    }
-    if (here.peek().is_number() && here.sees({"more"}, 1)) {
-      repeat.times = here.peek().value;
-      here.skip(2);
-      here.take({"times", "time"});
-      told = true;
-      continue;
-    }
-    if (here.take({"again", "more"})) continue;
-    trouble = true;
-    return std::nullopt;
-  }
-  (void)told;
-  if (repeat.times < 0 || repeat.times > most_passes) {
+  bool clear = true;
+  while (clear && !here.done() && !repeat.free) clear = read_clause(here, says, repeat);
+  if (clear && repeat.free) return repeat;
+  if (!clear || repeat.times < 0 || repeat.times > most_passes) {
     trouble = true;
     return std::nullopt;
   }
   return repeat;
 }
 
-void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::int64_t rounds) {
-  traces_ = traces_ && known_;
-  const std::string name = "the repeat";
-  std::int64_t passes = repeat.times;
-  const bool shaped = std::any_of(repeat.recipes.begin(), repeat.recipes.end(), [&](Index i) {
-    const auto fixed = fixed_work(recipes_[i].first.nodes);
-    return !(recipes_[i].first.nodes.size() == 1 &&
-             recipes_[i].first.nodes[0].takes == recipes_[i].first.nodes[0].makes &&
-             recipes_[i].first.nodes[0].kind == WorldNode::Kind::stitch) &&
-           !(fixed && fixed->takes == fixed->makes);
-  });
-  if (repeat.free) passes = 1;
+// Once through the rounds, of which `left` are still to be worked (below 0: all). Whether it may go on.
+bool WorldWorker::work_pass(const WorldRepeat& repeat, std::int64_t& left) {
+  rounds_ += static_cast<std::size_t>(std::clamp<std::int64_t>(repeat.between, 0, most_passes));
+  for (const Index index : repeat.recipes) {
+    if (left == 0) return true;
+    if (left > 0) --left;
+    const bool sound = work_recipe(index, "the repeat", nullptr, 0);
+    ++rounds_;
+    if (!sound || !known_) return false;
+    if (repeat.until == needle_.count()) return true;  // the last pass may stop after its shaping
+  }
+  return true;
+}
+
+// Whether the needle, begun with `start`, will never have `until` after a pass that found `before`; said where so.
+bool WorldWorker::misses(std::int64_t until, std::int64_t start, std::int64_t before) {
+  const std::int64_t now = needle_.count();
+  if (now == before) {
+    wrong("the repeat leaves " + stitches_text(before) + ", and never comes to " + std::to_string(until) +
+          ".");
+    return true;
+  }
+  if (!(start < until && now > until) && !(start > until && now < until)) return false;
+  wrong("the repeat goes from " + stitches_text(before) + " to " + std::to_string(now) + ", and never has " +
+        std::to_string(until) + ".");
+  return true;
+}
+
+void WorldWorker::work_passes(const WorldRepeat& repeat, std::int64_t start, std::int64_t rounds) {
   const std::optional<std::int64_t> until = repeat.until;
-  if (!known_ && until) {
+  std::int64_t left = rounds > 0 ? rounds : -1;
+  const std::int64_t most = until ? most_passes : passes_of(repeat, rounds);
+  for (std::int64_t pass = 0; pass < most; ++pass) {
+    const std::int64_t before = needle_.count();
+    if (until == before || !work_pass(repeat, left)) return;
+    if (until && misses(*until, start, before)) return;
+  }
+}
+
+void WorldWorker::do_repeat(const WorldRepeat& repeat, const WorldCount& count, std::int64_t rounds) {
+  traces_ = traces_ && known_;
+  const bool free_shaped =
+      repeat.free && std::any_of(repeat.recipes.begin(), repeat.recipes.end(),
+                                 [&](Index i) { return !keeps_count(recipes_[i].first.nodes); });
+  if (!known_ && repeat.until) {
     say(LineVerdict::not_claimed, "");
     WorldCount told;
-    told.total = until;
+    told.total = repeat.until;
     return after_trouble(told);
   }
   const std::int64_t start = known_ ? needle_.count() : 0;
-  if (rounds > 0)
-    passes = (rounds + static_cast<std::int64_t>(repeat.recipes.size()) - 1) /
-             static_cast<std::int64_t>(repeat.recipes.size());
-  std::int64_t left = rounds > 0 ? rounds : -1;
-  const auto mine = [&] {
-    return line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::does_not_add_up;
-  };
-  const bool was_wrong = mine();
-  const std::int64_t most = until ? most_passes : passes;
-  const std::vector<Index> recipes = repeat.recipes;
-  bool stop = false;
-  for (std::int64_t pass = 0; pass < most && !stop; ++pass) {
-    if (until && needle_.count() == *until) break;
-    const std::int64_t before = needle_.count();
-    for (std::int64_t i = 0; i < std::min<std::int64_t>(repeat.between, most_passes); ++i) ++rounds_;
-    for (const Index index : recipes) {
-      if (left == 0) break;
-      if (left > 0) --left;
-      const bool sound = work_recipe(index, name, nullptr, 0);
-      ++rounds_;
-      if (!sound || !known_) stop = true;
-      if (stop) break;
-      if (until && needle_.count() == *until) break;  // the last pass may stop after its shaping
-    }
-    if (until && !stop && needle_.count() == before) {
-      wrong(name + " leaves " + stitches_text(before) + ", and never comes to " + std::to_string(*until) +
-            ".");
-      stop = true;
-    }
-    const bool past =
-        until && !stop &&
-        ((start < *until && needle_.count() > *until) || (start > *until && needle_.count() < *until));
-    if (past) {
-      wrong(name + " goes from " + stitches_text(before) + " to " + std::to_string(needle_.count()) +
-            ", and never has " + std::to_string(*until) + ".");
-      stop = true;
-    }
+  const bool was_wrong = line_is_wrong();
+  work_passes(repeat, start, rounds);
+  history_.insert(history_.end(), repeat.recipes.begin(), repeat.recipes.end());
+  if (free_shaped && needle_.count() != start) {
+    not_understood("how often it is repeated is told as a length, and the rounds change the stitches.");
+    return after_trouble(count);
   }
-  for (const Index index : recipes) history_.push_back(index);
-  if (repeat.free && shaped) {
-    if (needle_.count() != start) {
-      not_understood("how often it is repeated is told as a length, and the rounds change the stitches.");
-      return after_trouble(count);
-    }
-  }
-  if (mine() && !was_wrong) {
+  if (line_is_wrong() && !was_wrong) {
     WorldCount told = count;
-    if (!told.total) told.total = until;
+    if (!told.total) told.total = repeat.until;
     return after_trouble(told);
   }
   if (!known_) {
@@ -261,12 +381,15 @@ void WorldWorker::do_repeat(const Repeat& repeat, const WorldCount& count, std::
     return after_trouble(count);
   }
   worked();
-  if (count.total && needle_.count() != *count.total) {
-    wrong("the repeat makes " + stitches_text(needle_.count()) + ", the line says " +
-          std::to_string(*count.total) + ".");
-    alternative_ = needle_.count();
-    needle_.set(*count.total);
-  }
+  if (!count.total || needle_.count() == *count.total) return;
+  wrong_but_told("the repeat makes " + stitches_text(needle_.count()), *count.total);
+}
+
+// `made`: what the needle has, in words. It goes on with what the line says.
+void WorldWorker::wrong_but_told(const std::string& made, std::int64_t told) {
+  wrong(made + ", the line says " + std::to_string(told) + ".");
+  alternative_ = needle_.count();
+  needle_.set(told);
 }
 
 void WorldWorker::work_plain(std::int64_t rounds, const std::string& how, const WorldCount& count) {
@@ -287,86 +410,36 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
   PhraseCursor here(part, lexicon_);
   here.take({"then", "now"});
   if (!here.take({"knit", "purl", "k", "p", "work", "continue", "cont"}) || !has_needle_) return false;
-  std::optional<std::int64_t> rounds;
-  bool shape = false, length = false, strange = false;
-  std::size_t shape_at = 0;
-  for (; !here.done(); here.skip()) {
-    if (here.sees({"until"}) && here.peek(1).is_number()) return false;
-    if (here.peek().is_number() && is_rounds(here.peek(1))) {
-      rounds = here.peek().value;
-      here.skip();
-    } else if (here.peek().is_number() && here.sees({"more", "plain", "further", "complete"}, 1) &&
-               is_rounds(here.peek(2))) {
-      rounds = here.peek().value;
-      here.skip(2);
-    } else if (here.sees({"dec", "decreasing", "inc", "increasing", "decrease", "increase"})) {
-      shape = true;
-      shape_at = here.at();
-      break;
-    } else if (here.sees({"until", "inches", "cm", "in", "inch", "\""}) &&
-               (!here.sees({"in"}) || here.at() > 1)) {
-      length = length || here.sees({"until", "inches", "cm", "inch"});
-    } else if (here.sees({"every", "all"}) && is_rounds(here.peek(1))) {
-      length = true;
-      here.skip();
-    } else if (here.peek().is_number() && here.sees({"cm", "inches", "in", "inch", "/", ".", "mm"}, 1)) {
-      length = true;
-    } else if (here.sees({"sts", "times", "m1", "kfb", "marker", "to", "rep", "repeat", "yo"}) && !length) {
-      strange = true;
+  const auto told = plain_words(here);
+  if (!told) return false;
+  if (!told->rounds) {
+    if (!holds_rounds(part) &&
+        !holds_any(part, {"pattern", "patt", "rib", "ribbing", "stockinette", "st", "garter", "even",
+                          "straight", "measures", "cm", "inches", "inch"}))
+      return false;
+    if (count.total && known_ && needle_.count() != *count.total) {
+      wrong_but_told(stitches_text(needle_.count()) + " are on the needle", *count.total);
+      return true;
     }
-  }
-  const bool has_rounds = std::any_of(part.begin(), part.end(), [](const Atom& a) { return is_rounds(a); });
-  if (strange || (!rounds && !length)) return false;
-  if (!rounds &&
-      !(has_rounds || holds_any(part, {"pattern", "patt", "rib", "ribbing", "stockinette", "st", "garter",
-                                       "even", "straight", "measures", "cm", "inches", "inch"})))
-    return false;
-  if (shape && !rounds) return false;
-  if (rounds && *rounds < 1) return false;
-  if (length && !rounds && count.total && known_ && needle_.count() != *count.total) {
-    wrong(stitches_text(needle_.count()) + " are on the needle, the line says " +
-          std::to_string(*count.total) + ".");
-    alternative_ = needle_.count();
-    needle_.set(*count.total);
-    return true;
   }
   any_number_ = true;
   run_pending(true);
-  std::string how = "knit";
-  if (shape) {
-    how.clear();
-    for (const Atom& atom : from(part, shape_at)) how += (how.empty() ? "" : " ") + atom.text;
-  }
-  work_plain(rounds.value_or(1), how, count);
+  std::string how = told->shape_at ? "" : "knit";
+  for (const Atom& atom : from(part, told->shape_at.value_or(part.size())))
+    how += (how.empty() ? "" : " ") + atom.text;
+  work_plain(told->rounds.value_or(1), how, count);
   return true;
 }
 
-// "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
-bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds,
-                              const std::string& name) {
-  if (body.empty() || !is_any(body.front(), {"[", "("}) ||
-      !std::any_of(body.begin(),
-                   std::find_if(body.begin(), body.end(),
-                                [](const Atom& a) {
-                                  return is_any(a, {")", "]"});
-                                }),
-                   [](const Atom& a) { return is_rounds(a); }))
-    return false;
-  PhraseCursor here(body, lexicon_);
-  here.skip();
-  struct Part {
-    std::optional<Index> named;
-    std::int64_t rounds = 1;
-  };
-  std::vector<Part> parts;
-  std::int64_t once = 0, named = 0;
+// What stands in the brackets. Nothing: `here` stands at what is not understood.
+std::optional<WorldWorker::ToldRounds> WorldWorker::rounds_in_brackets(PhraseCursor& here,
+                                                                       const Atoms& body) {
+  ToldRounds told;
   while (!here.done() && !here.sees({"]", ")"})) {
     if (here.take({",", "and", "then"})) continue;
-    const bool plain =
-        here.sees({"knit", "k", "work"}) && here.peek(1).is_number() && is_rounds(here.peek(2));
-    if (plain) {
-      parts.push_back({std::nullopt, here.peek(1).value});
-      once += std::min<std::int64_t>(here.peek(1).value, 1'000'000);
+    if (here.sees({"knit", "k", "work"}) && here.peek(1).is_number() && is_rounds(here.peek(2))) {
+      told.parts.push_back({std::nullopt, here.peek(1).value});
+      told.once += std::min<std::int64_t>(here.peek(1).value, 1'000'000);
       here.skip(3);
       here.take({"even", "plain"});
       continue;
@@ -374,63 +447,105 @@ bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::i
     here.take({"work"});
     std::size_t at = here.at();
     const auto recipe = recipes_in(body, at);
-    if (!recipe || recipe->size() != 1) {
-      not_understood(name + ": no line before tells what this round is.", here.peek().at, here.peek().length);
-      after_trouble(count);
-      return true;
-    }
+    if (!recipe || recipe->size() != 1) return std::nullopt;
     here.back_to(at);
-    parts.push_back({recipe->front(), 1});
-    ++once;
-    ++named;
+    told.parts.push_back({recipe->front(), 1});
+    ++told.once;
+    ++told.named;
   }
   here.skip();
+  return told;
+}
+
+// `counts`: what each round with a name leaves, in their order; empty: not told. Whether all could be worked.
+bool WorldWorker::work_told(const ToldRounds& told, Index plain, std::span<const std::int64_t> counts,
+                            const std::string& name) {
+  std::size_t nth = 0;
+  const auto work_part = [&](const ToldRounds::Part& part) {
+    WorldCount one;
+    if (part.named) {
+      one.change = recipes_[*part.named].first.count.change;
+      if (nth < counts.size()) one.total = counts[nth], one.all = {counts[nth]};
+      ++nth;
+    }
+    bool sound = true;
+    for (std::int64_t i = 0; sound && i < part.rounds; ++i, ++rounds_)
+      sound = work_recipe(part.named.value_or(plain), name, part.named ? &one : nullptr, 0);
+    return sound;
+  };
+  for (std::int64_t time = 0; time < told.times; ++time)
+    if (!std::all_of(told.parts.begin(), told.parts.end(), work_part)) return false;
+  return true;
+}
+
+// "[Knit 1 rnd, inc rnd] 6 times. (16, 24, 32, 40, 48, 56 sts)"
+bool WorldWorker::told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds,
+                              const std::string& name) {
+  if (!begins_with_rounds(body)) return false;
+  PhraseCursor here(body, lexicon_);
+  here.skip();
+  auto told = rounds_in_brackets(here, body);
+  if (!told)
+    return unclear(name + ": no line before tells what this round is.", count, here.peek().at,
+                   here.peek().length);
   const auto words = here.repeat_words();
   while (here.take({".", ","})) {
   }
   if (!words || words->until != WorldNode::Until::times || !here.done() || words->times < 1 ||
-      words->times > most_passes || once > 10'000) {
-    not_understood(name + ": how often these rounds are worked is not clear.");
-    after_trouble(count);
-    return true;
-  }
+      words->times > most_passes || told->once > 10'000)
+    return unclear(name + ": how often these rounds are worked is not clear.", count);
+  told->times = words->times;
   const auto refuse = [&](const std::string& why) {
     wrong(name + ": " + why);
     after_trouble(count);
     return true;
   };
-  if (rounds > 0 && once * words->times != rounds)
-    return refuse("its words are " + std::to_string(once * words->times) + " rounds, the label names " +
+  const std::int64_t all = told->once * told->times, shaped = told->named * told->times;
+  if (rounds > 0 && all != rounds)
+    return refuse("its words are " + std::to_string(all) + " rounds, the label names " +
                   std::to_string(rounds) + ".");
-  const bool list = count.all.size() > 1 || (words->times * named == 1);
-  if (list && count.total && static_cast<std::int64_t>(count.all.size()) != named * words->times)
-    return refuse("it is shaped in " + std::to_string(named * words->times) + " rounds, and " +
+  const bool list = count.all.size() > 1 || shaped == 1;
+  if (list && count.total && static_cast<std::int64_t>(count.all.size()) != shaped)
+    return refuse("it is shaped in " + std::to_string(shaped) + " rounds, and " +
                   std::to_string(count.all.size()) + " counts are told.");
   traces_ = traces_ && known_;
   const Index plain = keep(atoms_of("knit"), "the round", rows_ && !in_round_);
-  std::size_t nth = 0;
-  for (std::int64_t time = 0; time < words->times; ++time) {
-    for (const Part& part : parts) {
-      for (std::int64_t i = 0; i < part.rounds; ++i) {
-        WorldCount one;
-        if (part.named) {
-          ++nth;
-          one.change = recipes_[*part.named].first.count.change;
-          if (list && nth <= count.all.size()) one.total = count.all[nth - 1], one.all = {count.all[nth - 1]};
-        }
-        const bool sound = work_recipe(part.named.value_or(plain), name, part.named ? &one : nullptr, 0);
-        ++rounds_;
-        if (!sound) {
-          after_trouble(count);
-          return true;
-        }
-      }
-    }
+  if (!work_told(*told, plain, list ? std::span(count.all) : std::span<const std::int64_t>(), name)) {
+    after_trouble(count);
+    return true;
   }
   if (!list && known_ && count.total && needle_.count() != *count.total)
     return refuse("it makes " + stitches_text(needle_.count()) + ", the line says " +
                   std::to_string(*count.total) + ".");
   history_.push_back(plain);
+  return true;
+}
+
+// A line that works rounds again, in words that are not understood: it is dealt with.
+bool WorldWorker::unclear(const std::string& sentence, const WorldCount& count, std::size_t at,
+                          std::size_t length) {
+  not_understood(sentence, at, length);
+  after_trouble(count);
+  return true;
+}
+
+// Behind the round it is like: "with k5 for k4", "but k5 instead of k4". False: nothing is exchanged that stands there.
+bool WorldWorker::like_but(Index model, const WorldLabel& label, std::span<const Atom> words,
+                           const WorldCount& count) {
+  const auto middle = std::find_if(words.begin(), words.end(), [](const Atom& atom) {
+    return is_any(atom, {"for", "instead"});
+  });
+  const std::span<const Atom> to(words.begin(), middle);
+  std::span<const Atom> old(middle, words.end());
+  if (!old.empty()) old = old.subspan(1);
+  if (!old.empty() && old.front().is("of")) old = old.subspan(1);
+  const auto changed = exchanged(recipes_[model].atoms, old, to);
+  if (!changed) return false;
+  const std::int64_t number = label.numbers.empty() ? 0 : label.numbers.front().first;
+  const Index index = keep(*changed, "the round", recipes_[model].flat);
+  work_recipe(index, label.numbers.empty() ? "the round" : "Rnd " + std::to_string(number), &count,
+              count.all.size());
+  finished_round(index, number);
   return true;
 }
 
@@ -445,70 +560,39 @@ bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const
   if (here.sees({"from", "*", "around", "between"})) return false;
   std::size_t at = here.at();
   const auto recipes = recipes_in(body, at);
-  std::int64_t rounds = 0;
-  for (const auto& [first, last] : label.numbers) rounds += last - first + 1;
-  if (!recipes) {
-    not_understood("it is not clear which round is meant.", here.peek().at, here.peek().length);
-    after_trouble(count);
-    return true;
-  }
+  if (!recipes)
+    return unclear("it is not clear which round is meant.", count, here.peek().at, here.peek().length);
   here.back_to(at);
   while (here.take({",", "."})) {
   }
-  if (!here.done()) {
-    // "with k5 for k4", "but k5 instead of k4"
-    if (recipes->size() != 1 || !here.take({"with", "but", "working", "using"})) {
-      bool trouble = false;
-      auto repeat = repeat_in(body, trouble);
-      if (repeat) {
-        do_repeat(*repeat, count, 0);
-        return true;
-      }
-      not_understood("what is different from that round is not clear.", here.peek().at, here.peek().length);
-      after_trouble(count);
-      return true;
-    }
-    here.take({"work", "working"});
-    const Atoms rest(body.begin() + static_cast<std::ptrdiff_t>(here.at()), body.end());
-    std::size_t middle = 0;
-    while (middle < rest.size() && !is_any(rest[middle], {"for", "instead"})) ++middle;
-    std::size_t behind = middle + 1;
-    if (behind < rest.size() && rest[behind].is("of")) ++behind;
-    const std::span<const Atom> to = std::span(rest).first(std::min(middle, rest.size())),
-                                old = from(rest, behind);
-    Atoms changed;
-    const Atoms& model = recipes_[recipes->front()].atoms;
-    bool found = false;
-    for (std::size_t i = 0; i < model.size(); ++i) {
-      bool same = !old.empty() && i + old.size() <= model.size();
-      for (std::size_t j = 0; same && j < old.size(); ++j) same = model[i + j].is(old[j].text);
-      if (!same) {
-        changed.push_back(model[i]);
-        continue;
-      }
-      changed.insert(changed.end(), to.begin(), to.end());
-      i += old.size() - 1;
-      found = true;
-    }
-    if (!found) {
-      not_understood("what is different from that round is not clear.", here.peek().at, here.peek().length);
-      after_trouble(count);
-      return true;
-    }
-    const Index index = keep(changed, "the round", recipes_[recipes->front()].flat);
-    work_recipe(index,
-                label.numbers.empty() ? "the round" : "Rnd " + std::to_string(label.numbers.front().first),
-                &count, count.all.size());
-    finished_round(index, label.numbers.empty() ? 0 : label.numbers.front().first);
+  if (here.done()) {
+    repeat_labelled(label, *recipes, count);
     return true;
   }
-  Repeat repeat;
-  repeat.recipes = *recipes;
-  const std::int64_t total = label.numbers.empty() ? static_cast<std::int64_t>(recipes->size()) : rounds;
-  do_repeat(repeat, count, total);
+  if (recipes->size() == 1 && here.take({"with", "but", "working", "using"})) {
+    here.take({"work", "working"});
+    if (like_but(recipes->front(), label, from(body, here.at()), count)) return true;
+  } else {
+    bool trouble = false;
+    if (const auto repeat = repeat_in(body, trouble)) {
+      do_repeat(*repeat, count, 0);
+      return true;
+    }
+  }
+  return unclear("what is different from that round is not clear.", count, here.peek().at,
+                 here.peek().length);
+}
+
+// As many rounds as the label names; without numbers, each once.
+void WorldWorker::repeat_labelled(const WorldLabel& label, const std::vector<Index>& recipes,
+                                  const WorldCount& count) {
+  std::int64_t rounds = 0;
+  for (const auto& [first, last] : label.numbers) rounds += last - first + 1;
+  WorldRepeat repeat;
+  repeat.recipes = recipes;
+  do_repeat(repeat, count, label.numbers.empty() ? static_cast<std::int64_t>(recipes.size()) : rounds);
   for (std::int64_t i = 0; i < rounds; ++i)
-    by_number_[label.numbers.front().first + i] = (*recipes)[static_cast<std::size_t>(i) % recipes->size()];
-  return true;
+    by_number_[label.numbers.front().first + i] = recipes[static_cast<std::size_t>(i) % recipes.size()];
 }
 
 }  // namespace knit

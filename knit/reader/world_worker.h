@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,17 @@ struct WorldHolder {
   bool taken = false, waste = false, implied = false;
 };
 
+// Rounds that are worked again: which, and how often.
+struct WorldRepeat {
+  std::vector<std::size_t> recipes;
+  std::int64_t times = 1;
+  std::optional<std::int64_t> until;
+  bool free = false;         // until a length is reached
+  std::int64_t between = 0;  // plain rounds before each
+};
+
+class PhraseCursor;
+
 class WorldWorker {
  public:
   // `size`: which number of "80 (88, 96)" is taken, of `sizes`.
@@ -56,12 +68,15 @@ class WorldWorker {
 
  private:
   using Index = std::size_t;
-  struct Repeat {
-    std::vector<Index> recipes;
+  // "[Knit 1 rnd, inc rnd] 6 times"
+  struct ToldRounds {
+    struct Part {
+      std::optional<Index> named;  // nothing: plain
+      std::int64_t rounds = 1;
+    };
+    std::vector<Part> parts;
+    std::int64_t once = 0, named = 0;  // rounds of one time; those among them that have a name
     std::int64_t times = 1;
-    std::optional<std::int64_t> until;
-    bool free = false;         // until a length is reached
-    std::int64_t between = 0;  // plain rounds before each
   };
 
   // verdicts
@@ -94,11 +109,28 @@ class WorldWorker {
                     bool quiet, std::string& why);
   void after_trouble(const WorldCount& count);
   void finished_round(Index index, std::int64_t number);
-  std::optional<Repeat> repeat_in(const Atoms& line, bool& trouble);
+  std::optional<WorldRepeat> repeat_in(const Atoms& line, bool& trouble);
   std::optional<std::vector<Index>> recipes_in(const Atoms& line, std::size_t& at);
-  void do_repeat(const Repeat& repeat, const WorldCount& count, std::int64_t rounds);
+  std::optional<std::vector<Index>> last_recipes(PhraseCursor& here) const;
+  std::optional<std::vector<Index>> numbered_recipes(PhraseCursor& here) const;
+  std::optional<std::vector<Index>> named_recipe(PhraseCursor& here) const;
+  void do_repeat(const WorldRepeat& repeat, const WorldCount& count, std::int64_t rounds);
+  void work_passes(const WorldRepeat& repeat, std::int64_t start, std::int64_t rounds);
+  bool work_pass(const WorldRepeat& repeat, std::int64_t& left);
+  bool misses(std::int64_t until, std::int64_t start, std::int64_t before);
+  [[nodiscard]] bool line_is_wrong() const {
+    return line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::does_not_add_up;
+  }
+  void wrong_but_told(const std::string& made, std::int64_t told);
   bool told_rounds(const Atoms& body, const WorldCount& count, std::int64_t rounds, const std::string& name);
+  std::optional<ToldRounds> rounds_in_brackets(PhraseCursor& here, const Atoms& body);
+  bool work_told(const ToldRounds& told, Index plain, std::span<const std::int64_t> counts,
+                 const std::string& name);
+  bool unclear(const std::string& sentence, const WorldCount& count, std::size_t at = 0,
+               std::size_t length = 0);
   bool like_another(const WorldLabel& label, const Atoms& body, const WorldCount& count);
+  bool like_but(Index model, const WorldLabel& label, std::span<const Atom> words, const WorldCount& count);
+  void repeat_labelled(const WorldLabel& label, const std::vector<Index>& recipes, const WorldCount& count);
   bool plain_rounds(const Atoms& part, const WorldCount& count);
   void work_plain(std::int64_t rounds, const std::string& how, const WorldCount& count);
 
