@@ -49,6 +49,33 @@ std::string name_behind(const Atoms& part, AtomWords words) {
   return "";
 }
 
+// "the 12 held left leg sts": the name before the first stitches told.
+std::string name_before_stitches(const Atoms& part) {
+  for (std::size_t i = 1; i < part.size(); ++i) {
+    if (!is_stitches(part[i])) continue;
+    std::size_t begin = i;
+    while (begin > 1 && part[begin - 1].is_word() &&
+           !is_any(part[begin - 1], {"held", "next", "remaining", "live", "all", "slip", "place", "put",
+                                     "return", "transfer"}))
+      --begin;
+    return world_name(std::span(part).subspan(begin, i - begin));
+  }
+  return "";
+}
+
+// How many stitches are cast on by the words from `from` on; `behind` gets the place behind the number.
+std::optional<std::int64_t> cast_on_count(const Atoms& part, std::size_t from, std::size_t& behind) {
+  for (std::size_t j = from; j < std::min(part.size(), from + 6); ++j) {
+    if (!part[j].is_number() && !part[j].is_word()) break;
+    if (j > from && (part[j].is("co") || part[j].is("cast"))) break;
+    if (!part[j].is_number()) continue;
+    if (j + 1 < part.size() && is_any(part[j + 1], {"mm", "cm", "inch", "inches", "in", "."})) break;
+    behind = j + 1;
+    return part[j].value;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void WorldWorker::begin_piece(std::int64_t stitches) {
@@ -86,13 +113,7 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
     if (!on) continue;
     at = i;
     behind = at + (part[at].is("co") ? 1 : 2);
-    for (std::size_t j = behind; j < std::min(part.size(), behind + 6) && !count; ++j) {
-      if (!part[j].is_number() && !part[j].is_word()) break;
-      if (j > behind && (part[j].is("co") || part[j].is("cast"))) break;
-      const bool size = j + 1 < part.size() && is_any(part[j + 1], {"mm", "cm", "inch", "inches", "in", "."});
-      if (part[j].is_number() && size) break;
-      if (part[j].is_number()) count = part[j].value, behind = j + 1;
-    }
+    count = cast_on_count(part, behind, behind);
   }
   if (!count) return false;
   // "K9, CO 2 sts, k9" is a round.
@@ -360,6 +381,29 @@ bool WorldWorker::hold_all(const Atoms& part, const WorldCount& count) {
   return true;
 }
 
+// Where no holder fits the stitches that are to be taken up.
+bool WorldWorker::take_none(const std::string& name, std::optional<std::int64_t> told, bool held,
+                            const WorldCount& count) {
+  // At the top of a text its stitches may have been put aside in another; below a piece they have not.
+  if (holders_.empty() && told && out_.pieces.empty()) {
+    begin_piece(*told);
+    fresh_ = false;
+    worked();
+    return true;
+  }
+  if (!held && has_needle_) return false;
+  if (broken_) {
+    not_understood("whether these stitches are held is not known.");
+    has_needle_ = true;
+    known_ = false;
+    return true;
+  }
+  wrong("there are no held stitches" + (name.empty() ? "" : " of the " + name) + ".");
+  if (!has_needle_) begin_piece(0);
+  after_trouble(count);
+  return true;
+}
+
 bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   if (part.empty()) return false;
   const bool places = is_any(part.front(), {"place", "slip", "put", "return", "transfer", "move", "replace",
@@ -372,42 +416,11 @@ bool WorldWorker::take_all(const Atoms& part, const WorldCount& count) {
   const auto told = stitches_in(part);
   if (!told && !holds_any(part, {"sts", "stitches", "st"})) return false;
   std::string name = name_behind(part, {"of"});
-  if (name.empty()) {
-    for (std::size_t i = 1; i < part.size(); ++i) {
-      if (!is_stitches(part[i])) continue;
-      std::size_t begin = i;
-      while (begin > 1 && part[begin - 1].is_word() &&
-             !is_any(part[begin - 1], {"held", "next", "remaining", "live", "all", "slip", "place", "put",
-                                       "return", "transfer"}))
-        --begin;
-      name = world_name(std::span(part).subspan(begin, i - begin));
-      break;
-    }
-  }
+  if (name.empty()) name = name_before_stitches(part);
   run_pending(true);
   traces_ = false;
   WorldHolder* holder = find_holder(name, told);
-  if (holder == nullptr) {
-    // At the top of a text its stitches may have been put aside in another; below a piece they have not.
-    if (holders_.empty() && told && out_.pieces.empty()) {
-      begin_piece(*told);
-      fresh_ = false;
-      worked();
-      return true;
-    }
-    if (!held && has_needle_) return false;
-    if (broken_) {
-      not_understood("whether these stitches are held is not known.");
-      has_needle_ = true;
-      known_ = false;
-      return true;
-    }
-    wrong("there are no held stitches" + (name.empty() ? "" : " of the " + name) + ".");
-    if (!has_needle_) begin_piece(0);
-    WorldCount next = count;
-    after_trouble(next);
-    return true;
-  }
+  if (holder == nullptr) return take_none(name, told, held, count);
   holder->taken = true;
   const std::optional<std::int64_t> there = holder->count;
   if (told && there && *told != *there && !(holder->waste && std::abs(*told - *there) <= 1)) {

@@ -139,6 +139,8 @@ class WorldWorker {
   bool close(const Atoms& part);
   bool hold_all(const Atoms& part, const WorldCount& count);
   bool take_all(const Atoms& part, const WorldCount& count);
+  bool take_none(const std::string& name, std::optional<std::int64_t> told, bool held,
+                 const WorldCount& count);
   bool pick_up(const Atoms& part, const WorldCount& count);
   bool join_ends(const Atoms& part);
   bool as_before(const Atoms& part);
