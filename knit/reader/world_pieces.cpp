@@ -103,6 +103,7 @@ void WorldWorker::end_piece(bool held) {
   any_number_ = true;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   if (holds_any(part, {"held", "holder"})) return false;
   std::size_t at = part.size(), behind = 0;
@@ -222,6 +223,7 @@ bool WorldWorker::place_markers(const Atoms& part) {
 }
 
 // "BO all 16 sts", "thread through remaining 6 sts", "fasten off"
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 bool WorldWorker::close(const Atoms& part) {
   if (part.empty()) return false;
   const std::size_t none = part.size();

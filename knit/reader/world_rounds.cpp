@@ -72,6 +72,7 @@ void WorldWorker::finished_round(Index index, std::int64_t number) {
   fresh_ = false;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   if (label.every_from && label.numbers.empty()) {  // "All even rounds: knit"
     rule_ = Rule{*label.every_from, label.every_step, keep(body, "the even rounds", rows_ && !in_round_)};
@@ -263,6 +264,7 @@ bool WorldWorker::on_unknown(const WorldRecipe& recipe, const std::string& name,
   return true;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldCount* count,
                               std::size_t nth) {
   const WorldCount none;
