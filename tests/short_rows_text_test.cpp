@@ -65,7 +65,8 @@ std::vector<std::size_t> counted_runs(const std::string& text) {
     const std::string line = text.substr(begin, end - begin);
     const bool worked = line.starts_with("Short row") || line.starts_with("Next row") ||
                         line.find("(cont.)") != std::string::npos;
-    for (std::size_t i = line.find(": "); worked && i + 1 < line.size(); ++i) {
+    const std::size_t colon = line.find(": ");
+    for (std::size_t i = colon; worked && colon != std::string::npos && i + 1 < line.size(); ++i) {
       const bool word = line[i - 1] == ' ' && std::string("KkPp").find(line[i]) != std::string::npos;
       const bool counted = line[i + 1] >= '0' && line[i + 1] <= '9' &&
                            line.find("tog", i) != i + 2;  // k2tog is no number of stitches
