@@ -44,7 +44,7 @@ enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live 
 enum class ShortRows : std::uint8_t { off, automatic };
 // Rows that a tube keeps as they are beside an event; by_itself: what settles best, no short rows among it.
 enum class KeptBeside : std::uint8_t { by_itself, none, one, two };
-enum class Weld : std::uint8_t { off, on };        // merge coincident vertices on import
+enum class Weld : std::uint8_t { off, on };  // merge coincident vertices on import
 
 struct MeshSettings {
   Weld weld = Weld::off;

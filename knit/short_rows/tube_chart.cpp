@@ -147,7 +147,8 @@ Between between(const TubeChart& chart, double level) {
 
 std::string sentence_of(const ChartRefusal& refusal) {
   if (refusal.reason == ChartRefusal::Reason::not_solved)
-    return "no short rows: the equations of this tube's chart cannot be solved; repair triangles without area";
+    return "no short rows: the equations of this tube's chart cannot be solved; repair triangles without "
+           "area";
   return "no short rows: this tube's chart is off by " + percent_text(refusal.residual) + ", and at most " +
          percent_text(greatest_residual) + " is right; a finer mesh near its short loops helps";
 }
