@@ -62,7 +62,7 @@ std::optional<std::string> fit_size(Session& session, const CommandLine& line) {
   auto fitted = fitted_size(session.document->timeline);
   if (auto* why = std::get_if<std::string>(&fitted)) return "--fit-size: " + *why;
   auto& fit = std::get<FittedSize>(fitted);
-  apply(session, Tune{std::move(fit.parameters)});
+  apply(session, Tune{fit.parameters});
   notify(session, Notice::Kind::info, std::move(fit.words));
   return std::nullopt;
 }

@@ -143,7 +143,8 @@ class Planes {
   // Infinite once it is more than `most`.
   [[nodiscard]] double apart(std::size_t number, std::size_t stride, double most) const {
     const MirrorPlane mirror = plane(number);
-    const auto taken = static_cast<double>((places_.size() + stride - 1) / stride);
+    const std::size_t reflected = (places_.size() + stride - 1) / stride;
+    const auto taken = static_cast<double>(reflected);
     double sum = 0.0;
     for (std::size_t i = 0; i < places_.size(); i += stride) {
       sum += nearest_.distance_to(mirror.reflect(places_[i]));
