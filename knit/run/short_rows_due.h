@@ -19,10 +19,10 @@ const PlannedPairs* pairs_of(const State& state, TubeId tube);
 
 // Rows that a tube keeps at its two ends: `beside` at an event, because near a saddle a level has a corner, where lag is
 // partly a phantom; none at a cast on or a bind off; and those that are too short to be a round.
-KeptRows rows_kept(const TubePlan& plan, TubeId tube, std::int32_t beside);
+KeptRows rows_kept(const TubePlan& plan, TubeId id, std::int32_t beside);
 
 // Whether it has rows enough between those.
-bool can_be_charted(const TubePlan& plan, TubeId tube, std::int32_t beside);
+bool can_be_charted(const TubePlan& plan, TubeId id, std::int32_t beside);
 
 // As asked for, or as chosen; no_short_rows: there are none.
 std::int32_t rows_beside_events(const Parameters& parameters, const State& state);
