@@ -1,5 +1,5 @@
-// Relaxing in the air: its parts against figures worked out elsewhere, and sizes of examples against those of the study's
-// own program on the same knit meshes.
+// Relaxing in the air: its parts against figures worked out elsewhere, and sizes of examples against those of another
+// solver, on the same knit meshes where rows have changed since.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -140,7 +140,7 @@ TEST_CASE("relax: an edge through a sheet far along the fabric is a crossing") {
   CHECK_FALSE(crossings_of(all, joined, at, 0.75).empty());
 }
 
-TEST_CASE("relax: the sphere comes out as it does in the study") {
+TEST_CASE("relax: the sphere comes out as another solver has it") {
   struct Asked {
     const char *name, *preset;
     double height, width, sunk;  // mm
@@ -148,7 +148,7 @@ TEST_CASE("relax: the sphere comes out as it does in the study") {
   std::vector<Asked> asked{{"sphere", "best-rows", 122.8, 123.7, 1.2},
                            {"sphere", "knitters-gauge", 119.2, 123.6, 0.3}};
   if (test_support::whole()) {
-    // The study's table, but for shapes whose rows have changed since: its own program on the knit mesh as it is now.
+    // Another solver's table; four rows, of shapes whose rows have changed since, are what both have on today's mesh.
     asked.push_back({"egg", "best-rows", 118.0, 93.6, 0.7});
     asked.push_back({"egg", "knitters-gauge", 118.3, 94.2, 0.6});
     asked.push_back({"vase", "best-rows", 120.7, 84.6, 1.1});
