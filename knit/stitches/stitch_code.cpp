@@ -67,9 +67,10 @@ constexpr CodeLine place_before{
     "  before it: {} \xE2\x86\x90 M1L or K2tog",
     {&var::cell},
     &var::cell,
-    "Then a label before each main: M1L where the row grows, K2tog where it shrinks.",
+    "Then a label before each main: M1L where the row grows, K2tog where it shrinks. Where a short row "
+    "turned, its labels.",
     "Thesis 3.2.4; docs/algorithm.md, Stitch index",
-    lit_if<&ShapingPlaced::label, Label::m1l, Label::k2tog>};
+    lit_or<lit_if<&ShapingPlaced::label, Label::m1l, Label::k2tog>, lit_by<TurnPlaced>>};
 
 constexpr std::array thesis_lines{
     count_change,
@@ -115,8 +116,7 @@ constexpr std::array thesis_lines{
         lit_if<&SpacingChosen::rule, Rule::dense>},
     place_main,
     place_after,
-    place_before,
-    mark_turn};
+    place_before};
 
 constexpr std::array even_lines{count_change,
                                 count_mains,
@@ -140,8 +140,7 @@ constexpr std::array even_lines{count_change,
                                          lit_if<&SpacingChosen::rule, Rule::dense>},
                                 place_main,
                                 place_after,
-                                place_before,
-                                mark_turn};
+                                place_before};
 
 constexpr std::array nearest_lines{
     count_change,
