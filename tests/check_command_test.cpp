@@ -25,7 +25,7 @@ Answer answered(const std::vector<std::string>& words) {
 TEST_CASE("check says that every count holds") {
   const Answer answer = check_text(good, "ball");
   CHECK(answer.exit_code == 0);
-  CHECK(answer.out == "3 rounds; 4 lines worked, 0 not understood, 0 no instructions: every count holds.\n");
+  CHECK(answer.out == "3 rounds; 4 lines worked, 0 not understood, 0 without instructions: every count holds.\n");
   CHECK(answer.error.empty());
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("check prints a line a mistake and a summary") {
   CHECK(answer.exit_code == 1);
   CHECK(answer.out ==
         "line 2: Rnd 1 makes 12 stitches, the line says 13.\nline 3: Rnd 2: the word \"kint\" is not known.\n"
-        "2 rounds; 3 lines worked, 1 not understood, 0 no instructions: it does not add up.\n");
+        "2 rounds; 3 lines worked, 1 not understood, 0 without instructions: it does not add up.\n");
   CHECK(answer.error.empty());
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("check says which line and word it does not understand with an exit co
   CHECK(answer.exit_code == 5);
   CHECK(answer.out ==
         "line 2: Rnd 1: the word \"kint\" is not known.\n"
-        "2 rounds; 1 line worked, 2 not understood, 0 no instructions: not understood.\n");
+        "2 rounds; 1 line worked, 2 not understood, 0 without instructions: not understood.\n");
   const Answer json = check_text("CO 6 sts.\nRnd 1: Kint.\n", "ball", CheckForm::json);
   CHECK(json.exit_code == 5);
   const auto told = nlohmann::json::parse(json.out);

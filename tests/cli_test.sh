@@ -129,7 +129,7 @@ printf 'CO 6 sts.\nRnd 1: *K1, m1l; rep from * to end. (12 sts)\nBO all.\n' >bal
 run_to 0 check ball.txt
 quiet
 ok "check says that every count holds" [ "$(cat out)" = \
-  '1 round read, 6 stitches cast on, 18 stitches in all: every count holds.' ]
+  '1 round; 3 lines worked, 0 not understood, 0 without instructions: every count holds.' ]
 sed 's/12/13/' ball.txt >wrong.txt
 run_to 1 check - <wrong.txt
 quiet

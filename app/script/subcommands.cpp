@@ -62,8 +62,7 @@ std::string summary_of(const knit::CheckedPattern& checked) {
   return counted(checked.rounds, "round", "rounds") + "; " + counted(checked.worked, "line", "lines") +
          " worked, " + std::to_string(checked.not_understood) + " not understood, " +
          std::to_string(checked.no_instructions) +
-         (checked.no_instructions == 1 ? " no instruction: " : " no instructions: ") +
-         whole_verdict(checked.verdict) + ".";
+         " without instructions: " + whole_verdict(checked.verdict) + ".";
 }
 
 nlohmann::json json_of(const knit::CheckedSize& size) {
