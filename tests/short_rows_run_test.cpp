@@ -6,6 +6,7 @@
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "knit/quality/measures.h"
+#include "knit/quality/quality.h"
 #include "knit/run/machine.h"
 #include "knit/stitches/short_join.h"
 #include "tests/support/bent_ellipsoid.h"
@@ -69,6 +70,19 @@ TEST_CASE("a bent piece gets short rows and settles more evenly with them", "[sh
   CHECK(static_cast<std::int32_t>(all<ShortRowWorked>(with).size()) == rows);
   CHECK(2 * static_cast<std::int32_t>(placed.size()) == rows);
   CHECK(all<TurnPlaced>(with).size() >= static_cast<std::size_t>(rows));
+}
+
+TEST_CASE("the report measures the wales of short rows that are worked back", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  const Ran ran = run(*input, ShortRows::automatic);
+  const double width = ran.parameters.stitch.width, height = ran.parameters.stitch.height;
+  const Quality quality = measure_quality(*input, ran.state, width, height);
+  const LengthFigures wales = wale_figures(ran.state);
+  CHECK(quality.wale.cv == Approx(wales.cv));
+  CHECK(quality.wale.high == Approx(wales.high / height));
+  CHECK(quality.offset < 2.0);
+  REQUIRE(quality.tubes.size() == 1);
+  CHECK(quality.tubes.front().wale_cv < 0.1);
 }
 
 TEST_CASE("turns stand beside stitches that the round over them works one to one", "[short-rows]") {

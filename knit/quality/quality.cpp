@@ -34,7 +34,9 @@ std::vector<Stop> stops_of(const State& state) {
   const auto& deals = state.fabric.deals();
   for (const auto& row : state.fabric.rows()) {
     const std::size_t n = row->stitches.size();
-    for (std::size_t i = 0; i < n; ++i) {
+    const bool back = works_back(*row);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = back ? n - 1 - k : k;
       const glm::dvec3 along = after(*row, i).position - before(*row, i).position;
       stops.push_back({row->stitches[i].position, unit(along), n});
     }
