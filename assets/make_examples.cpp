@@ -25,7 +25,7 @@ struct Example {
 constexpr unsigned segments = 128;
 constexpr double spacing = 0.07;
 
-constexpr std::array<Example, 16> examples{{
+constexpr std::array<Example, 17> examples{{
     {"thesis-sphere", [] { return knit::sphere(segments, 65, true); }},
     {"sphere", [] { return knit::sphere(segments, 45); }},
     {"stretched-sphere", [] { return knit::stretched_sphere(segments, spacing); }},
@@ -34,6 +34,7 @@ constexpr std::array<Example, 16> examples{{
     {"cone", [] { return knit::cone(segments, spacing); }},
     {"vase", [] { return knit::vase(segments, spacing); }},
     {"torus", [] { return knit::torus(segments, 28, 0.68, 0.32); }},
+    {"heel", [] { return knit::heel(0.06); }},
     {"trousers", [] { return knit::trousers(0.06); }},
     {"y", [] { return knit::letter_y(0.055); }},
     {"starfish", [] { return knit::starfish(0.05); }},

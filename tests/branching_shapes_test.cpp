@@ -27,7 +27,8 @@ struct Shape {
   glm::dvec3 size;
 };
 
-const std::vector<Shape> shapes{{"trousers", trousers, 0.06, 0, {1.26, 2.43, 0.81}},
+const std::vector<Shape> shapes{{"heel", heel, 0.06, 0, {2.34, 2.19, 0.84}},
+                                {"trousers", trousers, 0.06, 0, {1.26, 2.43, 0.81}},
                                 {"y", letter_y, 0.055, 0, {1.98, 2.63, 0.60}},
                                 {"starfish", starfish, 0.05, 0, {2.60, 2.48, 0.62}},
                                 {"octopus", octopus, 0.07, 0, {2.23, 2.55, 2.23}},

@@ -113,7 +113,7 @@ for option in --help --version --list-examples --list-parameters; do
 done
 run_to 0 --list-examples
 ok "all examples are there" [ "$(tr '\n' ' ' <out)" = \
-  "thesis-sphere sphere stretched-sphere egg capsule cone vase torus trousers y starfish octopus mug cup \
+  "thesis-sphere sphere stretched-sphere egg capsule cone vase torus heel trousers y starfish octopus mug cup \
 double-torus chain-of-three " ]
 
 run_to 0 index 6,12,17,22

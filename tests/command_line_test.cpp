@@ -219,7 +219,7 @@ TEST_CASE("help, version and lists are answered on standard output") {
 
   CHECK(answered({"--list-examples"}).out ==
         "thesis-sphere\nsphere\nstretched-sphere\negg\ncapsule\ncone\nvase\ntorus\n"
-        "trousers\ny\nstarfish\noctopus\nmug\ncup\ndouble-torus\nchain-of-three\n");
+        "heel\ntrousers\ny\nstarfish\noctopus\nmug\ncup\ndouble-torus\nchain-of-three\n");
 
   const std::vector<std::string> parameters = test_support::lines_of(answered({"--list-parameters"}).out);
   REQUIRE(parameters.size() == knit::parameter_table().size());

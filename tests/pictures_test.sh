@@ -28,5 +28,5 @@ while read -r name _; do
     fail "the example $name is not what its picture shows; run tools/pictures.sh --examples"
   count=$((count + 1))
 done < <("$program" --list-examples)
-[ "$count" -ge 16 ] || fail "only $count examples"
+[ "$count" -ge 17 ] || fail "only $count examples"
 echo "pictures_test: $count pictures"

@@ -203,7 +203,7 @@ std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::M
 
 namespace {
 // The menu's order; what else lies in the folder follows by name.
-constexpr std::array<std::string_view, 16> known_order{"thesis-sphere",
+constexpr std::array<std::string_view, 17> known_order{"thesis-sphere",
                                                        "sphere",
                                                        "stretched-sphere",
                                                        "egg",
@@ -211,6 +211,7 @@ constexpr std::array<std::string_view, 16> known_order{"thesis-sphere",
                                                        "cone",
                                                        "vase",
                                                        "torus",
+                                                       "heel",
                                                        "trousers",
                                                        "y",
                                                        "starfish",

@@ -52,6 +52,20 @@ double from_axis(const glm::dvec3& p) { return std::sqrt(p.x * p.x + p.z * p.z);
 
 }  // namespace
 
+// Its middle line is bent by a quarter of a circle that is little wider than the tube.
+Mesh heel(double edge) {
+  constexpr double radius = 0.42, bend = 1.2 * radius, leg = 0.85, foot = 1.0;
+  constexpr unsigned pieces = 12;
+  std::vector<Ball> balls{{{0.0, bend + leg, 0.0}, radius}};
+  for (unsigned i = 0; i <= pieces; ++i) {
+    const TurnPoint at = turn_point(i, 4 * pieces);
+    balls.push_back({{bend * (1.0 - at.cosine), bend * (1.0 - at.sine), 0.0}, radius});
+  }
+  balls.push_back({{bend + foot, 0.0, 0.0}, radius});
+  const auto solid = [&](const glm::dvec3& p) { return limb_distance(p, balls); };
+  return made_of("heel", solid, {{-0.6, -0.6, -0.6}, {2.1, 2.0, 0.6}}, edge);
+}
+
 // Legs end in a shallow dome each, the waist in a wider one: a flat end would have no lowest place.
 Mesh trousers(double edge) {
   const auto leg = [](const glm::dvec3& p, double side) {

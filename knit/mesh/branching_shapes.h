@@ -1,4 +1,4 @@
-// Shapes that branch, have handles or an inside: the examples that no single tube can cover.
+// Shapes that branch, bend, have handles or an inside: the examples that are no rings about an axis.
 //
 // Every shape is one piece, closed, its triangles counter-clockwise seen from outside; y is up. Sizes are 2 to 3 units.
 // `edge`: about how long a triangle's side is; 0.08 or less, or thin parts may be missed.
@@ -9,6 +9,7 @@
 namespace knit {
 
 // Genus 0.
+Mesh heel(double edge);      // a leg upright and a foot towards +x, one tube that bends, with round ends
 Mesh trousers(double edge);  // two legs and a waist, closed at the hems and on top
 Mesh letter_y(double edge);  // a trunk that forks, with round ends
 Mesh starfish(double edge);  // five tapering arms in the plane z = 0, one of them up
