@@ -82,10 +82,11 @@ TEST_CASE("lesson: where a tube parts and meets, to its end") { play_both("where
 TEST_CASE("lesson: why a handle needs a split and a join, to its end") { play_both("why-a-handle"); }
 TEST_CASE("lesson: what a level set cannot know, to its end") { play_both("what-a-level-set-cannot-know"); }
 TEST_CASE("lesson: what on a holder means, to its end") { play_both("on-a-holder"); }
+TEST_CASE("lesson: why a heel needs short rows, to its end") { play_both("why-a-heel"); }
 
 TEST_CASE("the shipped lessons can be read, are short, and ask") {
   const auto entries = list_lessons(KNIT_ASSETS_DIR);
-  REQUIRE(entries.size() == 10);
+  REQUIRE(entries.size() == 11);
   for (const LessonEntry& entry : entries) {
     INFO(entry.title << ": " << entry.about);
     REQUIRE(!entry.key.empty());

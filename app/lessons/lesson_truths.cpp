@@ -160,8 +160,9 @@ namespace {
 bool is_meant(knit::Label label, const std::string& word) {
   if (word == "increase") return knit::is_increase(label);
   if (word == "decrease") return knit::is_decrease(label);
-  constexpr std::array<std::string_view, 10> keys{"knit", "m1r",  "m1l",  "k2tog",           "ssk",
-                                                  "cast", "main", "turn", "wrong-side-turn", "marked"};
+  if (word == "turn") return knit::is_turn(label);
+  constexpr std::array<std::string_view, 10> keys{"knit", "m1r",  "m1l",       "k2tog",      "ssk",
+                                                  "cast", "main", "turn left", "turn right", "marked"};
   return keys.at(static_cast<std::size_t>(label)) == word;
 }
 
