@@ -1,4 +1,5 @@
 // Where stitches that have settled are shown: a switch at the right of the view, while it matters.
+#include <algorithm>
 #include <array>
 
 #include "app/describe/describe_stretch.h"
@@ -10,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr float above_legend = 158.0f;  // plain units: as high as the longest legend
+constexpr float above_legend = 158.0f;  // plain units: as high as a legend without short rows
 
 struct PositionsChoice {
   Positions positions;
@@ -30,9 +31,12 @@ void draw_positions(PanelFrame& frame) {
   if (!has_settled(frame.session)) return;
   if (!placed && !stretch_shown(frame.session) && !moves_shown(frame.session)) return;
   const Box& view = frame.layout.view;
-  ImGui::SetNextWindowPos(
-      ImVec2(view.right() - frame.units(12.0f), view.bottom() - frame.units(above_legend)), ImGuiCond_Always,
-      ImVec2(1.0f, 1.0f));
+  float bottom = view.bottom() - frame.units(above_legend);
+  const auto legend = frame.memory.controls.find("legend-box");
+  if (legend != frame.memory.controls.end())
+    bottom = std::min(bottom, legend->second.y - frame.units(8.0f));
+  ImGui::SetNextWindowPos(ImVec2(view.right() - frame.units(12.0f), bottom), ImGuiCond_Always,
+                          ImVec2(1.0f, 1.0f));
   push_raised_look(frame);
   ImGui::Begin("Positions", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -1,5 +1,6 @@
 #include "app/panels/view/overlays.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -75,7 +76,12 @@ void draw_labels(PanelFrame& frame) {
   const Box& view = frame.layout.view;
   const float line = ImGui::GetTextLineHeight() + frame.units(1.0f);
   const float swatch = frame.units(10.0f);
-  const float width = frame.units(104.0f);
+  const float beside_swatch = swatch + frame.units(6.0f);
+  float width = frame.units(104.0f);
+  for (const LabelShown& label : shown) {
+    const std::string name(knit::name_of(label.label));
+    width = std::max(width, beside_swatch + ImGui::CalcTextSize(name.c_str()).x);
+  }
   const float left = view.right() - width - frame.units(10.0f);
   const float top = view.bottom() - line * static_cast<float>(shown.size()) - frame.units(10.0f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -86,7 +92,7 @@ void draw_labels(PanelFrame& frame) {
     const float at = y + 0.5f * (line - swatch);
     list.AddRectFilled(ImVec2(left, at), ImVec2(left + swatch, at + swatch),
                        style::packed(theme().of(shown[i].label)), frame.units(2.0f));
-    text_at(ImVec2(left + swatch + frame.units(6.0f), y), 0.0f, theme().text,
+    text_at(ImVec2(left + beside_swatch, y), 0.0f, theme().text,
             std::string(knit::name_of(shown[i].label)));
   }
 }
