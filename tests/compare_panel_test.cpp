@@ -234,7 +234,9 @@ TEST_CASE("sweep side: the first plot counts all problems or one kind, and says 
   REQUIRE(first < work.total());
   const auto quiet = quiet_stretch(work, desk.ui.own<SweepCache>(), SweepFigure::stalls);
   REQUIRE(quiet);
-  CHECK(quiet->from == work.first_values()[first]);
+  // Narrowed down beyond the values that were asked for.
+  CHECK(quiet->from <= work.first_values()[first]);
+  CHECK(quiet->from > work.first_values()[first - 1]);
   CHECK(quiet->to_last);
   CHECK(words_of(*quiet, SweepFigure::stalls).starts_with("No stall from "));
 }

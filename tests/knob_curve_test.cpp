@@ -2,6 +2,7 @@
 #include "app/panels/parameters/knob_curve.h"
 
 #include "app/compare/sweep_work.h"
+#include "app/panels/kit/number_field.h"
 #include "tests/support/desk.h"
 #include "tests/support/session.h"
 
@@ -24,26 +25,20 @@ TEST_CASE("the button of a knob sweeps it, and a click on the mark takes the fir
   const auto quiet = quiet_stretch(work, cache, SweepFigure::problems);
   REQUIRE(quiet);
   const auto& values = work.first_values();
-  const auto problems_at = [&](double value) {
-    const auto i = static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
-    return work.run(i)->figures.problems.total();
-  };
-  std::size_t longest = 0;
-  std::size_t length = 0;
+  std::vector<bool> answers;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SweepRun& run = *work.run(i);
-    length =
-        run.refused.empty() && run.figures.finished && run.figures.problems.total() == 0 ? length + 1 : 0;
-    longest = std::max(longest, length);
+    answers.push_back(run.refused.empty() && run.figures.finished && run.figures.problems.total() == 0);
   }
-  const auto first = std::find(values.begin(), values.end(), quiet->from);
-  const auto last = std::find(values.begin(), values.end(), quiet->to);
-  CHECK(static_cast<std::size_t>(last - first) + 1 == longest);
-  CHECK(problems_at(quiet->from) == 0);
-  CHECK(problems_at(quiet->to) == 0);
+  const auto coarse = longest_quiet(values, answers);
+  REQUIRE(coarse);
+  CHECK(quiet->from <= coarse->from);
+  CHECK(quiet->to >= coarse->to);
+  CHECK(quiet->to_last == coarse->to_last);
 
   REQUIRE_FALSE((quiet->from_first && quiet->to_last));
   const double marked = quiet->from_first ? quiet->to : quiet->from;
+  CHECK(shown_number(marked) == knit::number_text(marked));
   CHECK(only<Tune>(desk.click("curve-mark/epsilon")).parameters.epsilon() == marked);
   for (const auto& [name, box] : before) {
     if (!name.starts_with("knob/") && !name.starts_with("curve/")) continue;
@@ -58,6 +53,8 @@ TEST_CASE("what is said of the values without a problem") {
   CHECK(words_of(QuietStretch{0.01, 0.05, true, false}, SweepFigure::problems) == "No problem up to 0.05.");
   CHECK(words_of(QuietStretch{0.02, 0.05, false, false}, SweepFigure::problems) ==
         "No problem from 0.02 to 0.05.");
+  CHECK(words_of(QuietStretch{0.02, 0.05, false, true, 0.01}, SweepFigure::stalls) ==
+        "No stall from 0.02 on, at 0.01 not yet.");
 }
 
 TEST_CASE("where stalls end has a mark and a sentence of its own, if that is elsewhere") {
@@ -71,8 +68,8 @@ TEST_CASE("where stalls end has a mark and a sentence of its own, if that is els
   const auto stalls = quiet_stretch(work, cache, SweepFigure::stalls);
   const auto problems = quiet_stretch(work, cache, SweepFigure::problems);
   REQUIRE((stalls && problems));
-  CHECK(words_of(*stalls, SweepFigure::stalls) == "No stall from 0.02 on, at 0.015 not yet.");
-  CHECK(words_of(*problems, SweepFigure::problems) == "No problem from 0.035 on, at 0.03 not yet.");
+  CHECK(words_of(*stalls, SweepFigure::stalls) == "No stall from 0.019237 on, at 0.019236 not yet.");
+  CHECK(words_of(*problems, SweepFigure::problems) == "No problem from 0.031675 on, at 0.031674 not yet.");
   CHECK(only<Tune>(desk.click("curve-mark/epsilon")).parameters.epsilon() == problems->from);
   CHECK(only<Tune>(desk.click("curve-mark/epsilon/stalls")).parameters.epsilon() == stalls->from);
 }

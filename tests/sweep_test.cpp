@@ -197,3 +197,50 @@ TEST_CASE("sweep: a value is taken like a turned knob, and a fault is a notice",
   apply(session, OpenExample{"thesis-sphere"});
   CHECK_FALSE(session.document->sweep);
 }
+
+TEST_CASE("sweep: the longest stretch without problems, of equally long ones the last", "[sweep]") {
+  const std::vector<double> values{1, 2, 3, 4, 5, 6};
+  CHECK_FALSE(longest_quiet(values, {false, false, false, false, false, false}));
+  CHECK(longest_quiet(values, {true, true, true, true, true, true}) == QuietStretch{1, 6, true, true});
+  CHECK(longest_quiet(values, {true, true, false, false, true, true}) == QuietStretch{5, 6, false, true, 4});
+  CHECK(longest_quiet(values, {false, true, true, false, true, false}) ==
+        QuietStretch{2, 3, false, false, 1, 4});
+}
+
+TEST_CASE("sweep: the ends of the stretch are narrowed down to five digits and keep their invariant",
+          "[sweep]") {
+  QuietStretch stretch{0.2, 0.4, false, false, 0.1, 0.5};
+  std::size_t runs = 0;
+  narrow_down(stretch, false, [&](double value) {
+    ++runs;
+    return std::optional(value >= 0.123455 && value < 0.4321);
+  });
+  CHECK(stretch == QuietStretch{0.12346, 0.43209, false, false, 0.12345, 0.4321});
+  CHECK(runs <= 2 * 15);
+  QuietStretch whole{20, 30, false, true, 10};
+  narrow_down(whole, true, [](double value) { return std::optional(value >= 13); });
+  CHECK(whole == QuietStretch{13, 30, false, true, 12});
+  QuietStretch dropped{0.2, 0.4, false, true, 0.1};
+  narrow_down(dropped, false, [](double) { return std::optional<bool>(); });
+  CHECK(dropped == QuietStretch{0.2, 0.4, false, true, 0.1});
+}
+
+TEST_CASE("sweep: after its runs it says to five digits from where on there is no stall", "[sweep]") {
+  const Session session = test_support::example_session("thesis-sphere");
+  SweepWork work(sweep_base_of(session.document->timeline), plan_of("epsilon", 0.015, 0.025, 3), 2);
+  work.wait();
+  CHECK_FALSE(work.running());
+  const QuietStretch* stalls = work.quiet(knit::ProblemKind::band_missed);
+  REQUIRE(stalls != nullptr);
+  CHECK(work.quiet(knit::ProblemKind::gap_left_open) == nullptr);
+  CHECK(stalls->to_last);
+  REQUIRE(stalls->not_yet);
+  CHECK(stalls->from - *stalls->not_yet < 1.5e-6);
+  const auto stalls_at = [&](double epsilon) {
+    return fresh_figures(session, work.plan(), {epsilon}).problems.of(knit::ProblemKind::band_missed);
+  };
+  CHECK(stalls_at(stalls->from) == 0);
+  CHECK(stalls_at(*stalls->not_yet) > 0);
+  CAPTURE(stalls->from, *stalls->not_yet);
+  CHECK(stalls->from == 0.019237);
+}

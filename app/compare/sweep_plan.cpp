@@ -20,14 +20,6 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-// 0.03 rather than 0.030000000000000002.
-double tidy(double value) {
-  std::array<char, 64> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr;
-  return number_of({text.data(), static_cast<std::size_t>(end - text.data())}).value_or(value);
-}
-
 bool is_count(const knit::ParameterInfo& info) { return std::holds_alternative<knit::Count>(info.kind); }
 
 std::string swept_keys() {
@@ -70,6 +62,13 @@ bool can_be_swept(const knit::ParameterInfo& info) {
   return std::holds_alternative<knit::Number>(info.kind) || is_count(info);
 }
 
+double tidied(double value, int digits) {
+  std::array<char, 64> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+  return number_of({text.data(), static_cast<std::size_t>(end - text.data())}).value_or(value);
+}
+
 std::variant<SweepAxis, std::string> parse_sweep_axis(const std::string& text) {
   const auto blame = [&] {
     return "--sweep cannot be \"" + text + "\"; give PARAM=FROM:TO:N, as epsilon=0.02:0.08:100.";
@@ -103,7 +102,7 @@ std::vector<double> values_of(const SweepAxis& axis) {
   std::vector<double> values;
   for (int i = 0; i < axis.count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(axis.count - 1);
-    double value = i + 1 == axis.count ? axis.to : tidy(axis.from + share * (axis.to - axis.from));
+    double value = i + 1 == axis.count ? axis.to : tidied(axis.from + share * (axis.to - axis.from), 12);
     if (i == 0) value = axis.from;
     if (whole) value = std::round(value);
     // Also where so many values are closer than a number tells apart.

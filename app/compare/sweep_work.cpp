@@ -3,6 +3,7 @@
 #include "knit/model/settings_table.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -26,7 +27,9 @@ struct SweepWork::Shared {
   std::atomic<bool> cancelled{false};
   std::mutex mutex;
   std::condition_variable ended;
-  unsigned threads = 0;  // still at it; guarded by the mutex
+  unsigned threads = 0;                                                  // still at it; guarded by the mutex
+  std::array<std::optional<QuietStretch>, narrowed_kinds.size()> quiet;  // written before `narrowed` is set
+  std::atomic<bool> narrowed{false};
 
   [[nodiscard]] std::vector<double> values_at(std::size_t index) const {
     if (second.empty()) return {first[index]};
@@ -87,9 +90,53 @@ struct SweepWork::Shared {
     }
   }
 
+  // The runs between two neighbours, each once although both kinds may ask for it. Null: no longer wanted.
+  const SweepRun* between(std::vector<std::unique_ptr<SweepRun>>& tried, double value) const {
+    for (const auto& run : tried) {
+      if (run->values.front() == value) return run.get();
+    }
+    auto run = std::make_unique<SweepRun>();
+    run->values = {value};
+    if (!work_out(*run)) return nullptr;
+    return tried.emplace_back(std::move(run)).get();
+  }
+
+  static bool is_quiet(const SweepRun& run, std::optional<knit::ProblemKind> kind) {
+    const knit::ProblemCounts& problems = run.figures.problems;
+    return run.refused.empty() && run.figures.finished && (kind ? problems.of(*kind) : problems.total()) == 0;
+  }
+
+  void narrow() {
+    if (!second.empty() || done.load(std::memory_order_acquire) < runs.size()) return;
+    const bool whole = std::holds_alternative<knit::Count>(knit::find_parameter(plan.axis.key)->kind);
+    std::vector<std::unique_ptr<SweepRun>> tried;
+    for (std::size_t k = 0; k < narrowed_kinds.size(); ++k) {
+      const std::optional<knit::ProblemKind> kind = narrowed_kinds.at(k);
+      std::vector<bool> answers;
+      for (const SweepRun& run : runs) answers.push_back(is_quiet(run, kind));
+      auto& stretch = quiet.at(k) = longest_quiet(first, answers);
+      if (!stretch) continue;
+      narrow_down(*stretch, whole, [&](double value) -> std::optional<bool> {
+        const SweepRun* run = between(tried, value);
+        return run != nullptr ? std::optional(is_quiet(*run, kind)) : std::nullopt;
+      });
+    }
+  }
+
+  // The last one narrows down.
   void leave() {
+    {
+      const std::lock_guard lock(mutex);
+      if (threads > 1) {
+        --threads;
+        return;
+      }
+    }
+    narrow();
+    narrowed.store(true, std::memory_order_release);
     const std::lock_guard lock(mutex);
-    if (--threads == 0) ended.notify_all();
+    threads = 0;
+    ended.notify_all();
   }
 };
 
@@ -132,7 +179,7 @@ void SweepWork::wait() {
 
 std::size_t SweepWork::total() const { return shared_->runs.size(); }
 std::size_t SweepWork::done() const { return shared_->done.load(std::memory_order_acquire); }
-bool SweepWork::running() const { return !cancelled() && done() < total(); }
+bool SweepWork::running() const { return !cancelled() && !shared_->narrowed.load(std::memory_order_acquire); }
 bool SweepWork::cancelled() const { return shared_->cancelled.load(std::memory_order_relaxed); }
 
 const SweepRun* SweepWork::run(std::size_t index) const {
@@ -140,6 +187,12 @@ const SweepRun* SweepWork::run(std::size_t index) const {
   return &shared_->runs[index];
 }
 
+const QuietStretch* SweepWork::quiet(std::optional<knit::ProblemKind> kind) const {
+  const auto* found = std::find(narrowed_kinds.begin(), narrowed_kinds.end(), kind);
+  if (found == narrowed_kinds.end() || !shared_->narrowed.load(std::memory_order_acquire)) return nullptr;
+  const auto& stretch = shared_->quiet.at(static_cast<std::size_t>(found - narrowed_kinds.begin()));
+  return stretch ? &*stretch : nullptr;
+}
 const SweepPlan& SweepWork::plan() const { return shared_->plan; }
 const SweepBase& SweepWork::base() const { return shared_->base; }
 const std::vector<double>& SweepWork::first_values() const { return shared_->first; }

@@ -3,11 +3,14 @@
 // Each run ends in a slot of its own, so that the results are the same whatever the number of threads. What
 // comes before the first stage that reads a swept parameter is run once and shared. Whoever drops the work or
 // cancels it does not wait: the threads hold what they need, look up every few hundred steps and end.
+// After all runs of one axis, the ends of the stretch without problems, and of that without stalls, are narrowed down between
+// a value that has some and its neighbour that has none: a sweep of 96 values finds the end to five digits with a dozen more.
 #pragma once
 
 #include <memory>
 #include <optional>
 
+#include "app/compare/sweep_quiet.h"
 #include "app/compare/tube_figures.h"
 #include "app/session/sweep.h"
 
@@ -36,10 +39,13 @@ class SweepWork {
 
   [[nodiscard]] std::size_t total() const;
   [[nodiscard]] std::size_t done() const;  // rises; when it has not, no slot has changed either
-  [[nodiscard]] bool running() const;
+  [[nodiscard]] bool running() const;      // its runs, or the narrowing after them
   [[nodiscard]] bool cancelled() const;
   // The first axis's values are the outer ones. Null while it is not there.
   [[nodiscard]] const SweepRun* run(std::size_t index) const;
+  // The narrowed stretch without problems of this kind, or of all kinds. Null: not there yet, two axes, a kind that is not
+  // narrowed down, or none.
+  [[nodiscard]] const QuietStretch* quiet(std::optional<knit::ProblemKind> kind) const;
   [[nodiscard]] const SweepPlan& plan() const;
   [[nodiscard]] const SweepBase& base() const;
   [[nodiscard]] const std::vector<double>& first_values() const;

@@ -42,6 +42,8 @@ std::variant<SweepAxis, std::string> parse_sweep_axis(const std::string& text);
 std::optional<std::string> fault_of(const SweepPlan& plan);
 // Only these can be swept: a number or a count.
 bool can_be_swept(const knit::ParameterInfo& info);
+// A number as a person would type it, to so many significant digits: 0.03 rather than 0.030000000000000002.
+double tidied(double value, int digits);
 // Rising; of a count whole and each once. Requires an axis without fault.
 std::vector<double> values_of(const SweepAxis& axis);
 

@@ -171,25 +171,14 @@ void SweepCache::read(std::size_t index, const SweepRun& run) {
 std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache,
                                           SweepFigure figure) {
   if (work.done() < work.total()) return std::nullopt;
-  const std::vector<double>& values = work.first_values();
-  const auto is_quiet = [&](std::size_t i) {
+  const auto kind = figure == SweepFigure::problems ? std::nullopt : std::optional(kind_of(figure));
+  if (const QuietStretch* narrowed = work.quiet(kind)) return *narrowed;
+  std::vector<bool> quiet;
+  for (std::size_t i = 0; i < work.first_values().size(); ++i) {
     const auto& count = cache.of(figure)[i];
-    return cache.outcomes()[i] == SweepOutcome::finished && count && *count == 0.0;
-  };
-  std::size_t best = 0;
-  std::size_t begin = 0;
-  std::size_t length = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    length = is_quiet(i) ? length + 1 : 0;
-    // Of equally long ones the last: larger values are the safer ones.
-    if (length < std::max<std::size_t>(1, best)) continue;
-    best = length;
-    begin = i + 1 - length;
+    quiet.push_back(cache.outcomes()[i] == SweepOutcome::finished && count && *count == 0.0);
   }
-  if (best == 0) return std::nullopt;
-  const std::size_t end = begin + best - 1;
-  return QuietStretch{values[begin], values[end], begin == 0, end + 1 == values.size(),
-                      begin == 0 ? std::nullopt : std::optional(values[begin - 1])};
+  return longest_quiet(work.first_values(), quiet);
 }
 
 std::string words_of(const QuietStretch& quiet, SweepFigure figure) {

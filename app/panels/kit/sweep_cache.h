@@ -82,14 +82,8 @@ class SweepCache {
   std::size_t refused_ = 0, stopped_ = 0;
 };
 
-// The longest stretch of values whose runs finish and have none of what the figure counts.
-struct QuietStretch {
-  double from = 0.0, to = 0.0;
-  bool from_first = false, to_last = false;
-  std::optional<double> not_yet{};  // the value tried before it
-  friend bool operator==(const QuietStretch&, const QuietStretch&) = default;
-};
-// Once all are known; requires a figure that counts problems. Of equally long ones the last.
+// Once all are known; requires a figure that counts problems. Narrowed down as soon as the work has done so: all problems and
+// stalls.
 std::optional<QuietStretch> quiet_stretch(const SweepWork& work, const SweepCache& cache, SweepFigure figure);
 // "No stall from 0.0194 on, at 0.0185 not yet."
 std::string words_of(const QuietStretch& quiet, SweepFigure figure);
