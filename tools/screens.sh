@@ -56,7 +56,10 @@ help | --example thesis-sphere | F1
 palette | --example thesis-sphere --at rows:14 | ctrl+p "row"
 glossary | --example thesis-sphere --at rows:14 | ctrl+p "glossary" Return
 open | --example thesis-sphere | ctrl+o
-figure | --example thesis-sphere | ctrl+p "save a picture" Return
+figure-named | --example thesis-sphere | ctrl+p "save a picture" Return
+figure | --example thesis-sphere --at end | @27,18 @66,468
+animation | --example thesis-sphere --at rows:14 | @27,18 @66,489
+worksheet | --lesson what-it-does --lesson-page 4 | ctrl+p "worksheet" Return
 view-menu | --example thesis-sphere | @238,18
 LIST
 }
@@ -74,6 +77,7 @@ need() {
 case ${1:-} in
   --list)
     screens | cut -d' ' -f1
+    echo worksheet-printed
     exit 0
     ;;
   --sheets)
@@ -179,6 +183,18 @@ take() { # name, options, hands, theme
   pid=
   await 100 has_no_window || true  # or the next would take this one's for its own
 }
+
+# A lesson as a printed page: no window and no theme, so once.
+take_printed() { # name, lesson
+  local browser
+  browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+  [ -n "$browser" ] || return 0
+  "$program" --headless --lesson "$2" --save-worksheet "$aside/$1.html"
+  "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$aside/browser" --window-size=820,4000 \
+    --screenshot="$folder/$1.png" "file://$aside/$1.html" >/dev/null 2>&1 || echo "screens: no picture of $1" >&2
+}
+printed=worksheet-printed
+if [ "$wanted" = "  " ] || [[ $wanted = *" $printed "* ]]; then take_printed "$printed" what-it-does; fi
 
 for size in $sizes; do
   wide=${size%x*} high=${size#*x} scale=1
