@@ -2,6 +2,7 @@
 #include "app/actions/pinned_session.h"
 #include "app/panels/view/view.h"
 #include "tests/support/desk.h"
+#include "tests/support/session.h"
 
 using namespace desk;
 
@@ -45,6 +46,28 @@ TEST_CASE("words in the view never stand under the legend, wherever the view is 
     }
   }
   CHECK(near > 20);
+}
+
+TEST_CASE("words in the view never stand under the card at a stop, and the start tells of the stop") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.session.document = test_support::torus_from_rings().document;
+  knit::Timeline& timeline = desk.session.document->timeline;
+  timeline.extend_to_end();
+  REQUIRE(timeline.stop() != nullptr);
+  timeline.seek(0);
+  CHECK(sentence(desk.session).find("stops after step " + std::to_string(timeline.known())) !=
+        std::string::npos);
+  apply(desk.session, ToLast{});
+  desk.settle();
+  desk.frame();
+  REQUIRE(desk.ui.own<StopCardPlace>().box);
+  const Box card = *desk.ui.own<StopCardPlace>().box;
+  const auto tags = boxes_named(desk, "tag/");
+  REQUIRE_FALSE(tags.empty());
+  for (const Box& tag : tags) CHECK_FALSE(overlap(tag, card));
+  desk.click("stop/away");
+  desk.settle();
+  CHECK_FALSE(desk.ui.own<StopCardPlace>().box);
 }
 
 TEST_CASE("each half of two runs has its own words: its values, its row and what is told at its places") {

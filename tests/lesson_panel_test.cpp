@@ -77,6 +77,18 @@ TEST_CASE("a lesson has a strip of its own below the view, and its ways on") {
   CHECK(desk.click("lesson/leave").size() == 1);
 }
 
+TEST_CASE("the head of a lesson says its page and cuts no word") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  lay_out(desk, "picking-a-row", 2);
+  REQUIRE(desk.ui.controls.count("lesson/where") == 1);
+  const Box where = desk.ui.controls.at("lesson/where");
+  CHECK(where.x >= desk.ui.controls.at("lesson/title").right());
+  CHECK(where.right() <= desk.ui.controls.at("lesson/again").x);
+  CHECK(where.width < 60.0f);  // the page's number alone
+  lay_out(desk, "what-it-does", 4);
+  CHECK(desk.ui.controls.at("lesson/where").width > 100.0f);
+}
+
 TEST_CASE("choices and typed numbers become answers") {
   Desk desk(1280, 720);
   lay_out(desk, "what-it-does", 7);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/panels/kit/view_help.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/session/outbox.h"
 #include "knit/model/settings_table.h"
@@ -197,6 +198,38 @@ TEST_CASE("a wrapped text never breaks at the point of a number") {
     CHECK(lines == words);  // only blanks became line feeds
   }
   CHECK(wrapped_at_blanks("a\n\nb  c", 1000.0f) == "a\n\nb  c");
+}
+
+TEST_CASE("a wrapped text keeps a value with its name and sign") {
+  Desk desk;
+  desk.open();
+  desk.frame();
+  const std::string words = "Level 3 at t = 0.01254 splits at vertex 0 (t = 0), more there.";
+  for (float width = 20.0f; width < 500.0f; width += 7.0f) {
+    const std::string lines = wrapped_at_blanks(words, width);
+    CHECK(lines.find("t = 0.01254") != std::string::npos);
+    CHECK(lines.find("(t = 0),") != std::string::npos);
+  }
+  CHECK(wrapped_at_blanks("one two", 1.0f) == "one\ntwo");
+  CHECK(wrapped_at_blanks("a == b", 1.0f) == "a\n==\nb");
+  CHECK(wrapped_at_blanks("of 15 % spare, 12.5 cm high", 1.0f) == "of\n15 %\nspare,\n12.5 cm\nhigh");
+  CHECK(wrapped_at_blanks("5 cmx 5 loops", 1.0f) == "5\ncmx\n5\nloops");
+}
+
+TEST_CASE("the view's hint has as many whole parts as fit, and always the way to the rest") {
+  Desk desk;
+  desk.open();
+  desk.frame();
+  const std::string all = hint_words(1e6f);
+  const std::string least = hint_words(0.0f);
+  CHECK(least == "? lists the keys");
+  CHECK(all.ends_with(", " + least));
+  for (float width = 100.0f; width < 900.0f; width += 50.0f) {
+    const std::string words = hint_words(width);
+    CHECK((words == least || ImGui::CalcTextSize(words.c_str()).x <= width));
+    CHECK(words.ends_with(least));
+    CHECK(all.starts_with(words.substr(0, words.size() - least.size())));
+  }
 }
 
 TEST_CASE("numbers of the other panels are fields too: speed, sizes of pictures, the values of a sweep") {

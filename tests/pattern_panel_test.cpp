@@ -102,6 +102,31 @@ TEST_CASE("lines stand one below the other, and a round finds its own") {
   CHECK_FALSE(layout.line_of(desk.ui.own<ChartCache>().last_row() + 1));
 }
 
+TEST_CASE("a line of the pattern ends at a blank, never within a number or between it and its unit") {
+  Desk desk;
+  show_pattern(desk);
+  const knit::WrittenPattern& pattern = desk.ui.own<ChartCache>().pattern();
+  std::string whole;
+  for (const PatternLine& line : lines_of(pattern)) whole += line.words + " ";
+  std::replace(whole.begin(), whole.end(), '\n', ' ');
+  std::size_t ends = 0;
+  for (const float width : {230.0f, 260.0f, 290.0f, 320.0f}) {
+    PatternLayout layout;
+    desk.frame();
+    layout.refresh(pattern, nullptr, 1, width, Fonts{}, 1.0f);
+    std::string words;
+    for (const auto& placed : layout.lines()) {
+      words += placed.line.words + " ";
+      ends += static_cast<std::size_t>(std::count(placed.line.words.begin(), placed.line.words.end(), '\n'));
+      CHECK(placed.line.words.find("\n%") == std::string::npos);
+      CHECK(placed.line.words.find("\ncm") == std::string::npos);
+    }
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    CHECK(words == whole);
+  }
+  CHECK(ends > 20);
+}
+
 TEST_CASE("a line under the pointer lights its rounds in the view, and a click goes there") {
   Desk desk;
   show_pattern(desk);

@@ -119,3 +119,21 @@ TEST_CASE("no string has a word that was replaced") {
   }
   CHECK(read > 3000);
 }
+
+TEST_CASE("the words that were agreed on are said") {
+  std::string all;
+  for (const char* folder : {"app", "knit"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(KNIT_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      for (const std::string& text : strings_of(test_support::read_text(entry.path())))
+        all += "\n" + text + "\n";
+    }
+  }
+  for (const char* whole : {"apply changes", "from the start", "from this step", "recent", "background",
+                            "custom", "repeat the instructions in [ ] the total number of times given."}) {
+    INFO(whole);
+    CHECK(all.find("\n" + std::string(whole) + "\n") != std::string::npos);
+  }
+  CHECK(all.find("must be smaller than the stitch width") != std::string::npos);
+  CHECK(all.find("in parentheses") != std::string::npos);
+}

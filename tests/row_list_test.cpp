@@ -8,6 +8,7 @@
 #include "app/session/pins.h"
 #include "app/session/program.h"
 #include "tests/support/desk.h"
+#include "tests/support/session.h"
 
 namespace {
 
@@ -174,4 +175,31 @@ TEST_CASE("the list of problems tells them whole, on as many lines as they need"
   REQUIRE(desk.session.document->timeline.stop() != nullptr);
   const Box stop = desk.ui.controls.at("problem/0");
   CHECK(stop.height > 1.5f * ImGui::GetTextLineHeight());
+}
+
+TEST_CASE(
+    "a jump leaves no row cut under the heads, and the lists' tabs and summary are whole in a narrow panel") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.session.document = test_support::example_session("thesis-sphere").document;
+  desk.session.document->timeline.extend_to_end();
+  const Box head = [&] {
+    desk.settle();
+    return desk.ui.controls.at("rows/columns");
+  }();
+  for (const std::int32_t row : {14, 30, 41}) {
+    go_to(desk, row, 1);
+    const Box line = desk.ui.controls.at("row/" + std::to_string(row));
+    const Box next = desk.ui.controls.at("row/" + std::to_string(row + 1));
+    const float lines = (line.y - head.y) / (next.y - line.y);
+    CHECK(std::abs(lines - std::round(lines)) < 0.02f);
+  }
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
+  knit::give_epsilon(parameters, 0.012);
+  desk.act({Tune{parameters}});
+  desk.session.document->timeline.extend_to_end();
+  desk.session.view->list = RunList::problems;
+  desk.session.view->breaks = {std::get<knit::BreakCondition>(knit::parse_break("stall"))};
+  desk.settle();
+  CHECK(desk.ui.controls.at("problems/summary").height > 1.5f * ImGui::GetTextLineHeight());
+  CHECK(desk.ui.controls.at("list").right() <= desk.layout.explanation.right() - 9.5f);
 }

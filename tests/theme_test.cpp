@@ -1,6 +1,10 @@
 // Both themes are readable: contrast as WCAG 2 counts it, for what stands on what in the panels.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -139,4 +143,20 @@ TEST_CASE("a stage's name can be read on its stretch of the timeline, before it 
         CHECK(ratio(theme.text, over(theme.stages[i], alpha, theme.panel)) >= 4.5);
     }
   }
+}
+
+TEST_CASE("no panel has a colour of its own, which would be for one theme only") {
+  namespace fs = std::filesystem;
+  const std::regex own_colour("Colour [a-z_]+ ?[={({] ?[0-9]|Colour ?[{(] ?[0-9]");
+  CHECK(std::regex_search("constexpr Colour ideal_line{240, 190, 80};", own_colour));
+  std::size_t files = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(KNIT_SOURCE_DIR "/app/panels")) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    INFO(entry.path().filename().string());
+    CHECK_FALSE(std::regex_search(text, own_colour));
+  }
+  CHECK(files > 50);
 }

@@ -329,3 +329,12 @@ TEST_CASE("tubes panel: of very many tubes the list scrolls and every one has it
                                  knit::tube_name(static_cast<TubeId>(plan.tubes.size() - 1))) == 0);
   }
 }
+
+TEST_CASE("tubes panel: names in a narrow column are short where letters follow each other",
+          "[tubes-panel]") {
+  CHECK(short_names({}).empty());
+  CHECK(short_names({2}) == "C");
+  CHECK(short_names({3, 2}) == "C, D");
+  CHECK(short_names({8, 3, 4, 5, 6, 7, 1}) == "B, D to I");
+  CHECK(short_names({0, 1, 2, 4, 5}) == "A to C, E, F");
+}

@@ -45,6 +45,10 @@ std::string sentence(const Session& session) {
   const knit::Step* step = last_step(session);
   // What to do a lesson says.
   if (step == nullptr && session.learning->lesson) return "Nothing has been done yet.";
+  const knit::Timeline& timeline = session.document->timeline;
+  if (step == nullptr && timeline.complete() && timeline.stop() != nullptr)
+    return "Nothing has been done yet, and this run stops after step " + std::to_string(timeline.known()) +
+           ": press End to see where and why, or Space to play.";
   if (step == nullptr)
     return "Nothing has been done yet: press Space to play, or the right arrow for one step.";
   return knit::narrate(*step, parameters_of_last_step(session));

@@ -85,13 +85,20 @@ void draw_head(PanelFrame& frame, const LessonRun& run) {
   const LessonPage* page = run.shown();
   const std::string& lesson = run.lesson->title;
   const std::string title = page != nullptr ? page->title : lesson;
-  const std::string where = where_of(run);
+  std::string where = where_of(run);
   push_font(frame.fonts.strong);
   text(cut_to_width(title, right - left - gap));
   pop_font();
   frame.mark("lesson/title");
   ImGui::SameLine(0.0f, frame.units(10.0f));
-  if (ImGui::GetCursorPosX() < right) faint_text(cut_to_width(where, right - ImGui::GetCursorPosX() - gap));
+  // The page's number alone where the lesson's name would be cut.
+  const float room = right - ImGui::GetCursorPosX() - gap;
+  if (ImGui::CalcTextSize(where.c_str()).x > room) where.resize(std::min(where.find(','), where.size()));
+  if (ImGui::CalcTextSize(where.c_str()).x <= room) {
+    faint_text(where);
+    frame.mark("lesson/where");
+    tooltip(frame, where_of(run));
+  }
   ImGui::SameLine(right);
   draw_ways(frame, run);
 }

@@ -59,7 +59,7 @@ LineBreak break_line(std::string_view words, std::size_t begin, float width) {
   LineBreak found{begin, begin};
   for (std::size_t at = begin; at <= words.size(); ++at) {
     const bool last = at == words.size() || words[at] == '\n';
-    if (!last && words[at] != ' ') continue;
+    if (!last && !may_break(words, at)) continue;
     const bool fits = width_of(words.substr(begin, at - begin)) <= width;
     if (!fits && found.end > begin) return found;
     found = {at, at < words.size() ? at + 1 : at};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace app {
@@ -23,5 +24,9 @@ inline constexpr std::array mouse_help{
     MouseHelp{"Double click", "Frame the mesh", ""},
     MouseHelp{"Drop a file", "Open it", ""},
 };
+
+// In a line of this width as many hints as there is room for, each whole; that which leads to all of them always. Needs a frame of
+// ImGui's.
+std::string hint_words(float width);
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #include "app/panels/kit/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -180,6 +181,19 @@ void tooltip_about(const PanelFrame& frame, const Box& item, std::string_view wo
   ImGui::EndTooltip();
 }
 
+bool may_break(std::string_view words, std::size_t at) {
+  const auto is_sign = [&](std::size_t place) {
+    return place < words.size() && words[place] == '=' && place > 0 && words[place - 1] == ' ' &&
+           place + 1 < words.size() && words[place + 1] == ' ';
+  };
+  if (at >= words.size() || words[at] != ' ' || at == 0) return at < words.size() && words[at] == ' ';
+  if (is_sign(at + 1) || is_sign(at - 1)) return false;
+  constexpr std::array<std::string_view, 6> units{"%", "cm", "mm", "m", "g", "yd"};
+  const std::string_view next = words.substr(at + 1, words.find_first_of(" \n.,;:)", at + 1) - at - 1);
+  const bool after_digit = words[at - 1] >= '0' && words[at - 1] <= '9';
+  return !after_digit || std::find(units.begin(), units.end(), next) == units.end();
+}
+
 std::string wrapped_at_blanks(std::string_view words, float width) {
   const std::string shown_here = in_window_words(words);
   const std::string_view shown = shown_here;
@@ -193,7 +207,8 @@ std::string wrapped_at_blanks(std::string_view words, float width) {
     for (std::size_t at = begin; at < feed;) {
       // A word goes with the blanks before it, unless it begins a line.
       const std::size_t first = std::min(shown.find_first_not_of(' ', at), feed);
-      const std::size_t end = std::min(shown.find(' ', first), feed);
+      std::size_t end = first;
+      while (end < feed && !may_break(shown, end)) ++end;
       const float more = wide(shown.substr(at, end - at));
       const bool breaks = x > 0.0f && x + more > width;
       if (breaks) lines += '\n';

@@ -70,6 +70,10 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool lit = false);
 // Buttons side by side of which one is chosen; gives the newly chosen one, or -1. Width 0: as wide as needed.
 int segmented(const char* id, std::span<const std::string_view> names, int chosen, float width);
 
+// Whether a line may end at a place: at a blank, but not beside an "=" nor between a number and its unit, so that "t = 0" and
+// "15 %" stay together.
+bool may_break(std::string_view words, std::size_t at);
+
 // In the words of the window, with line feeds where lines end, at blanks only: Dear ImGui itself breaks "0.05" after its
 // point.
 std::string wrapped_at_blanks(std::string_view words, float width);

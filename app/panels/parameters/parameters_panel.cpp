@@ -1,9 +1,11 @@
 // One parameter's control, drawn from its line in knit::parameter_table().
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "app/panels/kit/commands.h"
@@ -256,11 +258,29 @@ std::string exact_value_words(PanelFrame& frame, const knit::ParameterInfo& info
   return several && text.size() > 12 ? exact_words("", text) : "";
 }
 
+// As the knob shows it: none of its numbers with more digits than a screen's.
+std::string default_words(const PanelFrame& frame, const knit::ParameterInfo& info) {
+  std::string words;
+  const std::string whole = knit::value_text(info, frame.session.document->defaults);
+  for (std::size_t at = 0; at < whole.size();) {
+    double value = 0.0;
+    const char* begin = whole.data() + at;
+    const auto read = std::from_chars(begin, whole.data() + whole.size(), value);
+    const auto length = static_cast<std::size_t>(read.ptr - begin);
+    const bool is_number = read.ec == std::errc() && whole[at] >= '0' && whole[at] <= '9';
+    const bool is_long =
+        is_number && std::count_if(begin, read.ptr, [](char c) { return c >= '0' && c <= '9'; }) > 5;
+    words += is_long ? shown_number(value) : whole.substr(at, is_number ? length : 1);
+    at += is_number ? length : 1;
+  }
+  return words;
+}
+
 std::string help_text(PanelFrame& frame, const knit::ParameterInfo& info) {
   std::string help(info.help);
   help += "\n\nRange: " + knit::range_text(info);
   if (!info.unit.empty()) help += " (" + std::string(info.unit) + ")";
-  help += ".\nDefault here: " + knit::value_text(info, frame.session.document->defaults) + ".";
+  help += ".\nDefault here: " + default_words(frame, info) + ".";
   const bool drags = std::holds_alternative<knit::Number>(info.kind) ||
                      std::holds_alternative<knit::Count>(info.kind) ||
                      std::holds_alternative<knit::GaugeChoice>(info.kind);
@@ -292,7 +312,7 @@ void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parame
   ImGui::SameLine(x);
   if (icon_button("reset", Icon::reset, ImVec2(side, side))) knit::set_value(info, parameters, initial);
   frame.mark("reset/" + std::string(info.key));
-  tooltip(frame, "Back to " + initial + ".");
+  tooltip(frame, "Back to " + default_words(frame, info) + ".");
 }
 
 }  // namespace

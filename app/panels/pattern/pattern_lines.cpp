@@ -1,5 +1,6 @@
 #include "app/panels/pattern/pattern_lines.h"
 
+#include "app/panels/kit/widgets.h"
 #include "app/session/view.h"
 
 #include <imgui.h>
@@ -282,12 +283,13 @@ void PatternLayout::place(const Fonts& fonts) {
   LabelColumns columns = label_columns(lines_, fonts, 0.35f * key_.width);
   float top = 2.0f * unit;
   for (Placed& placed : lines_) {
-    const PatternLine& line = placed.line;
+    PatternLine& line = placed.line;
     const float indent = line.kind == Kind::item || line.kind == Kind::remark ? 12.0f * unit : 0.0f;
     const float column = line.label.empty() ? 0.0f : columns.of(line.kind) + 8.0f * unit;
     placed.words_left = edge + indent + column;
     const float room = std::max(20.0f * unit, key_.width - placed.words_left - edge);
     push_font(font_of(line.kind, fonts));
+    line.words = wrapped_at_blanks(line.words, room);
     const float words = ImGui::CalcTextSize(line.words.c_str(), nullptr, false, room).y;
     pop_font();
     top += space_before(line.kind) * unit;

@@ -20,7 +20,7 @@ struct PatternLine {
   enum class Kind : std::uint8_t { title, faint, heading, piece, plain, item, entry, round, remark, named };
   Kind kind = Kind::plain;
   std::string label;  // before the words, in a column of its own: "Rnds 8-12:", "k2tog"
-  std::string words;  // wrapped
+  std::string words;  // once placed with line feeds where lines end
   // That it says, as the fabric's rows are numbered. Of a deal the first round after it, of a heading all of its piece.
   std::optional<RoundSpan> rounds;
   // The same of twins that are made by the same words, and of a named round all but the first.

@@ -98,26 +98,31 @@ std::string problems_tab(std::size_t problems, std::size_t remarks) {
 }
 
 // Of a line of buttons with these names.
-float width_of_buttons(std::span<const std::string_view> names) {
+float width_of_buttons(std::span<const std::string> names) {
   float width = 0.0f;
-  for (const std::string_view name : names) {
-    width += ImGui::CalcTextSize(name.data(), name.data() + name.size(), true).x +
-             2.0f * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemInnerSpacing.x;
+  for (const std::string& name : names) {
+    width += ImGui::CalcTextSize(name.c_str(), nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x +
+             ImGui::GetStyle().ItemInnerSpacing.x;
   }
   return width;
 }
 
 void draw_lists(PanelFrame& frame) {
   const std::size_t rows = frame.timeline() != nullptr ? frame.timeline()->state().fabric.rows().size() : 0;
-  const std::string rows_name = counted("Rows", rows);
-  const std::string problems_name = problems_tab(count_problems(frame), count_remarks(frame));
-  const std::string breaks_name = counted("Breaks", frame.session.view->breaks.size());
-  std::array<std::string_view, 4> names{rows_name, "Candidates", problems_name, breaks_name};
-  // The number of rows gives way where there is too little room: the list ends with it.
-  const std::string rows_alone = counted("Rows", 0);
-  if (width_of_buttons(names) > ImGui::GetContentRegionAvail().x) names.front() = rows_alone;
+  const std::size_t problems = count_problems(frame);
+  std::array<std::string, 4> names{counted("Rows", rows), counted("Candidates", 0),
+                                   problems_tab(problems, count_remarks(frame)),
+                                   counted("Breaks", frame.session.view->breaks.size())};
+  // Numbers give way where there is too little room, those first that one sees at once in the list.
+  const std::array<std::pair<std::size_t, std::string>, 3> shorter{
+      {{0, counted("Rows", 0)}, {3, counted("Breaks", 0)}, {2, counted("Problems", problems)}}};
+  for (const auto& [which, name] : shorter) {
+    if (width_of_buttons(names) <= ImGui::GetContentRegionAvail().x) break;
+    names.at(which) = name;
+  }
+  const std::array<std::string_view, 4> shown{names[0], names[1], names[2], names[3]};
   ImGui::BeginGroup();
-  const int clicked = segmented("list", names, static_cast<int>(frame.session.view->list), 0.0f);
+  const int clicked = segmented("list", shown, static_cast<int>(frame.session.view->list), 0.0f);
   ImGui::EndGroup();
   frame.mark("list");
   if (clicked >= 0 && clicked != static_cast<int>(frame.session.view->list))

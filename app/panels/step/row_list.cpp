@@ -2,6 +2,7 @@
 // scroll while one steps.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -34,7 +35,7 @@ struct ColumnHead {
   float weight;  // of its width
 };
 constexpr std::array<ColumnHead, row_column_keys.size()> column_heads{
-    ColumnHead{"Stitches", "How many stitches the row has; beside it the pinned run's.", 1.5f},
+    ColumnHead{"Stitches", "How many stitches the row has; before it the pinned run's.", 1.5f},
     ColumnHead{"Change", "How many more or fewer stitches than the row is worked on.", 1.0f},
     ColumnHead{"Holds", "How many stitch widths fit into the length of the row.", 1.0f},
     ColumnHead{"Course", "The mean length along the row from stitch to stitch, in stitch widths.", 1.0f},
@@ -131,17 +132,30 @@ void draw_change(std::int32_t change, bool later) {
   right_aligned(sign + std::to_string(std::abs(change)), later ? theme().faint_text : colour);
 }
 
+// The pinned run's first, as in the view's halves and in Compare.
+void draw_beside(const std::optional<std::int32_t>& pinned, const std::string& now, Colour colour) {
+  if (!pinned) return right_aligned(now, colour);
+  const std::string before = std::to_string(*pinned) + " | ";
+  const float wide = ImGui::CalcTextSize((before + now).c_str()).x;
+  const float left = ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - wide);
+  ImGui::SetCursorPosX(left);
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(opaque(theme().ghost)));
+  text(before);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(left + ImGui::CalcTextSize(before.c_str()).x);
+  right_aligned(now, colour);
+}
+
 void draw_stitches(PanelFrame& frame, const RowLine& line) {
   const auto pinned = pinned_stitches(frame.session, line.number);
-  const std::string beside = pinned ? " | " + std::to_string(*pinned) : "";
   if (line.in_progress) {
     const std::size_t made = stitches_so_far(frame.timeline()->state());
-    return right_aligned(std::to_string(made) + " so far" + beside, theme().accent);
+    return draw_beside(pinned, std::to_string(made) + " so far", theme().accent);
   }
   if (line.row == nullptr) return;
   const bool same = !pinned || *pinned == knit::size_of(*line.row);
   const Colour colour = line.later ? theme().faint_text : same ? theme().text : theme().warning;
-  right_aligned(std::to_string(line.row->stitches.size()) + beside, colour);
+  draw_beside(pinned, std::to_string(line.row->stitches.size()), colour);
 }
 
 void draw_cell(PanelFrame& frame, RowColumn column, const RowLine& line) {
@@ -222,7 +236,9 @@ void follow_row(PanelFrame& frame) {
   };
   const bool step = std::abs(row - last) == 1;
   if (in_sight(row) || (step && last > 0 && !in_sight(last))) return;
-  ImGui::SetScrollY(std::max(0.0f, line * static_cast<float>(row) - 0.5f * room));
+  // To a whole line, about half of the room above it: no row is cut under the heads.
+  const float above = std::floor(0.5f * (room / line - 1.0f));
+  ImGui::SetScrollY(line * std::max(0.0f, static_cast<float>(row - 1) - above));
 }
 
 bool makes_rows(const knit::State& state) {

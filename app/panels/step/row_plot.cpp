@@ -13,7 +13,7 @@ namespace {
 
 using namespace plot_parts;
 
-constexpr Colour ideal_line{240, 190, 80};
+Colour ideal_line() { return theme().anchor; }
 Colour ghost_line() { return opaque(theme().ghost); }
 
 // From rows and values to the screen.
@@ -99,7 +99,7 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
   for (std::size_t i = 0; i < plot.ideals.size(); i += scale.stride()) {
     line.emplace_back(scale.middle_of(i), scale.y_of(plot.ideals[i]));
   }
-  stand.list.AddPolyline(line.data(), static_cast<int>(line.size()), style::packed(ideal_line),
+  stand.list.AddPolyline(line.data(), static_cast<int>(line.size()), style::packed(ideal_line()),
                          ImDrawFlags_None, frame.units(1.6f));
 }
 
@@ -138,7 +138,7 @@ void draw_dots(const PanelFrame& frame, const RowPlot& plot, const Stand& stand,
     stand.list.AddCircleFilled(at, frame.units(4.5f), style::packed(theme().background));
     stand.list.AddCircleFilled(at, frame.units(3.2f), style::packed(colour));
   };
-  if (row < plot.ideals.size()) dot(plot.ideals[row], ideal_line);
+  if (row < plot.ideals.size()) dot(plot.ideals[row], ideal_line());
   dot(plot.values[row], bar());
 }
 
@@ -163,7 +163,7 @@ float gutter_of(const PanelFrame& frame, double high) {
 void draw_keys(const PanelFrame& frame, const RowPlot& plot, const Stand& stand) {
   float left = stand.ground.right();
   if (!plot.ideals.empty())
-    left = draw_key(frame, stand, plot.title, left, {plot.ideal_words, ideal_line, true});
+    left = draw_key(frame, stand, plot.title, left, {plot.ideal_words, ideal_line(), true});
   const float next = draw_key(frame, stand, plot.title, left, {plot.value_words, bar(), true});
   if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line(), true});
 }

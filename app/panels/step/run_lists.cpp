@@ -167,10 +167,8 @@ void draw_problems(PanelFrame& frame) {
     ImGui::EndChild();
     return;
   }
-  const std::string summary = summary_words(frame);
-  faint_text(cut_to_width(summary, ImGui::GetContentRegionAvail().x));
+  wrapped_text(summary_words(frame), theme().faint_text);
   frame.mark("problems/summary");
-  tooltip(frame, summary);
   // Why it stopped, then the ways on from there.
   const std::size_t count = count_problems(frame) + count_remarks(frame);
   const std::size_t first = frame.timeline()->stop() != nullptr ? 1 : 0;

@@ -4,9 +4,11 @@
 #include <array>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/panels/kit/widgets.h"
+#include "app/panels/tubes/tube_names.h"
 #include "knit/model/words.h"
 #include "knit/tubes/plan.h"
 
@@ -27,7 +29,7 @@ std::string names_of_others(const knit::Tube& tube, knit::TubeId id) {
   std::vector<knit::TubeId> others;
   std::copy_if(tube.twins.begin(), tube.twins.end(), std::back_inserter(others),
                [&](knit::TubeId twin) { return twin != id; });
-  return others.empty() ? "" : names_of_tubes(others);
+  return short_names(std::move(others));
 }
 
 std::string stitches_in_list(const TubesDrawing& drawing, knit::TubeId id) {
@@ -59,7 +61,7 @@ void draw_line(PanelFrame& frame, const TubesDrawing& drawing, const ShownTube& 
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(colour));
   for (const std::string& cell : cells) {
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(cell.c_str());
+    text(cut_to_width(cell, ImGui::GetContentRegionAvail().x));  // the tip has all of it
   }
   ImGui::PopStyleColor();
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "knit/model/words.h"
+
 namespace app {
 
 namespace {
@@ -30,6 +32,19 @@ std::vector<std::optional<Box>> place_names(const std::vector<std::vector<Box>>&
     if (placed.back()) taken.push_back(*placed.back());
   }
   return placed;
+}
+
+std::string short_names(std::vector<knit::TubeId> tubes) {
+  std::sort(tubes.begin(), tubes.end());
+  std::string words;
+  for (std::size_t first = 0, end = 0; first < tubes.size(); first = end) {
+    for (end = first + 1; end < tubes.size() && tubes[end] == tubes[end - 1] + 1;) ++end;
+    const bool is_pair = end - first == 2;
+    if (is_pair) end = first + 1;
+    words += (words.empty() ? "" : ", ") + knit::tube_name(tubes[first]);
+    if (end - first > 1) words += " to " + knit::tube_name(tubes[end - 1]);
+  }
+  return words;
 }
 
 }  // namespace app

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/panels/kit/layout.h"
+#include "knit/tubes/plan.h"
 
 namespace app {
 
@@ -14,5 +16,8 @@ namespace app {
 // O(names x their places x what is taken).
 std::vector<std::optional<Box>> place_names(const std::vector<std::vector<Box>>& names,
                                             std::vector<Box> taken, const Box& ground);
+
+// "B, D to I" for a narrow column: three or more in a row by the first and the last. In the order of their letters; "" of none.
+std::string short_names(std::vector<knit::TubeId> tubes);
 
 }  // namespace app

@@ -71,21 +71,24 @@ void draw_band_words(const PanelFrame& frame, const Half& half) {
   }
 }
 
-// Inside of the half and clear of the legend, of which nothing may be covered and which covers nothing: beside it or
-// above it, whichever is nearer. `size`: of the words.
+// Clear of a box of which nothing may be covered and which covers nothing: left of it or above it, whichever is nearer.
+ImVec2 clear_of(const Box& box, const Half& half, ImVec2 at, ImVec2 size, float edge) {
+  const float left = box.x - size.x - edge;
+  const float above = box.y - size.y - edge;
+  const bool free = at.x <= left || at.x >= box.right() + edge || at.y <= above || at.y >= box.bottom();
+  if (free) return at;
+  const bool aside = left >= half.box.x + edge && at.x - left <= at.y - above;
+  return aside ? ImVec2(left, at.y) : ImVec2(at.x, above);
+}
+
+// Inside of the half and clear of the card at a stop and of the legend. `size`: of the words.
 ImVec2 clear_place(const PanelFrame& frame, const Half& half, ImVec2 at, ImVec2 size) {
   const float edge = frame.units(6.0f);  // of the words' ground, and a gap
   at.x = std::max(half.box.x + edge, std::min(at.x, half.box.right() - size.x - edge));
   at.y = std::max(half.box.y + edge, std::min(at.y, half.box.bottom() - size.y - edge));
-  const auto found = frame.memory.controls.find("legend-box");
-  if (found == frame.memory.controls.end()) return at;
-  const Box& legend = found->second;
-  const float left = legend.x - size.x - edge;
-  const float above = legend.y - size.y - edge;
-  const bool free = at.x <= left || at.x >= legend.right() + edge || at.y <= above || at.y >= legend.bottom();
-  if (free) return at;
-  const bool aside = left >= half.box.x + edge && at.x - left <= at.y - above;
-  return aside ? ImVec2(left, at.y) : ImVec2(at.x, above);
+  if (const auto& card = frame.own<StopCardPlace>().box) at = clear_of(*card, half, at, size, edge);
+  const auto legend = frame.memory.controls.find("legend-box");
+  return legend != frame.memory.controls.end() ? clear_of(legend->second, half, at, size, edge) : at;
 }
 
 void draw_captions_of(const PanelFrame& frame, const Half& half, const std::string& mark) {

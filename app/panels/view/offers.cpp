@@ -52,7 +52,8 @@ void draw_piece_number(PanelFrame& frame, const RepairOffer& offer, std::size_t 
 void draw_pieces(PanelFrame& frame, const RepairOffer& offer) {
   const std::size_t pieces = offer.plan->pieces.size();
   if (pieces < 2) return;
-  wrapped_text("It is in " + std::to_string(pieces) + " pieces, the largest first. Open one by its number:",
+  wrapped_text("It is in " + std::to_string(pieces) +
+                   " pieces, that of the most triangles first. Open one by its number:",
                theme().faint_text);
   if (pieces > most_piece_buttons) return draw_piece_number(frame, offer, pieces);
   const bool lines = pieces <= most_piece_lines;

@@ -5,6 +5,7 @@
 #include "app/panels/kit/widgets.h"
 #include "app/panels/offers/repair_buttons.h"
 #include "app/panels/view/overlays.h"
+#include "app/panels/view/view.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
 #include "app/session/program.h"
@@ -42,6 +43,7 @@ void place_stop_card(PanelFrame& frame) {
 }  // namespace
 
 void draw_stop_card(PanelFrame& frame) {
+  frame.own<StopCardPlace>().box.reset();
   if (stop_shown(frame.session) == nullptr || frame.session.learning->lesson) return;
   if (frame.session.jobs->repair_offer || frame.session.view->gaze.picking != Picking::nothing) return;
   const RunKey run = run_key(*frame.timeline());
@@ -70,6 +72,9 @@ void draw_stop_card(PanelFrame& frame) {
   frame.own<StopCardHead>().height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y +
                                      ImGui::GetStyle().WindowPadding.y + ImGui::GetScrollY() -
                                      static_cast<float>(ways) * height_of_way();
+  const ImVec2 at = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  frame.own<StopCardPlace>().box = Box{at.x, at.y, size.x, size.y};
   ImGui::End();
 }
 

@@ -21,4 +21,9 @@ struct PendingClick {
   double due = 0.0;
 };
 
+// Where the card at a stop stood in the last frame; none: there was none.
+struct StopCardPlace {
+  std::optional<Box> box;
+};
+
 }  // namespace app

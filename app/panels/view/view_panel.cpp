@@ -172,17 +172,11 @@ void follow_step(PanelFrame& frame) {
 }
 
 void draw_hint(const PanelFrame& frame) {
-  std::string hint;
-  for (const MouseHelp& help : mouse_help) {
-    if (!help.hint.empty()) hint += std::string(help.hint) + ", ";
-  }
-  hint += text_of(info_of(Command::frame_all).chords[0]) + " frames, ";
-  hint += text_of(info_of(Command::help).chords[1]) + " lists the keys";
   const Box& view = frame.layout.view;
   const float height = ImGui::GetTextLineHeight();
   const float room = view.width - frame.units(170.0f);
   const ImVec2 at(view.x + frame.units(12.0f), view.bottom() - height - frame.units(10.0f));
-  boxed_text(frame, at, cut_to_width(hint, room), theme().faint_text);
+  boxed_text(frame, at, cut_to_width(hint_words(room), room), theme().faint_text);
 }
 
 // "Row 20: 65 stitches" of the run in one half, both at the same row; while it is in progress "12 stitches so far".
