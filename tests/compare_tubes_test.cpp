@@ -110,6 +110,11 @@ TEST_CASE("compare: tubes that only one run has are told with their size", "[com
                                   [](const TubeLine& line) { return line.name_b.empty(); });
   CHECK(gone == 2);
   CHECK(contains(text_of(difference, "a", "b"), " stitches, is in the first run only."));
+  RunDifference missing;
+  missing.rows = missing.rows_differ = 7;
+  missing.first_row = FirstRow{5, RowDiffers::missing, 12, 0};
+  CHECK(contains(rows_words(missing), "first row 5: only the first run has it."));
+  CHECK(contains(rows_words(missing, {"the pinned run", "this run"}), ": only the pinned run has it."));
   CHECK(line_named(difference, "tubes")->b == "1");
   CHECK(line_named(difference, "left-out")->difference == "+1");
   const RunDifference back = between(*input, pruned, parameters);

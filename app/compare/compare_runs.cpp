@@ -195,7 +195,7 @@ RunDifference difference_of(const RunEnd& a, const RunEnd& b) {
 
 namespace {
 
-std::string first_words(const FirstRow& row) {
+std::string first_words(const FirstRow& row, const RunNames& names) {
   switch (row.how) {
     case RowDiffers::size:
       return knit::plural(row.a, "stitch", "stitches") + " and " + std::to_string(row.b) + ".";
@@ -206,17 +206,17 @@ std::string first_words(const FirstRow& row) {
     case RowDiffers::missing:
       break;
   }
-  return std::string("only ") + (row.a > 0 ? "the first" : "the second") + " run has it.";
+  return "only " + std::string(row.a > 0 ? names.a : names.b) + " has it.";
 }
 
 }  // namespace
 
-std::string rows_words(const RunDifference& difference) {
+std::string rows_words(const RunDifference& difference, const RunNames& names) {
   if (!difference.first_row) return "All rows are the same, stitch by stitch.";
   const std::int32_t differ = difference.rows_differ;
   return std::to_string(differ) + " of " + knit::plural(difference.rows, "row", "rows") +
          (differ == 1 ? " differs" : " differ") + ", first row " + std::to_string(difference.first_row->row) +
-         ": " + first_words(*difference.first_row);
+         ": " + first_words(*difference.first_row, names);
 }
 
 std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name) {

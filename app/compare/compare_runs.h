@@ -54,7 +54,7 @@ struct RunDifference {
 RunDifference difference_of(const RunEnd& a, const RunEnd& b);
 
 // "29 of 64 rows differ, first row 7: 44 stitches and 45."
-std::string rows_words(const RunDifference& difference);
+std::string rows_words(const RunDifference& difference, const RunNames& names = {});
 // A line each; tables are aligned. The names head the two columns.
 std::string text_of(const RunDifference& difference, std::string_view a_name, std::string_view b_name);
 

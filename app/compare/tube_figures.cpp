@@ -144,13 +144,13 @@ std::vector<TubeLine> tube_lines(const knit::State& a, const knit::State& b, boo
   return lines;
 }
 
-std::string words_of(const TubeLine& line) {
+std::string words_of(const TubeLine& line, const RunNames& names) {
   if (line.name_a.empty())
-    return "Tube " + line.name_b + ", " + sizes_text(line.rounds_b, line.stitches_b) +
-           ", is in the second run only.";
+    return "Tube " + line.name_b + ", " + sizes_text(line.rounds_b, line.stitches_b) + ", is in " +
+           std::string(names.b) + " only.";
   if (line.name_b.empty())
-    return "Tube " + line.name_a + ", " + sizes_text(line.rounds_a, line.stitches_a) +
-           ", is in the first run only.";
+    return "Tube " + line.name_a + ", " + sizes_text(line.rounds_a, line.stitches_a) + ", is in " +
+           std::string(names.a) + " only.";
   std::string words = "Tube " + line.name_b;
   if (line.name_a != line.name_b) words += ", " + line.name_a + " before,";
   const bool rounds = line.rounds_a != line.rounds_b;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "knit/run/state.h"
@@ -38,7 +39,12 @@ struct TubeLine {
 // Cost: the product of the numbers of tubes.
 std::vector<TubeLine> tube_lines(const knit::State& a, const knit::State& b, bool same_mesh);
 
+// As a sentence calls the two runs.
+struct RunNames {
+  std::string_view a = "the first run", b = "the second run";
+};
+
 // "Tube B has 12 rounds, 14 before, and 300 stitches, 340 before." Requires a line that differs.
-std::string words_of(const TubeLine& line);
+std::string words_of(const TubeLine& line, const RunNames& names = {});
 
 }  // namespace app

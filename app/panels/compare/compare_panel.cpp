@@ -17,6 +17,8 @@ namespace app {
 
 namespace {
 
+constexpr RunNames pinned_and_now{"the pinned run", "this run"};
+
 Colour pinned_colour() { return opaque(theme().ghost); }
 
 void draw_nothing_pinned(PanelFrame& frame) {
@@ -119,7 +121,8 @@ void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference
 }
 
 void draw_first_row(PanelFrame& frame, const RunDifference& difference) {
-  const std::string words = difference.any() ? rows_words(difference) : "The two runs are the same so far.";
+  const std::string words =
+      difference.any() ? rows_words(difference, pinned_and_now) : "The two runs are the same so far.";
   wrapped_text(words);
   frame.mark("compare/first-row");
   if (difference.first_row) {
@@ -171,7 +174,7 @@ void draw_tubes_that_differ(PanelFrame& frame, const RunDifference& difference) 
     pop_font();
     table.end_line();
     frame.mark("compare/tube/" + (line.name_b.empty() ? line.name_a : line.name_b));
-    tooltip(frame, words_of(line));
+    tooltip(frame, words_of(line, pinned_and_now));
   }
 }
 
