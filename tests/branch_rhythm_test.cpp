@@ -11,6 +11,7 @@
 #include "knit/pattern/pattern_words.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/rhythm/few_rounds.h"
 #include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/rhythm/segment_search.h"
@@ -207,6 +208,41 @@ TEST_CASE("a plan on live stitches at most doubles and at least halves them") {
   CHECK(may_begin_on(plan, 32));
   CHECK_FALSE(may_begin_on(plan, 33));
   CHECK(may_begin_on(plan, 0));
+}
+
+TEST_CASE(
+    "the one or two rounds of a tube on live stitches are one repeat each, and near to what they hold") {
+  const auto counts_on = [](std::int32_t live, const std::vector<double>& ideals) {
+    return plan_few_rounds(ideals, live, true).counts;
+  };
+  using Counts = std::vector<std::int32_t>;
+  CHECK(counts_on(12, {6.9}) == Counts{6});
+  CHECK(counts_on(12, {7.1}) == Counts{8});
+  CHECK(counts_on(14, {8.4}) == Counts{7});
+  CHECK(counts_on(13, {10.0, 6.0}) == Counts{12, 6});
+  CHECK(counts_on(40, {41.0, 41.0}) == Counts{41, 41});  // one increase is a repeat
+  CHECK(counts_on(20, {7.0}) == Counts{10});             // not below half
+  CHECK(counts_on(3, {9.0, 14.0}) == Counts{6, 12});
+  // No repeat comes near enough: the nearest.
+  CHECK(counts_on(23, {16.1}) == Counts{16});
+}
+
+TEST_CASE("a limb of few rounds is worked as its counts say, each round one repeat") {
+  const Timeline timeline = knitted_in_rhythm(starfish(0.12), 0.2);
+  const State& state = timeline.furthest();
+  std::size_t rounds = 0;
+  for (const auto& row : state.fabric.rows()) {
+    const TubeRhythm* rhythm = rhythm_made(state, row->tube);
+    REQUIRE(rhythm != nullptr);
+    if (rhythm->none != NoRhythm::few_rows) continue;
+    ++rounds;
+    REQUIRE(rhythm->has(row->level));
+    CHECK(size_of(*row) == rhythm->count(row->level));
+    const Join* join = state.fabric.join_into(row->id);
+    REQUIRE(join != nullptr);
+    CHECK(join->rule == Rule::repeat);
+  }
+  CHECK(rounds > 0);
 }
 
 TEST_CASE("a run in rhythm that branches rewinds") {

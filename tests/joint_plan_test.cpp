@@ -34,6 +34,12 @@ JointTask task_of(const HalfIdeals& ideals, double dial, std::size_t beam, const
 
 }  // namespace
 
+TEST_CASE("a limb of less than 24 stitches is not shaped apart, however its halves differ") {
+  const RhythmSettings settings{CountPlanning::rhythm};
+  CHECK_FALSE(wants_joint_plan({{12.0, 16.0, 12.0}, {6.0, 7.0, 6.0}}, settings));
+  CHECK(wants_joint_plan({{12.0, 17.0, 12.0}, {6.0, 8.0, 6.0}}, settings));
+}
+
 TEST_CASE("a body with a belly is shaped apart in front and back and both halves come out") {
   const HalfIdeals ideals = belly_ideals();
   CHECK(ideals.front.size() == 50);

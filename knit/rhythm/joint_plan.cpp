@@ -110,6 +110,10 @@ bool may_plan_jointly(const RhythmSettings& settings) {
 bool wants_joint_plan(const HalfIdeals& ideals, const RhythmSettings& settings) {
   constexpr double most_off = 1.5;
   if (!may_plan_jointly(settings)) return false;
+  double belt = 0.0;
+  for (std::size_t row = 0; row < ideals.front.size(); ++row)
+    belt = std::max(belt, ideals.front[row] + ideals.back[row]);
+  if (clearly_less(belt, narrowest_in_halves, belt)) return false;
   for (std::size_t row = 0; row < ideals.front.size(); ++row) {
     // A half's quarter against a quarter of the whole.
     const double off = std::abs(ideals.front[row] - ideals.back[row]) / 4.0;

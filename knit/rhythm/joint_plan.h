@@ -1,7 +1,8 @@
 // The rhythm of a body that is not round: front and back halves shaped apart, in one rhythm (joint_search.h).
 //
 // It is wanted where a quarter of some row holds more than 1.5 stitches more or fewer than a quarter of the row: an equal number
-// in every section would make the front too tight and the back too wide. Every dial is tried; of the
+// in every section would make the front too tight and the back too wide. A limb that has fewer than 24 stitches everywhere is
+// so narrow that stuffing rounds it, and reads better in one rhythm. Every dial is tried; of the
 // plans whose whole circumference stays within the tolerance, or else of all, the one with the least 1.5 x deviation in % (the
 // worst of the whole and the halves) + 0.3 score is taken. A piece
 // has six ways to shape a round at most: with more, it is planned again with the six that shape most rounds.
@@ -25,6 +26,7 @@ struct HalfIdeals {
 };
 
 inline constexpr std::size_t most_ways_to_shape = 6;
+inline constexpr double narrowest_in_halves = 24.0;  // stitches of the widest row
 
 // Halves are shaped in pairs, and by as many stitches as they need.
 bool may_plan_jointly(const RhythmSettings& settings);

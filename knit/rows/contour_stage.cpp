@@ -5,6 +5,7 @@
 
 #include "knit/mesh/mirror_plane.h"
 #include "knit/model/bug.h"
+#include "knit/rhythm/few_rounds.h"
 #include "knit/rhythm/joint_plan.h"
 #include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
@@ -316,6 +317,8 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
   } else if (made->none == NoRhythm::no) {
     made->none = NoRhythm::fits_none;
   }
+  if (made->none != NoRhythm::no && live > 0)
+    made->plan = plan_few_rounds(ideals, live, wish.rhythm.style == RhythmStyle::pairs);
   return planned_words(*made);
 }
 

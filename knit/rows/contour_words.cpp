@@ -125,13 +125,12 @@ std::string RhythmPlanned::sentence(const Telling& at) const {
   const std::string name = "Tube " + tube_name(tube);
   if (none == NoRhythm::few_rows)
     return name +
-           " has no rhythm, as it is worked on live stitches and has only a few rounds; its counts are those "
-           "that "
-           "its rows hold.";
+           " has no rhythm, as it is worked on live stitches and has only a few rounds; its counts are "
+           "near those that its rows hold, each round one repeat where it can be.";
   if (none == NoRhythm::fits_none)
     return name +
            " has no rhythm: no number of sections goes with the stitches and changes that were asked "
-           "for; its counts are those that its rows hold.";
+           "for; its counts are near those that its rows hold.";
   const std::string seen = at_most_percent(static_cast<double>(std::max(local, belt)));
   if (shaping == 0)
     return name + " is knitted plain, " + plural(rounds, "round", "rounds") +

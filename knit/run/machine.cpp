@@ -78,9 +78,9 @@ struct WorkedRow {
   RowId id = 0;
 };
 
-// The first round on live stitches: to the first count of its tube's rhythm, where that is one repeat.
-std::optional<RepeatedRound> beginning_round(const TubeRhythm& rhythm, const WorkedRow& row) {
-  if (row.below == 0 || rhythm.count(0) != row.above) return {};
+// A round that comes of no segment, as the first on live stitches: to the count of its tube's rhythm, where that is one repeat.
+std::optional<RepeatedRound> round_by_itself(const TubeRhythm& rhythm, const WorkedRow& row) {
+  if (row.below == 0 || rhythm.count(row.level) != row.above) return {};
   const bool in_pairs = rhythm.settings.style == RhythmStyle::pairs;
   const std::int32_t sections =
       row.below == row.above ? rhythm.plan.sections : sections_to_begin(row.below, row.above, in_pairs);
@@ -93,7 +93,8 @@ std::optional<RepeatedRound> repeated_round(const State& state, const WorkedRow&
   for (auto i = state.rhythms.size(); i-- > 0;) {
     const TubeRhythm& rhythm = *state.rhythms[i];
     if (rhythm.tube != row.tube || !rhythm.has(row.level)) continue;
-    if (row.level == 0 && rhythm.from == 0) return beginning_round(rhythm, row);
+    const bool begins = row.level == 0 && rhythm.from == 0;
+    if (begins || rhythm.none != NoRhythm::no) return round_by_itself(rhythm, row);
     if (!rhythm.has(row.level - 1)) continue;
     if (rhythm.count(row.level - 1) != row.below || rhythm.count(row.level) != row.above) return {};
     RepeatedRound round{
