@@ -62,6 +62,12 @@ TEST_CASE("a bent piece gets short rows and settles more evenly with them", "[sh
   CHECK(wales.cv < 0.8 * plain.cv);
   CHECK(wales.cv < 0.09);
   CHECK(euler_characteristic(with.state) == 0);
+  // The report's figures are of the same wales, which count along the path.
+  const StitchSize& stitch = with.parameters.stitch;
+  const Quality quality = measure_quality(*input, with.state, stitch.width, stitch.height);
+  CHECK(quality.wale.count == wales.count);
+  CHECK(quality.wale.high * stitch.height == Approx(wales.high));
+  CHECK(quality.wale.cv == Approx(wales.cv));
   // The steps tell of all that is there.
   const auto chosen = all<PairsChosen>(with);
   REQUIRE(chosen.size() == 1);
