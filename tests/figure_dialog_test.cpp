@@ -70,6 +70,16 @@ TEST_CASE("the picture dialog offers sizes, panels and no ground") {
   CHECK_FALSE(wish.transparent);  // panels have a ground
 }
 
+TEST_CASE("no label of the picture dialog stands under its control") {
+  Desk desk(1280, 720, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.open();
+  desk.ui.own<FigureDialog>().wanted = FigureDialog::Kind::picture;
+  desk.settle();
+  const Box& ground = desk.ui.controls.at("figure/transparent");
+  for (const char* words : {"Size", "Shows", "Background"})
+    CHECK(desk.ui.controls.at("figure/label/" + std::string(words)).right() + 4.0f <= ground.x);
+}
+
 TEST_CASE("the animation dialog gives the stretch, the frames and the rate") {
   Desk desk;
   desk.open();

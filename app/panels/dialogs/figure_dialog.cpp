@@ -95,11 +95,13 @@ SaveAnimation animation_wished(const PanelFrame& frame) {
 
 // --- the parts of the dialog -------------------------------------------------------------------------------
 
-void label(const PanelFrame& frame, const char* words) {
+void label(PanelFrame& frame, const std::string& words) {
+  const float longest = ImGui::CalcTextSize("Background").x;
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   faint_text(words);
-  ImGui::SameLine(left + frame.units(72.0f));
+  if (!words.empty()) frame.mark("figure/label/" + words);
+  ImGui::SameLine(left + std::max(frame.units(72.0f), longest + frame.units(10.0f)));
 }
 
 void draw_path(PanelFrame& frame, bool begins) {

@@ -101,8 +101,8 @@ std::string problems_tab(std::size_t problems, std::size_t remarks) {
 float width_of_buttons(std::span<const std::string> names) {
   float width = 0.0f;
   for (const std::string& name : names) {
-    width += ImGui::CalcTextSize(name.c_str(), nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x +
-             ImGui::GetStyle().ItemInnerSpacing.x;
+    width +=
+        ImGui::CalcTextSize(name.c_str(), nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x + 1.0f;
   }
   return width;
 }
@@ -115,7 +115,7 @@ void draw_lists(PanelFrame& frame) {
                                    counted("Breaks", frame.session.view->breaks.size())};
   // Numbers give way where there is too little room, those first that one sees at once in the list.
   const std::array<std::pair<std::size_t, std::string>, 3> shorter{
-      {{0, counted("Rows", 0)}, {3, counted("Breaks", 0)}, {2, counted("Problems", problems)}}};
+      {{0, counted("Rows", 0)}, {2, counted("Problems", problems)}, {3, counted("Breaks", 0)}}};
   for (const auto& [which, name] : shorter) {
     if (width_of_buttons(names) <= ImGui::GetContentRegionAvail().x) break;
     names.at(which) = name;

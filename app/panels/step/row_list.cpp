@@ -137,12 +137,12 @@ void draw_beside(const std::optional<std::int32_t>& pinned, const std::string& n
   if (!pinned) return right_aligned(now, colour);
   const std::string before = std::to_string(*pinned) + " | ";
   const float wide = ImGui::CalcTextSize((before + now).c_str()).x;
-  const float left = ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - wide);
-  ImGui::SetCursorPosX(left);
+  const float spare = ImGui::GetContentRegionAvail().x - wide;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
   ImGui::PushStyleColor(ImGuiCol_Text, style::vector(opaque(theme().ghost)));
   text(before);
   ImGui::PopStyleColor();
-  ImGui::SameLine(left + ImGui::CalcTextSize(before.c_str()).x);
+  ImGui::SameLine(0.0f, 0.0f);
   right_aligned(now, colour);
 }
 

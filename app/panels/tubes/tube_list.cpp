@@ -76,11 +76,13 @@ TubeListUse draw_tube_list(PanelFrame& frame, const TubesDrawing& drawing) {
   constexpr ImGuiTableFlags flags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   constexpr std::array heads{"Tube", "Rounds", "Stitches", "Alike"};
+  constexpr std::array weights{0.8f, 0.9f, 1.0f, 1.3f};
   TubeListUse use;
   push_font(frame.fonts.small);
   const ImVec2 size(0.0f, height_of_tube_list(frame, drawing.tubes.size()));
   if (ImGui::BeginTable("tube table", static_cast<int>(heads.size()), flags, size)) {
-    for (const char* head : heads) ImGui::TableSetupColumn(head, ImGuiTableColumnFlags_WidthStretch);
+    for (std::size_t i = 0; i < heads.size(); ++i)
+      ImGui::TableSetupColumn(heads[i], ImGuiTableColumnFlags_WidthStretch, weights[i]);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
