@@ -24,7 +24,7 @@ examples-menu | | @27,18 =60,66
 row | --example thesis-sphere --at rows:14:13 --list candidates |
 number-typed | --example thesis-sphere --at rows:14:13 | @203,350 "0.0" ~1
 number-wrong | --example thesis-sphere --at rows:14:13 | @203,592 "9" Return ~1
-curves | --example thesis-sphere --at rows:14 | @241,591 ~5 =700,400
+curves | --example thesis-sphere --at rows:14 --sweep epsilon=0.005:0.095:96 | ~5 =700,400
 go-to | --example thesis-sphere --at rows:14 | ctrl+g
 go-to-typed | --example thesis-sphere --at rows:14 | ctrl+g "widest round"
 why-menu | --example thesis-sphere --at rows:14 | @201,18

@@ -222,6 +222,13 @@ std::string wrapped_at_blanks(std::string_view words, float width) {
   return lines;
 }
 
+void scroll_to_line(std::size_t line) {
+  const float height = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+  const float lines = ImGui::GetWindowHeight() / height - 1.0f;  // below the heads
+  const float above = std::floor(0.5f * (lines - 1.0f));
+  ImGui::SetScrollY(height * std::max(0.0f, static_cast<float>(line) - above));
+}
+
 void tooltip(const PanelFrame& frame, std::string_view words) {
   if (wants_tooltip()) tooltip_about(frame, tipped_item(frame), words);
 }

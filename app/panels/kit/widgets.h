@@ -78,6 +78,9 @@ bool may_break(std::string_view words, std::size_t at);
 // point.
 std::string wrapped_at_blanks(std::string_view words, float width);
 
+// In a table that scrolls below one line of heads: a line, from 0, comes to the middle, and none is cut under the heads.
+void scroll_to_line(std::size_t line);
+
 // A button of equal height whether it is lit or not.
 bool lit_button(const char* words, bool lit);
 

@@ -346,9 +346,7 @@ void draw_header(PanelFrame& frame) {
 void follow(CandidateList& list, const std::optional<std::int32_t>& order) {
   if (!order || order == list.shown) return;
   list.shown = order;
-  const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-  const float top = line * static_cast<float>(list.line_of(*order) + 1) - 0.5f * ImGui::GetWindowHeight();
-  ImGui::SetScrollY(std::max(0.0f, top));
+  scroll_to_line(list.line_of(*order));
 }
 
 void draw_table(PanelFrame& frame, const std::optional<std::int32_t>& current,

@@ -2,7 +2,6 @@
 // scroll while one steps.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -236,9 +235,7 @@ void follow_row(PanelFrame& frame) {
   };
   const bool step = std::abs(row - last) == 1;
   if (in_sight(row) || (step && last > 0 && !in_sight(last))) return;
-  // To a whole line, about half of the room above it: no row is cut under the heads.
-  const float above = std::floor(0.5f * (room / line - 1.0f));
-  ImGui::SetScrollY(line * std::max(0.0f, static_cast<float>(row - 1) - above));
+  scroll_to_line(static_cast<std::size_t>(row - 1));
 }
 
 bool makes_rows(const knit::State& state) {
