@@ -117,12 +117,17 @@ TEST_CASE("what is typed wrong is said at its field until it is right, and nothi
     CHECK(hands.drain().empty());
     CHECK(desk.ui.own<KnobTroubles>().size() == 1);
     CHECK(desk.ui.controls.count("knob-trouble/epsilon") == 1);
+    // No tip covers it.
+    for (int i = 0; i < 3; ++i) desk.frame({desk.over("knob/epsilon")});
+    CHECK(desk.ui.controls.count("tip") == 0);
   }
   hands.click("knob/epsilon");
   hands.type("0.3");
   hands.press(Key::Enter);
   CHECK(count_of<Tune>(hands.drain()) == 1);
   CHECK(desk.ui.own<KnobTroubles>().empty());
+  for (int i = 0; i < 3; ++i) desk.frame({desk.over("knob/epsilon")});
+  CHECK(desk.ui.controls.count("tip") == 1);
   CHECK(desk.session.outbox->notices.empty());
 }
 

@@ -338,8 +338,9 @@ void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Paramet
   bring_lit_into_view(frame, "knob/" + std::string(info.key));
   if (!std::holds_alternative<knit::PickedVertex>(info.kind)) {
     frame.mark("knob/" + std::string(info.key));
-    // The button and the marks of the curve have tips of their own.
-    if (!curve_is_pointed_at(frame, info) && !number_field_open(frame.memory))
+    // The button and the marks of the curve have tips of their own; what is wrong, said below, is not to be covered.
+    const bool troubled = frame.own<KnobTroubles>().count(info.key) > 0;
+    if (!curve_is_pointed_at(frame, info) && !number_field_open(frame.memory) && !troubled)
       tooltip(frame, help_text(frame, info));
   }
   draw_reset(frame, info, parameters, left + whole + frame.units(4.0f));
