@@ -34,6 +34,17 @@ JointTask task_of(const HalfIdeals& ideals, double dial, std::size_t beam, const
 
 }  // namespace
 
+TEST_CASE(
+    "front and back are not shaped apart where that is off, or the changes or another style are asked for") {
+  const HalfIdeals ideals = belly_ideals();
+  RhythmSettings settings{CountPlanning::rhythm};
+  CHECK(wants_joint_plan(ideals, settings));
+  settings.halves = RhythmHalves::off;
+  CHECK_FALSE(wants_joint_plan(ideals, settings));
+  settings = {CountPlanning::rhythm, RhythmStyle::lines};
+  CHECK_FALSE(wants_joint_plan(ideals, settings));
+}
+
 TEST_CASE("a limb of less than 24 stitches is not shaped apart, however its halves differ") {
   const RhythmSettings settings{CountPlanning::rhythm};
   CHECK_FALSE(wants_joint_plan({{12.0, 16.0, 12.0}, {6.0, 7.0, 6.0}}, settings));

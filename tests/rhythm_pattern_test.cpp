@@ -12,6 +12,7 @@
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/short_form.h"
 #include "knit/quality/quality.h"
+#include "knit/reader/limbs_reader.h"
 #include "knit/reader/pattern_reader.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
@@ -118,6 +119,17 @@ TEST_CASE("report and notes say the rhythm, its cost and the width that it gives
   const std::vector<std::string> notes = pattern_notes(session.document->timeline, nullptr);
   REQUIRE(notes.size() >= 3);
   for (std::size_t i = 0; i < 3; ++i) CHECK(rhythm["what"][i] == notes[i]);
+}
+
+TEST_CASE("the notes of a pattern in pieces say each rhythm once with all pieces that have it") {
+  const std::string text = text_of_pattern(by_hand("trousers"));
+  const auto at = text.find("- Rhythm of ");
+  REQUIRE(at != std::string::npos);
+  CHECK(text.substr(at).starts_with("- Rhythm of Limb A and Limb B: "));
+  CHECK(text.find("Rhythm of Limb B") == std::string::npos);
+  CHECK(text.find("Shaped in a rhythm") == std::string::npos);
+  const knit::ReadLimbs read = knit::read_limbs(text);
+  CHECK(read.mistakes.empty());
 }
 
 TEST_CASE("several counts in parentheses are explained where a line has them") {

@@ -263,6 +263,28 @@ TEST_CASE("a plan from a row that is made is what is left of the whole plan") {
   }
 }
 
+TEST_CASE("a large piece is looked at in small first and planned as it would be at once") {
+  const std::vector<double> large = resized_ideals(golden_ideals("sphere"))(8.0);
+  RhythmSettings settings;
+  settings.fit_size = FitSize::off;
+  settings.dial = 0.2;
+  double share = 0.0;
+  std::ptrdiff_t heard = 0;
+  const auto plan = plan_rhythm(resized_ideals(large), settings, {}, [&](double now) {
+    CHECK(now >= share);
+    share = now;
+    ++heard;
+  });
+  REQUIRE(plan);
+  // Every row of half the ball is heard once an attempt: eight in small, two at full size.
+  CHECK(heard < 3 * std::ssize(large));
+  const auto as_planned = [&](bool one) {
+    const auto alone = plan_family(large, {plan->sections, one, true}, settings.dial);
+    return alone && alone->counts == plan->counts;
+  };
+  CHECK((as_planned(false) || as_planned(true)));
+}
+
 TEST_CASE("what a person asks for is kept: the changes, the first count, the size") {
   const std::vector<double> ideals = golden_ideals("egg");
   RhythmSettings settings;

@@ -33,7 +33,8 @@ knit::WrittenPattern written(const Session& session, const PlannedPieces& pieces
 }
 
 // The notes say what is not as asked. Measured here where nobody has measured it yet.
-knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern) {
+knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern,
+                           const PlannedPieces* pieces = nullptr) {
   const knit::Timeline& timeline = session.document->timeline;
   if (!timeline.state().finished()) return pattern;
   const auto& closeness = session.document->closeness;
@@ -41,7 +42,7 @@ knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern)
   const knit::StitchSize& stitch = timeline.parameters().stitch;
   if (!coverage)
     coverage = knit::measure_coverage(timeline.input(), timeline.state(), stitch.width, stitch.height);
-  for (std::string& note : pattern_notes(timeline, coverage ? &*coverage : nullptr))
+  for (std::string& note : pattern_notes(timeline, coverage ? &*coverage : nullptr, pieces))
     pattern.notes.push_back(std::move(note));
   return pattern;
 }
@@ -76,13 +77,14 @@ std::string file_in_pieces(const Session& session, PatternFormat format, std::sp
   const std::vector<knit::PieceChart> charts = knit::piece_charts(pieces.plan, names);
   switch (format) {
     case PatternFormat::text:
-      return knit::pattern_as_text(noted(session, written(session, pieces))) +
+      return knit::pattern_as_text(noted(session, written(session, pieces), &pieces)) +
              knit::charts_as_text(charts, names);
     case PatternFormat::markdown:
-      return knit::pattern_as_markdown(noted(session, written(session, pieces))) +
+      return knit::pattern_as_markdown(noted(session, written(session, pieces), &pieces)) +
              knit::charts_as_markdown(charts, names);
     case PatternFormat::html:
-      return pattern_html(noted(session, written(session, pieces)), art_of(pieces.plan, names, charts), png);
+      return pattern_html(noted(session, written(session, pieces), &pieces),
+                          art_of(pieces.plan, names, charts), png);
     case PatternFormat::json:
       return pattern_json(pieces.plan, pieces.options);
     case PatternFormat::knitspeak:

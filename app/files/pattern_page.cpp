@@ -44,6 +44,7 @@ dd { margin: 0; }
   border-left: .8mm solid #8a3d6d;
   font-style: italic; }
 .chart { break-before: page; }
+@media screen { .chart { margin-top: 7mm; } }
 .chart h2 { margin-top: 0; }
 .chart.wide { page: wide; }
 .chart svg { display: block; margin: 0 auto; max-width: 100%; height: auto; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "knit/limbs/limb_plan.h"
+#include "knit/pattern/limb_words.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/rhythm/rhythm_words.h"
@@ -24,6 +25,38 @@ bool is_kept(const knit::State& state, const knit::TubeRhythm& rhythm) {
   };
   const auto& rows = state.fabric.rows();
   return std::all_of(rows.begin(), rows.end(), keeps);
+}
+
+// A sentence, and the pieces that it says the rhythm of.
+struct PiecesInRhythm {
+  std::string sentence;
+  std::vector<std::int32_t> pieces;
+};
+
+// Pieces that are knitted plain, or whose few rounds have no rhythm, have no sentence.
+std::vector<std::string> rhythm_notes(const knit::State& state, const PlannedPieces& planned) {
+  const std::vector<const knit::TubeRhythm*> rhythms = rhythms_of_run(state);
+  std::vector<PiecesInRhythm> told;
+  for (std::int32_t piece = 0; piece < planned.plan.count(); ++piece) {
+    const knit::TubeId tube = planned.plan.piece(piece).tube;
+    const auto of_tube = std::find_if(rhythms.begin(), rhythms.end(),
+                                      [&](const knit::TubeRhythm* rhythm) { return rhythm->tube == tube; });
+    if (of_tube == rhythms.end() || (*of_tube)->none != knit::NoRhythm::no) continue;
+    const knit::RhythmPlan& plan = (*of_tube)->plan;
+    std::string sentence = knit::segments_sentence(plan.segments, !plan.fronts.empty());
+    if (sentence.empty()) continue;
+    const auto same = std::find_if(told.begin(), told.end(),
+                                   [&](const PiecesInRhythm& one) { return one.sentence == sentence; });
+    if (same != told.end())
+      same->pieces.push_back(piece);
+    else
+      told.push_back({std::move(sentence), {piece}});
+  }
+  const knit::LimbNames names(planned.plan, planned.options);
+  std::vector<std::string> notes;
+  for (const PiecesInRhythm& one : told)
+    notes.push_back("Rhythm of " + names.listed(one.pieces) + ": " + one.sentence + ".");
+  return notes;
 }
 
 }  // namespace
@@ -66,9 +99,12 @@ std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks) {
   return notes;
 }
 
-std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage) {
-  std::vector<std::string> notes =
-      rhythm_sentences_of(timeline.furthest(), timeline.parameters().stitch.gauge);
+std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage,
+                                       const PlannedPieces* pieces) {
+  const knit::State& state = timeline.furthest();
+  std::vector<std::string> notes = pieces != nullptr
+                                       ? rhythm_notes(state, *pieces)
+                                       : rhythm_sentences_of(state, timeline.parameters().stitch.gauge);
   std::vector<std::string> not_as_asked = notes_of(remarks_of(timeline, coverage));
   std::move(not_as_asked.begin(), not_as_asked.end(), std::back_inserter(notes));
   return notes;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/planned_pieces.h"
 #include "knit/insight/as_asked.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/rhythm/tube_rhythm.h"
@@ -19,8 +20,10 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
 
 // For the pattern's notes: the first of each kind.
 std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks);
-// All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked.
-std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage);
+// All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked. Of a pattern in pieces
+// (`pieces`) each rhythm in one sentence, with all pieces that have it: "Rhythm of Limb A and Limb B: ..."
+std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage,
+                                       const PlannedPieces* pieces = nullptr);
 
 // The rhythm that the rows of the one tube have from its `from` on; null: none was planned, it was given up on the way, or there are
 // several tubes.

@@ -13,6 +13,10 @@ inline constexpr std::array<std::string_view, 4> rhythm_style_names{"pairs", "li
 
 // Row by row as many as its length holds, or all of a piece at once.
 enum class CountPlanning : std::uint8_t { whole, rhythm };
+// Whether front and back of a body that is not round may be shaped apart (knit/rhythm/joint_plan.h).
+enum class RhythmHalves : std::uint8_t { by_themselves, off };
+inline constexpr std::array<std::string_view, 2> rhythm_halves_names{"auto", "off"};
+
 enum class FitSize : std::uint8_t { off, on };  // whether the piece may be made a little larger or smaller
 
 struct RhythmSettings {
@@ -21,6 +25,7 @@ struct RhythmSettings {
   std::int32_t changes = 0;  // stitches that a shaping round adds or takes; 0: chosen
   double tolerance = 3.5;    // the most that a circumference may be seen to be off, in %
   FitSize fit_size = FitSize::on;
+  RhythmHalves halves = RhythmHalves::by_themselves;
   double dial = 0.0;  // what a rhythm costs: large, few rhythms; small, the true shape. 0: all are tried
   friend bool operator==(const RhythmSettings&, const RhythmSettings&) = default;
 };

@@ -190,7 +190,7 @@ constexpr std::array table{
                   "rhythm: all "
                   "rows planned together, so that shaping comes in few and regular rhythms and every shaping "
                   "round is one "
-                  "repeat; for pieces of one tube.",
+                  "repeat; where a piece branches, tube by tube.",
                   "Rhythm", Stage::cast_on, choice<&Settings::rhythm, &RhythmSettings::counts>(count_names),
                   is_of_contours},
     ParameterInfo{"rhythm-tolerance", "Tolerance", "%",
@@ -209,6 +209,13 @@ constexpr std::array table{
         "the "
         "next section. centre: in its middle. stagger: as lines and centre in turn, so that no line is seen.",
         "Rhythm", Stage::cast_on, choice<&Settings::rhythm, &RhythmSettings::style>(rhythm_style_names),
+        is_in_rhythm},
+    ParameterInfo{
+        "rhythm-halves", "Front and back", "",
+        "Whether the front and the back of a body that is not round are shaped apart, in one rhythm. "
+        "auto: where they differ, in pairs and with the changes in a round left open. off: every "
+        "round is one repeat, all around.",
+        "Rhythm", Stage::cast_on, choice<&Settings::rhythm, &RhythmSettings::halves>(rhythm_halves_names),
         is_in_rhythm},
     ParameterInfo{"rhythm-simplicity", "Simplicity", "",
                   "How much a rhythm less is worth against the shape: 2.7 makes few, 0.03 keeps to the "

@@ -104,7 +104,8 @@ bool halves_read_better(const RhythmPlan& one, const RhythmPlan& other) {
 }  // namespace
 
 bool may_plan_jointly(const RhythmSettings& settings) {
-  return settings.style == RhythmStyle::pairs && settings.changes == 0;
+  return settings.halves == RhythmHalves::by_themselves && settings.style == RhythmStyle::pairs &&
+         settings.changes == 0;
 }
 
 bool wants_joint_plan(const HalfIdeals& ideals, const RhythmSettings& settings) {

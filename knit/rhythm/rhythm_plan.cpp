@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::array dials{8.0 / 3.0, 1.0, 7.0 / 15.0, 0.2, 0.08, 1.0 / 30.0};
 
+// In microseconds, roughly and at most.
+double microseconds_to_try_all(double rows, double belt) {
+  constexpr double of_a_row_and_two_counts = 0.1;
+  return of_a_row_and_two_counts * rows * belt * belt;
+}
+// A piece that would take longer is looked at in small first. A ball of 50 cm at 22 x 32 does not.
+constexpr double longest_to_try_all = 4e6;
+
 constexpr std::array one_a_section{4, 5, 6, 7, 8, 9, 10, 12};
 constexpr std::array pairs_alone{2, 3, 4, 5, 6};
 constexpr std::array pairs_or_halves{3, 4, 6};
@@ -56,9 +64,11 @@ std::vector<double> sizes_for(const RhythmFamily& family, double belt, bool may_
   return sizes;
 }
 
-struct SizedFamily {
+// One search for segments; all of them are tried.
+struct Attempt {
   RhythmFamily family;
   double size = 1.0;
+  double dial = 0.0;
 };
 
 double preference(std::int32_t changes) {
@@ -87,25 +97,77 @@ std::vector<double> opening_half(std::span<const double> ideals) {
   return half;
 }
 
-// The one with the least rank, the first of equals.
-template <class Rank>
-const RhythmPlan* least_by(const std::vector<RhythmPlan>& plans, bool (*taken)(const RhythmPlan&),
-                           Rank rank) {
-  const RhythmPlan* best = nullptr;
-  for (const RhythmPlan& plan : plans) {
-    if (taken(plan) && (best == nullptr || clearly_less(rank(plan), rank(*best), 1.0))) best = &plan;
+// Within the tolerance by what reads best, else by shape and words together.
+bool is_better(const RhythmPlan& one, const RhythmPlan& other) {
+  if (one.within != other.within) return one.within;
+  const auto rank = [](const RhythmPlan& plan) {
+    return plan.within ? plan.score : 1.5 * plan.seen.worst() + 0.3 * plan.score;
+  };
+  return clearly_less(rank(one), rank(other), 1.0);
+}
+
+struct Attempted {
+  RhythmPlan plan;
+  Attempt by;
+};
+
+// What the attempts come to, in their order; a rhythm that never comes near the widest row is left out, as long as there is another.
+std::vector<Attempted> plans_of(const IdealsAt& ideals, const std::vector<Attempt>& attempts,
+                                double tolerance, const RhythmStart& start, const Heard& heard) {
+  std::vector<Attempted> plans;
+  std::vector<double> sized;
+  double size = 0.0;  // of `sized`
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    const Attempt& attempt = attempts[i];
+    if (attempt.size != size) {
+      sized = ideals(attempt.size);
+      size = attempt.size;
+    }
+    const auto all = static_cast<double>(attempts.size()), tried = static_cast<double>(i);
+    const Heard part = part_of(heard, tried / all, (tried + 1.0) / all);
+    std::optional<RhythmPlan> plan = plan_family(sized, attempt.family, attempt.dial, start, part);
+    if (!plan) continue;
+    plan->size = attempt.size;
+    plan->score = rhythm_score(*plan, start);
+    plan->within = !clearly_less(tolerance, plan->seen.worst(), 1.0);
+    plans.push_back({*std::move(plan), attempt});
+  }
+  const double asked_belt = belt_of(ideals(1.0));
+  const auto too_narrow = [&](const Attempted& made) {
+    const RhythmPlan& plan = made.plan;
+    return *std::max_element(plan.counts.begin(), plan.counts.end()) < 0.7 * plan.size * asked_belt;
+  };
+  if (!std::all_of(plans.begin(), plans.end(), too_narrow))
+    plans.erase(std::remove_if(plans.begin(), plans.end(), too_narrow), plans.end());
+  return plans;
+}
+
+const Attempted* best_of(const std::vector<Attempted>& plans) {
+  const Attempted* best = nullptr;
+  for (const Attempted& made : plans) {
+    if (best == nullptr || is_better(made.plan, best->plan)) best = &made;
   }
   return best;
 }
 
-const RhythmPlan* best_of(const std::vector<RhythmPlan>& plans) {
-  const RhythmPlan* best = least_by(
-      plans, [](const RhythmPlan& plan) { return plan.within; },
-      [](const RhythmPlan& plan) { return plan.score; });
-  if (best != nullptr) return best;
-  return least_by(
-      plans, [](const RhythmPlan&) { return true; },
-      [](const RhythmPlan& plan) { return 1.5 * plan.seen.worst() + 0.3 * plan.score; });
+// The same piece so small that all attempts take tenths of a second: which family reads best hardly depends on the size. Of each
+// dial the best is left to be tried on the piece itself.
+std::vector<Attempt> promising(const IdealsAt& ideals, const std::vector<Attempt>& attempts, double tolerance,
+                               double smaller, const Heard& heard) {
+  constexpr std::ptrdiff_t alone = 2;  // where there is one dial
+  const IdealsAt small = [&](double size) { return ideals(size / smaller); };
+  std::vector<Attempted> plans = plans_of(small, attempts, tolerance, {}, heard);
+  const bool one_dial = attempts.front().dial == attempts.back().dial;
+  std::vector<Attempt> best;
+  while (!plans.empty()) {
+    const Attempted* next = best_of(plans);
+    const Attempt by = next->by;
+    plans.erase(plans.begin() + (next - plans.data()));
+    const auto same_dial =
+        std::count_if(best.begin(), best.end(), [&](const Attempt& other) { return other.dial == by.dial; });
+    if (same_dial < (one_dial ? alone : 1)) best.push_back(by);
+  }
+  return best;
 }
 
 }  // namespace
@@ -198,8 +260,8 @@ std::optional<RhythmPlan> plan_family(std::span<const double> ideals, const Rhyt
 }
 
 double microseconds_to_plan(double rows, double belt) {
-  constexpr double of_a_row_and_two_counts = 0.1;
-  return of_a_row_and_two_counts * rows * belt * belt;
+  const double all = microseconds_to_try_all(rows, belt);
+  return all > longest_to_try_all ? longest_to_try_all / 4.0 + all / 10.0 : all;
 }
 
 std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettings& settings,
@@ -209,34 +271,24 @@ std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettin
   const std::span<const double> tried =
       settings.dial > 0.0 ? std::span(&settings.dial, 1) : std::span<const double>(dials);
   const bool may_change_size = settings.fit_size == FitSize::on && start == RhythmStart{};
-  std::vector<SizedFamily> all;
+  std::vector<Attempt> all;
   for (const RhythmFamily& family : families_for(settings, belt)) {
-    for (const double size : sizes_for(family, belt, may_change_size)) all.push_back({family, size});
-  }
-  std::vector<RhythmPlan> plans;
-  const double searches = static_cast<double>(all.size() * tried.size());
-  double searched = 0.0;
-  for (const auto& [family, size] : all) {
-    const std::vector<double> sized = size == 1.0 ? asked : ideals(size);
-    for (const double dial : tried) {
-      const Heard part = part_of(heard, searched / searches, (searched + 1.0) / searches);
-      searched += 1.0;
-      std::optional<RhythmPlan> plan = plan_family(sized, family, dial, start, part);
-      if (!plan) continue;
-      plan->size = size;
-      plan->score = rhythm_score(*plan, start);
-      plan->within = !clearly_less(settings.tolerance, plan->seen.worst(), 1.0);
-      plans.push_back(*std::move(plan));
+    for (const double size : sizes_for(family, belt, may_change_size)) {
+      for (const double dial : tried) all.push_back({family, size, dial});
     }
   }
-  // A rhythm that never comes near the widest row is none, as long as there is another.
-  const auto too_narrow = [&](const RhythmPlan& plan) {
-    return *std::max_element(plan.counts.begin(), plan.counts.end()) < 0.7 * plan.size * belt;
-  };
-  if (!std::all_of(plans.begin(), plans.end(), too_narrow))
-    plans.erase(std::remove_if(plans.begin(), plans.end(), too_narrow), plans.end());
-  const RhythmPlan* best = best_of(plans);
-  return best != nullptr ? std::optional(*best) : std::nullopt;
+  const double too_long =
+      microseconds_to_try_all(static_cast<double>(asked.size()), belt) / longest_to_try_all;
+  Heard last = heard;
+  if (too_long > 1.0 && all.size() > 1) {
+    const double smaller = std::cbrt(4.0 * too_long);
+    std::vector<Attempt> some = promising(ideals, all, settings.tolerance, smaller, part_of(heard, 0.0, 0.3));
+    if (!some.empty()) all = std::move(some);
+    last = part_of(heard, 0.3, 1.0);
+  }
+  const std::vector<Attempted> plans = plans_of(ideals, all, settings.tolerance, start, last);
+  const Attempted* best = best_of(plans);
+  return best != nullptr ? std::optional(best->plan) : std::nullopt;
 }
 
 }  // namespace knit

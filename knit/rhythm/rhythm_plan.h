@@ -5,6 +5,8 @@
 // lines: 1 for a segment, 0.4 for a plain one of more than 3 rows; for a first round that changes the live stitches 1 where it is one
 // repeat, else 4. If no plan is within the tolerance: the one with the least 1.5 x deviation in % + 0.3 score. What mirrors
 // (ideals alike within 1 % of the widest from both ends) is planned by half.
+// Large pieces (from some 50 cm on) are planned in small first, with rows and counts less by one factor, and only what comes out
+// best there, one attempt for each dial, is planned at full size: all would take rows x widest row^2, 13 s for a ball of 200 cm.
 // Segments: segment_search.h. Preferred: 4, 6, 8 and 12 changes, as published patterns have them.
 #pragma once
 

@@ -69,8 +69,8 @@ struct TubeRhythm {
   [[nodiscard]] std::int32_t turn(std::int32_t row) const;
   [[nodiscard]] auto fields() const {
     return std::tie(tube, from, settings.counts, settings.style, settings.changes, settings.tolerance,
-                    settings.fit_size, settings.dial, stitch_width, stitch_height, none, plan, mirror_sought,
-                    mirror);
+                    settings.fit_size, settings.halves, settings.dial, stitch_width, stitch_height, none,
+                    plan, mirror_sought, mirror);
   }
   friend bool operator==(const TubeRhythm&, const TubeRhythm&) = default;
 };

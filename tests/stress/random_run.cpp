@@ -122,6 +122,7 @@ void draw_rhythm(Dice& dice, knit::RhythmSettings& rhythm) {
   if (dice.below(3) == 0) rhythm.changes = between(dice, 2, 16);
   if (dice.below(2) == 0) rhythm.tolerance = dice.between(0.5, 12.0);
   if (dice.below(3) == 0) rhythm.dial = dice.between(0.02, 4.0);
+  if (dice.below(3) == 0) rhythm.halves = knit::RhythmHalves::off;
 }
 
 Parameters random_parameters(Dice& dice, const knit::Input& input) {
