@@ -330,3 +330,52 @@ TEST_CASE("checked pattern: short rows in this program's words are worked to the
   CHECK(check_pattern(begin + rows + "Dec rnd: [K3, k2tog] 2 times.\n" + end).verdict !=
         PatternVerdict::holds);
 }
+
+TEST_CASE("checked pattern: a rule told before the first numbered round holds from there on") {
+  const std::string text =
+      "CO 20 sts.\nWork 6 rounds without shaping.\nAll even rounds: knit.\nRnd 7: [k4, m1] "
+      "5 times. (25 sts)\nRnd 9: [k5, m1] 5 times. (30 sts)\nBO 30 sts.";
+  CHECK(signs_of(text) == "++++++");
+  CHECK(signs_of("CO 20 sts.\nRnd 1: Knit.\nRnd 3: [k4, m1] 5 times. (25 sts)") == "++!");
+}
+
+TEST_CASE("checked pattern: markers that are removed stand nowhere any more") {
+  const std::string begin = "CO 20 sts.\nRnd 1: K5, pm, k15.\n", end = "Rnd 2: K10, pm, k10.\nRnd 3: K to ";
+  CHECK(signs_of(begin + "Remove marker.\n" + end + "2 sts before marker, k2tog, sm, k10. (19 sts)").back() ==
+        '+');
+  CHECK(signs_of(begin + "Remove marker.\n" + end + "marker, k2tog, k8. (19 sts)").back() == '+');
+  CHECK(signs_of(begin + end + "marker, k2tog, k8. (19 sts)").back() == '!');
+}
+
+TEST_CASE("checked pattern: rounds of the piece before are not those of this one") {
+  const std::string head = "Head\nCO 8 sts.\nRnds 1 to 6: knit.\nBind off.\n";
+  const std::string leg = "Leg\nCO 20 sts.\nRnd 1: knit.\nRnd 2: K to last 3 sts, k2tog, k1. (19 sts)\n";
+  CHECK(signs_of(head + leg + "Repeat rnds 2 and 3 until 16 sts remain.") == ".+++.+++?");
+  CHECK(signs_of(head + leg + "Rnd 3: knit.\nRepeat rnds 2 and 3 until 16 sts remain.") == ".+++.+++++");
+  CHECK(signs_of(head + leg + "BO.\nArm\nRnd 1: Pick up and knit 9 sts.\nRepeat rnds 1 and 2.").back() ==
+        '?');
+}
+
+TEST_CASE("checked pattern: stitches between markers are counted between them") {
+  const std::string text =
+      "CO 36 sts.\nRnd 1: K17, pm, m1, k2, m1, pm, k to end. (38 sts)\nRnd 2: Knit.\n"
+      "Rnd 3: K to marker, sm, m1, k to marker, m1, sm, k to end. (40 sts)\n"
+      "Repeat rnds 2 and 3 until there are ";
+  CHECK(signs_of(text + "12 sts between markers. (46 sts)") == "+++++");
+  CHECK(signs_of(text + "12 sts between markers. (48 sts)") == "++++!");
+  CHECK(signs_of(text + "13 sts between markers.") == "++++!");
+}
+
+TEST_CASE("checked pattern: held stitches are taken by the name before them") {
+  const std::string text =
+      "Arm\nCO 8 sts.\nRnd 1: Knit.\nPlace sts on a holder.\nBody\nCO 10 sts.\nRnd 1: K10, "
+      "knit across 8 held ";
+  CHECK(signs_of(text + "arm sts. (18 sts)").back() == '+');
+  CHECK(signs_of(text + "wing sts. (18 sts)").back() == '!');
+}
+
+TEST_CASE("checked pattern: a count that does not hold is said once") {
+  CHECK(signs_of("CO 12 sts.\nRnd 1: [k1, k2tog] 4 times. (9 sts)\nRnds 2-3: Knit.\nRnd 4: Knit. (8 sts)\nBO "
+                 "8 sts.") == "+!+++");
+  CHECK(signs_of("CO 12 sts.\nRnd 1: [k1, k2tog] 4 times. (9 sts)\nBO 8 sts.") == "+!+");
+}

@@ -1,5 +1,5 @@
 // Patterns with limbs as they are published: right ones pass, a wrong count is found in its line.
-#include "knit/reader/published_reader.h"
+#include "knit/reader/checked_pattern.h"
 
 #include "tests/support/catch.h"
 
@@ -8,8 +8,11 @@ using namespace knit;
 namespace {
 
 std::string mistake_in(const std::string& text) {
-  const ReadPattern read = read_pattern(text);
-  return read.mistakes.empty() ? "" : read.mistakes.front().sentence;
+  const CheckedPattern checked = check_pattern(text);
+  for (const CheckedLine& line : checked.sizes.front().lines) {
+    if (!line.sentence.empty()) return line.sentence;
+  }
+  return "";
 }
 
 std::string with(std::string text, const std::string& from, const std::string& to) {
@@ -79,11 +82,8 @@ Join both sides with a three-needle bind off.
 }  // namespace
 
 TEST_CASE("published limbs: a thumb on waste yarn") {
-  CHECK(has_held_stitches(mitten));
   CHECK(mistake_in(mitten) == "");
-  const ReadPattern read = read_pattern(mitten);
-  CHECK(read.rounds_read == 27);
-  CHECK(read.closed_with == 18);
+  CHECK(check_pattern(mitten).rounds == 27);
   CHECK(mistake_in(with(mitten, "k to end. (28 sts)", "k to end. (29 sts)")) ==
         "line 7: Rnd 13 makes 28 stitches, the line says 29.");
   CHECK(mistake_in(with(mitten, "next 6 sts", "next 60 sts")) ==
@@ -93,29 +93,29 @@ TEST_CASE("published limbs: a thumb on waste yarn") {
   CHECK(mistake_in(with(mitten, "knit 2 sts along", "knit 3 sts along")) ==
         "line 13: 9 stitches are on the needle, the line says 8.");
   CHECK(mistake_in(with(mitten, "remaining 4 sts", "remaining 5 sts")) ==
-        "line 16: closes 5 stitches, and 4 stitches are on the needle.");
+        "line 16: closes 5 stitches, and 4 are on the needles.");
   CHECK(mistake_in(with(mitten, "Rnd 12: K13, m1, k4", "Rnd 12: K13, m1, k5")).starts_with("line 6: Rnd 12"));
 }
 
 TEST_CASE("published limbs: a leg on a holder, knitted across") {
-  CHECK(has_held_stitches(two_legs));
   CHECK(mistake_in(two_legs) == "");
   CHECK(mistake_in(with(two_legs, "held 7 sts", "held 8 sts")) ==
-        "line 10: the holder of the first leg has 7 stitches, the line says 8.");
+        "line 10: Rnd 6: the holder of the first leg has 7 stitches, the line says 8.");
   CHECK(mistake_in(with(two_legs, "first leg. (14 sts)", "first leg. (15 sts)")) ==
         "line 10: Rnd 6 makes 14 stitches, the line says 15.");
   CHECK(mistake_in(with(two_legs, "of first leg. (14", "of left arm. (14")) ==
-        "line 10: there are no held stitches of the left arm; held are 7 of the first leg (line 4).");
+        "line 10: Rnd 6: there are no held stitches of the left arm; held are 7 of the first leg (line 4).");
   CHECK(mistake_in(with(two_legs, "Rnd 6: K7", "Rnd 6: K6")) ==
         "line 10: Rnd 6 leaves 1 stitch of the round before unworked.");
-  CHECK(mistake_in(
-            with(two_legs,
-                 ", then k across held 7 sts of first leg. (14 sts)\nRnd 7: K7, m1, k7, m1. (16 sts)\n"
-                 "Rnds 8-12: Knit. (16 sts)\nBO all 16 sts.",
-                 ". (7 sts)\nRnd 7: K1, k across held 7 sts of second leg, k6. (14 sts)\nBO all sts.")) ==
-        "line 11: there are no held stitches of the second leg; held are 7 of the first leg (line 4).");
+  CHECK(
+      mistake_in(
+          with(two_legs,
+               ", then k across held 7 sts of first leg. (14 sts)\nRnd 7: K7, m1, k7, m1. (16 sts)\n"
+               "Rnds 8-12: Knit. (16 sts)\nBO all 16 sts.",
+               ". (7 sts)\nRnd 7: K1, k across held 7 sts of second leg, k6. (14 sts)\nBO all sts.")) ==
+      "line 11: Rnd 7: there are no held stitches of the second leg; held are 7 of the first leg (line 4).");
   CHECK(mistake_in(with(two_legs, "BO all 16 sts", "BO all 15 sts")) ==
-        "line 13: closes 15 stitches, and 16 stitches are on the needle.");
+        "line 13: closes 15 stitches, and 16 are on the needles.");
 }
 
 TEST_CASE("published limbs: two made alike, with a crotch cast on") {
@@ -124,7 +124,7 @@ TEST_CASE("published limbs: two made alike, with a crotch cast on") {
             with(trousers, "across the held sts, CO 3 sts. (26", "across the held sts, CO 2 sts. (26")) ==
         "line 8: Rnd 2 makes 25 stitches, the line says 26.");
   CHECK(mistake_in(with(trousers, "(make 2)", "(make 3)")) ==
-        "line 10: 10 stitches are left on the holder of the legs (line 4).");
+        "line 4: 10 stitches are left on the holder of the legs, and no line takes them off.");
 }
 
 TEST_CASE("published limbs: two live ends are bound off together") {
@@ -132,9 +132,4 @@ TEST_CASE("published limbs: two live ends are bound off together") {
   CHECK(mistake_in(with(pouch, "BACK\nCO 12 sts.\nRnd 1: Knit. (12 sts)",
                         "BACK\nCO 11 sts.\nRnd 1: Knit. (11 sts)")) ==
         "line 9: two live ends are joined, and they have 11 and 12 stitches.");
-}
-
-TEST_CASE("published limbs: a pattern without holders is read as before") {
-  CHECK_FALSE(has_held_stitches("CO 6 sts.\nRnd 1: Knit. (6 sts)\nPlace sts on a holder.\n"));
-  CHECK_FALSE(has_held_stitches("CO 6 sts.\nRnd 1: Knit. (6 sts)\nBO all 6 sts.\n"));
 }

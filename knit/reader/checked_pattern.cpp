@@ -167,10 +167,12 @@ CheckedPattern checked_graph(const ReadPattern& read, const Text& text, const Le
 }
 
 CheckedSize worked(const Lexicon& lexicon, const Text& text, std::size_t size, std::size_t sizes,
-                   std::int64_t start, std::size_t& rounds) {
+                   std::int64_t start, CheckedPattern& told) {
   WorldWorker worker(lexicon, size, sizes);
   CheckedSize checked = worker.run(text.lines, text.atoms, text.physical, start);
-  rounds = worker.rounds();
+  if (size > 0) return checked;
+  told.rounds = worker.rounds();
+  if (start == 0) told.remark = worker.left_over();
   return checked;
 }
 
@@ -194,7 +196,7 @@ void work_on_repeat(CheckedPattern& checked, const Lexicon& lexicon, const Text&
   std::string words;
   const std::int64_t told = told_multiple(text.atoms, words);
   if (told > 0) {
-    checked.sizes = {worked(lexicon, text, 0, 1, told, checked.rounds)};
+    checked.sizes = {worked(lexicon, text, 0, 1, told, checked)};
     checked.remark = "No stitches are cast on; it is worked on " + stitches_text(told) + ", " + words + ".";
     return;
   }
@@ -249,10 +251,8 @@ void work_sizes(CheckedPattern& checked, const Lexicon& lexicon, const Text& tex
   const bool only_first = told > 1 && survey.groups < 2;
   const std::size_t number = only_first ? 1 : std::min(told, most_sizes);
   for (std::size_t i = 0; i < number; ++i) {
-    std::size_t rounds = 0;
-    CheckedSize size = worked(lexicon, text, i, told, 0, rounds);
+    CheckedSize size = worked(lexicon, text, i, told, 0, checked);
     size.name = std::to_string(survey.sizes[i]);
-    if (i == 0) checked.rounds = rounds;
     checked.sizes.push_back(std::move(size));
   }
   if (only_first)
@@ -282,6 +282,7 @@ CheckedPattern checked_world(const Text& text, const Lexicon& lexicon, std::size
   if (survey.sizes.empty()) {
     checked.sizes.push_back(unstarted.run(text.lines, text.atoms, text.physical, 0));
     checked.rounds = unstarted.rounds();
+    if (survey.cast) checked.remark = unstarted.left_over();
   } else {
     work_sizes(checked, lexicon, text, survey);
   }

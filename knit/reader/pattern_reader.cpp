@@ -9,7 +9,6 @@
 #include "knit/pattern/passes.h"
 #include "knit/reader/limbs_reader.h"
 #include "knit/reader/named_rounds.h"
-#include "knit/reader/published_reader.h"
 #include "knit/reader/reader_text.h"
 #include "knit/reader/reader_work.h"
 #include "knit/reader/short_needles.h"
@@ -510,7 +509,7 @@ ReadPattern as_pattern(ReadLimbs limbs) {
 
 ReadPattern read_pattern(std::string_view text) {
   if (has_limb_headings(text)) return as_pattern(read_limbs(text));
-  return has_held_stitches(text) ? read_published(text) : Reader().run(text);
+  return Reader().run(text);
 }
 
 }  // namespace knit

@@ -6,8 +6,8 @@
 // "(k1, m1) 6x", "*k1, m1l; rep from * to end", "..., repeat from *", "rep from * 5 more times"), plain rounds
 // ("Knit.", "K all sts"), short rows (short_needles.h), cast on, bind off, draw through, markers, stated counts "(30 sts)". Other lines are not
 // pattern and are passed over; a line that begins like a round and cannot be read is a mistake. Nothing is repaired.
-// A text with headings of pieces is read by limbs_reader.h, one that puts stitches on holders and takes them again by
-// published_reader.h.
+// A text with headings of pieces is read by limbs_reader.h. This program's own words are read, to the graph of stitches;
+// the world's are checked_pattern.h's.
 #pragma once
 
 #include <string>

@@ -44,7 +44,12 @@ bool names_holder(const Atoms& part) {
 
 std::string name_behind(const Atoms& part, AtomWords words) {
   for (std::size_t i = part.size(); i-- > 0;) {
-    if (is_any(part[i], words)) return world_name(std::span(part).subspan(i + 1));
+    if (!is_any(part[i], words)) continue;
+    std::size_t end = i + 1;
+    while (end < part.size() && part[end].is_word() &&
+           !is_any(part[end], {"on", "onto", "to", "and", "then"}))
+      ++end;
+    return world_name(std::span(part).subspan(i + 1, end - i - 1));
   }
   return "";
 }
@@ -88,6 +93,21 @@ void WorldWorker::begin_piece(std::int64_t stitches) {
   piece.name = section_;
   piece.made = copies_;
   piece.rounds.push_back({line_, stitches});
+}
+
+void WorldWorker::leave_behind() {
+  if (!known_ || needle_.count() < 1) return;
+  left_behind_ += stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") +
+                  " on the needles where line " + std::to_string(line_) + " casts on. ";
+}
+
+std::string WorldWorker::left_over() const {
+  std::string left = left_behind_;
+  if (known_ && has_needle_ && needle_.count() > 0)
+    left += stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") +
+            " on the needles at the end. ";
+  if (!left.empty()) left.pop_back();
+  return left;
 }
 
 void WorldWorker::end_piece(bool held) {
@@ -136,7 +156,7 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   Atoms words = line;
   const WorldCount stated = take_count(words, lexicon_);
   // "RIGHT LEG / Cast on 2 sts. (22 sts)" beside the 20 that are there
-  const bool beside = has_needle_ && known_ && stated.total == needle_.count() + *count;
+  const bool beside = has_needle_ && known_ && stated.total && *stated.total > needle_.count();
   const bool adds = has_needle_ && (!fresh_ || beside);
   if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != *count && section_.empty() &&
       made_.empty()) {
@@ -150,12 +170,16 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
     if (known_) needle_.set(needle_.count() + *count);
     worked();
   } else {
-    if (has_needle_ && !history_.empty()) end_piece(false);
+    if (has_needle_ && !history_.empty()) {
+      leave_behind();
+      end_piece(false);
+    }
     begin_piece(*count);
     next_ = 1;
     any_number_ = false;
     gap_ok_ = true;
     history_.clear();
+    by_number_.clear();
     pending_.clear();
     rule_.reset();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -222,6 +246,22 @@ bool WorldWorker::place_markers(const Atoms& part) {
   return true;
 }
 
+// "Remove marker.", "Remove all markers.": those that stand between stitches; of several, nobody can tell which one.
+bool WorldWorker::remove_markers(const Atoms& part) {
+  if (part.empty() || !is_any(part.front(), {"remove", "removing", "rm"}) || part.size() > 4 || !has_needle_)
+    return false;
+  const bool all = holds_any(part, {"markers", "all", "both", "mkrs"});
+  if ((!all && !part.front().is("rm") && !holds_any(part, {"marker", "m", "mkr"})) ||
+      holds_any(part, {"beg", "beginning", "bor", "round", "rnd", "end"}))
+    return false;
+  run_pending(true);
+  traces_ = false;
+  const std::size_t markers = needle_.left.size() + needle_.right.size() - 2;
+  markers_lost_ = markers_lost_ || (markers > 1 && !all);
+  if (known_) needle_.set(needle_.count());
+  return true;
+}
+
 // "BO all 16 sts", "thread through remaining 6 sts", "fasten off"
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 bool WorldWorker::close(const Atoms& part) {
@@ -267,7 +307,7 @@ bool WorldWorker::close(const Atoms& part) {
     }
   }
   worked();
-  if (number && known_ && *number != needle_.count()) {
+  if (number && known_ && !may_have(*number)) {
     const bool some = holds_any(part, {"at", "next", "beginning", "each"}) && *number < needle_.count() &&
                       !holds_any(part, {"all", "remaining"});
     if (some) {
@@ -309,6 +349,41 @@ WorldHolder* WorldWorker::find_holder(const std::string& name, std::optional<std
   return best;
 }
 
+// "there are no held stitches of the thumb; held are 7 of the first leg (line 4)."
+std::string WorldWorker::none_held(const std::string& name) const {
+  std::string sentence = "there are no held stitches" + (name.empty() ? "" : " of the " + name);
+  std::string there;
+  for (const WorldHolder& holder : holders_) {
+    if (holder.taken || !holder.count) continue;
+    there += (there.empty() ? "; held are " : ", ") + std::to_string(*holder.count) +
+             (holder.name.empty() ? "" : " of the " + holder.name) + " (line " + std::to_string(holder.line) +
+             ")";
+    if (there.size() > 200) break;
+  }
+  return sentence + there + ".";
+}
+
+// Whether a holder has just what is missing: what is said of it; empty: none has.
+std::string WorldWorker::forgotten(std::int64_t missing) {
+  for (WorldHolder& holder : holders_) {
+    if (holder.taken || holder.waste || holder.line == line_ || holder.count != missing) continue;
+    holder.implied = true;
+    return "; " + std::to_string(missing) + (holder.name.empty() ? "" : " of the " + holder.name) +
+           (missing == 1 ? " is" : " are") + " still held (line " + std::to_string(holder.line) + ")";
+  }
+  return "";
+}
+
+// Where one that is told is not there, the others are not blamed as left over.
+void WorldWorker::excuse_holders() {
+  for (WorldHolder& holder : holders_) holder.implied = true;
+}
+
+// After a count that does not hold, the made one is as good as the stated one.
+bool WorldWorker::may_have(std::int64_t stitches) const {
+  return needle_.count() == stitches || alternative_ == stitches;
+}
+
 WorldHands WorldWorker::hands() {
   WorldHands hands;
   hands.hold = [this](const WorldNode& node, std::int64_t count) -> std::string {
@@ -325,8 +400,8 @@ WorldHands WorldWorker::hands() {
     WorldHolder* holder = find_holder(node.name, told);
     if (holder == nullptr) {
       if (broken_) return told;
-      complaint =
-          "there are no held stitches" + (node.name.empty() ? std::string() : " of the " + node.name) + ".";
+      complaint = none_held(node.name);
+      excuse_holders();
       return std::nullopt;
     }
     holder->taken = true;
@@ -400,7 +475,8 @@ bool WorldWorker::take_none(const std::string& name, std::optional<std::int64_t>
     known_ = false;
     return true;
   }
-  wrong("there are no held stitches" + (name.empty() ? "" : " of the " + name) + ".");
+  wrong(none_held(name));
+  excuse_holders();
   if (!has_needle_) begin_piece(0);
   after_trouble(count);
   return true;
@@ -510,7 +586,7 @@ bool WorldWorker::join_ends(const Atoms& part) {
   }
   const bool own = holds_any(part, {"remaining", "rem"}) || other == nullptr;
   if (own) {
-    if (told && known_ && *told != needle_.count() && *told * 2 != needle_.count())
+    if (told && known_ && !may_have(*told) && *told * 2 != needle_.count())
       wrong(stitches_text(*told) + " are to be joined, and " + stitches_text(needle_.count()) +
             " are on the needle.");
   } else {

@@ -84,6 +84,11 @@ bool read_until(PhraseCursor& here, WorldRepeat& repeat) {
   if (here.peek().is_number() && (is_stitches(here.peek(1)) || here.sees({"remain", "rem"}, 1))) {
     repeat.until = here.peek().value;
     here.skip(2);
+    if (here.sees({"between"})) {
+      here.skip();
+      repeat.inner = here.take({"m", "marker", "markers", "mkrs"});
+      return repeat.inner;
+    }
     while (here.take({"remain", "rem", "left", "are", "on", "needle", "needles", "in", "total", "remaining",
                       "have", "been", "reached"})) {
     }
@@ -322,14 +327,20 @@ bool WorldWorker::work_pass(const WorldRepeat& repeat, std::int64_t& left) {
     const bool sound = work_recipe(index, "the repeat", nullptr, 0);
     ++rounds_;
     if (!sound || !known_) return false;
-    if (repeat.until == needle_.count()) return true;  // the last pass may stop after its shaping
+    if (repeat.until == measured(repeat)) return true;  // the last pass may stop after its shaping
   }
   return true;
 }
 
+// The stitches that "until" counts: all, or those between the only two markers.
+std::int64_t WorldWorker::measured(const WorldRepeat& repeat) const {
+  if (!repeat.inner) return needle_.count();
+  return needle_.left.size() == 3 ? needle_.left[1] : 0;
+}
+
 // Whether the needle, begun with `start`, will never have `until` after a pass that found `before`; said where so.
-bool WorldWorker::misses(std::int64_t until, std::int64_t start, std::int64_t before) {
-  const std::int64_t now = needle_.count();
+bool WorldWorker::misses(const WorldRepeat& repeat, std::int64_t start, std::int64_t before) {
+  const std::int64_t now = measured(repeat), until = *repeat.until;
   if (now == before) {
     wrong("the repeat leaves " + stitches_text(before) + ", and never comes to " + std::to_string(until) +
           ".");
@@ -346,9 +357,9 @@ void WorldWorker::work_passes(const WorldRepeat& repeat, std::int64_t start, std
   std::int64_t left = rounds > 0 ? rounds : -1;
   const std::int64_t most = until ? most_passes : passes_of(repeat, rounds);
   for (std::int64_t pass = 0; pass < most; ++pass) {
-    const std::int64_t before = needle_.count();
+    const std::int64_t before = measured(repeat);
     if (until == before || !work_pass(repeat, left)) return;
-    if (until && misses(*until, start, before)) return;
+    if (until && misses(repeat, start, before)) return;
   }
 }
 
@@ -360,20 +371,24 @@ void WorldWorker::do_repeat(const WorldRepeat& repeat, const WorldCount& count, 
   if (!known_ && repeat.until) {
     say(LineVerdict::not_claimed, "");
     WorldCount told;
-    told.total = repeat.until;
+    if (!repeat.inner) told.total = repeat.until;
     return after_trouble(told);
   }
-  const std::int64_t start = known_ ? needle_.count() : 0;
+  if (repeat.inner && needle_.left.size() != 3) {
+    not_understood("the stitches between two markers are told, and where these stand is not known.");
+    return after_trouble(count);
+  }
+  const std::int64_t start = known_ ? measured(repeat) : 0;
   const bool was_wrong = line_is_wrong();
   work_passes(repeat, start, rounds);
   history_.insert(history_.end(), repeat.recipes.begin(), repeat.recipes.end());
-  if (free_shaped && needle_.count() != start) {
+  if (free_shaped && measured(repeat) != start) {
     not_understood("how often it is repeated is told as a length, and the rounds change the stitches.");
     return after_trouble(count);
   }
   if (line_is_wrong() && !was_wrong) {
     WorldCount told = count;
-    if (!told.total) told.total = repeat.until;
+    if (!told.total && !repeat.inner) told.total = repeat.until;
     return after_trouble(told);
   }
   if (!known_) {

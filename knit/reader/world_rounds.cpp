@@ -74,13 +74,6 @@ void WorldWorker::finished_round(Index index, std::int64_t number) {
 
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
 void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
-  if (label.every_from && label.numbers.empty()) {  // "All even rounds: knit"
-    rule_ = Rule{*label.every_from, label.every_step, keep(body, "the even rounds", rows_ && !in_round_)};
-    const WorldRecipe& recipe = recipes_[rule_->recipe];
-    if (!recipe.first.trouble.empty())
-      return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
-    return say(LineVerdict::holds, "");
-  }
   const std::int64_t first = label.numbers.front().first;
   std::int64_t rounds = 0;
   for (const auto& [from, to] : label.numbers) rounds += to - from + 1;
@@ -106,15 +99,17 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
       for (std::int64_t number = from; number <= to; ++number)
         pending_[number] = {index, number == label.numbers.back().second};
     }
-    if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index};
+    if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
     return;
   }
   const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
   const bool restart = begins_again || (gap_ok_ && history_.empty());
+  if (begins_again && first == 1) by_number_.clear();  // of what was worked before
   if (restart || (any_number_ && first != next_)) {
     const std::optional<Rule> rule = rule_;
+    const bool is_new = rule && rule->told_after == history_.size();
     run_pending(true);
-    if (history_.empty()) rule_ = rule;
+    if (is_new) rule_ = rule;
     const bool ahead = (label.every_from || label.numbers.size() > 1) && first > 1 && history_.empty();
     const bool skipped = !ahead && gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
     if (skipped) wrong(name + " first, and Rnd 1 is missing; if the cast on is Rnd 1, its line must say so.");
@@ -156,20 +151,23 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
     for (std::int64_t number = from; number <= to; ++number)
       pending_[number] = {index, number == label.numbers.back().second};
   }
-  if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index};
+  if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
   run_pending(false);
   if (!recipes_[index].first.trouble.empty())
     not_understood(recipes_[index].first.trouble, recipes_[index].first.at, recipes_[index].first.length);
 }
 
+// "All even rounds: knit"
+void WorldWorker::tell_rule(const WorldLabel& label, const Atoms& body) {
+  const Index index = keep(body, "the even rounds", rows_ && !in_round_);
+  rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
+  const WorldRound& round = recipes_[index].first;
+  if (!round.trouble.empty()) return not_understood(round.trouble, round.at, round.length);
+  say(LineVerdict::holds, "");
+}
+
 void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
-  if (label.every_from) {
-    rule_ = Rule{*label.every_from, label.every_step, keep(body, "the even rounds", rows_ && !in_round_)};
-    const WorldRecipe& recipe = recipes_[rule_->recipe];
-    if (!recipe.first.trouble.empty())
-      return not_understood(recipe.first.trouble, recipe.first.at, recipe.first.length);
-    return say(LineVerdict::holds, "");
-  }
+  if (label.every_from) return tell_rule(label, body);
   run_pending(true);
   Atoms copy = body;
   const WorldCount count = take_count(copy, lexicon_);
@@ -217,8 +215,47 @@ bool moves_held(const std::vector<WorldNode>& nodes) {
 
 }  // namespace
 
-// Where markers stood is lost with the stitches.
+// Holders that a wrong line would have filled behind the place where it went wrong: nobody can tell with how many.
+void WorldWorker::hold_unreached(const WorldRound& round, std::size_t held_before) {
+  std::size_t reached = holders_.size() - held_before;
+  for (const WorldNode& node : round.nodes) {
+    if (node.kind != WorldNode::Kind::hold) continue;
+    if (reached > 0) {
+      --reached;
+      continue;
+    }
+    WorldHolder holder;
+    holder.name = node.name;
+    holder.line = line_;
+    holders_.push_back(holder);
+  }
+}
+
+// "Knit across the 12 sts of the second leg, knit across the 12 held sts of the first leg": those of the second are on
+// the needle.
+WorldRound WorldWorker::with_live_ones(const WorldRound& round) const {
+  using Kind = WorldNode::Kind;
+  WorldRound live = round;
+  const bool works = std::any_of(live.nodes.begin(), live.nodes.end(), [](const WorldNode& node) {
+    return node.kind != Kind::take && node.kind != Kind::add;
+  });
+  if (works || !has_needle_ || !known_ || needle_.count() < 1) return live;
+  const auto first = std::find_if(live.nodes.begin(), live.nodes.end(), [&](const WorldNode& node) {
+    return node.kind == Kind::take && node.live && node.times == needle_.count();
+  });
+  if (first == live.nodes.end()) return live;
+  first->kind = Kind::stitch;
+  first->takes = first->makes = 1;
+  return live;
+}
+
+void WorldWorker::doubt_holders() {
+  for (std::size_t i = holders_.size(); i-- > 0 && holders_[i].line == line_;) holders_[i].count.reset();
+}
+
+// Where markers stood is lost with the stitches, and how many a wrong line put on holders nobody can tell.
 void WorldWorker::after_trouble(const WorldCount& count) {
+  doubt_holders();
   markers_lost_ = markers_lost_ || needle_.marked;
   alternative_.reset();
   known_ = count.total && *count.total >= 0 && *count.total <= most_value;
@@ -262,6 +299,19 @@ bool WorldWorker::on_unknown(const WorldRecipe& recipe, const std::string& name,
   say(LineVerdict::not_claimed, "");
   if (known_) out_.lines[line_ - 1].stitches = needle_.count();
   return true;
+}
+
+// A round that states nothing may have been worked on the other count too, which then may still be the right one.
+void WorldWorker::keep_alternative(Index index, const WorldCount& said) {
+  const WorldRound& round = recipes_[index].first;
+  if (!alternative_ || said.total || said.change || round.choice || moves_held(round.nodes)) {
+    alternative_.reset();
+    return;
+  }
+  WorldNeedle other;
+  other.set(*alternative_);
+  alternative_.reset();
+  if (work_on(other, round.nodes, recipes_[index].flat, {}, budget_).sound()) alternative_ = other.count();
 }
 
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
@@ -337,7 +387,8 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     if (needle_.count() > most_value / 2) outcome.unknown = "more stitches than can be worked.";
     return outcome.sound() && settle_count(name, there, said, nth, false, why);
   };
-  bool done = attempt(recipes_[index].first, before);
+  const WorldRound worked_round = moves ? with_live_ones(recipes_[index].first) : WorldRound{};
+  bool done = attempt(moves ? worked_round : recipes_[index].first, before);
   std::string first_why = why;
   WorldOutcome first = outcome;
   const WorldNeedle made = needle_;
@@ -363,7 +414,7 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
     }
   }
   if (done) {
-    alternative_.reset();
+    keep_alternative(index, said);
     worked();
     if (!out_.pieces.empty()) out_.pieces.back().rounds.push_back({line_, needle_.count()});
     return true;
@@ -378,10 +429,12 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   if (!first.wrong.empty()) {
     const bool bare = first.wrong.starts_with("leaves ");
     wrong(name + (bare ? " " : ": ") + first.wrong, first.at, first.length);
+    if (moves) hold_unreached(recipes_[index].first, held.size());
     after_trouble(said);
     return false;
   }
   wrong(first_why);
+  doubt_holders();
   const std::int64_t came = made.count();
   if (said.total) needle_.set(*said.total);
   if (said.total) alternative_ = came;

@@ -365,8 +365,8 @@ void WorldWorker::sentence(Atoms part, const Atoms& line) {
     alone.insert(alone.begin(), {Atom::Kind::mark, ".", 0, part.front().at, 0, false});
     if (take_count(alone, lexicon_).total && alone.empty()) return check_after(count);
   }
-  if (cast_on(copy, line) || place_markers(copy) || join_ends(copy) || close(copy) || as_before(copy) ||
-      hold_all(copy, count) || take_all(copy, count) || pick_up(copy, count)) {
+  if (cast_on(copy, line) || place_markers(copy) || remove_markers(copy) || join_ends(copy) || close(copy) ||
+      as_before(copy) || hold_all(copy, count) || take_all(copy, count) || pick_up(copy, count)) {
     last_was_note_ = false;
     return;
   }
@@ -434,9 +434,14 @@ void WorldWorker::check_after(const WorldCount& count) {
     worked();
     return;
   }
-  if (needle_.count() == *count.total) return worked();
+  if (may_have(*count.total)) {
+    if (needle_.count() != *count.total) needle_.set(*count.total);
+    return worked();
+  }
+  doubt_holders();
   wrong(stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") +
-        " on the needle, the line says " + std::to_string(*count.total) + ".");
+        " on the needle, the line says " + std::to_string(*count.total) +
+        forgotten(*count.total - needle_.count()) + ".");
   alternative_ = needle_.count();
   needle_.set(*count.total);
 }

@@ -40,6 +40,7 @@ struct WorldRepeat {
   std::vector<std::size_t> recipes;
   std::int64_t times = 1;
   std::optional<std::int64_t> until;
+  bool inner = false;        // `until` counts those between two markers
   bool free = false;         // until a length is reached
   std::int64_t between = 0;  // plain rounds before each
 };
@@ -59,6 +60,8 @@ class WorldWorker {
   [[nodiscard]] std::size_t rounds() const { return rounds_; }
   [[nodiscard]] std::optional<std::int64_t> stitches_left() const { return last_count_; }
   [[nodiscard]] bool ends() const { return closed_once_; }
+  // What stays on the needles where another piece begins, and at the end, in sentences; empty: nothing that is known.
+  [[nodiscard]] std::string left_over() const;
   // Ends at the first line that does not hold: for a start that is only tried.
   void stop_at_trouble() { only_tried_ = true; }
   // Of a text that was worked without a start: whether its first rounds, one after the other, could be worked on `start`
@@ -103,11 +106,14 @@ class WorldWorker {
   void run_pending(bool all);
   [[nodiscard]] bool in_rule(std::int64_t number) const;
   void named_round(const WorldLabel& label, const Atoms& body);
+  void tell_rule(const WorldLabel& label, const Atoms& body);
   bool work_recipe(Index index, const std::string& name, const WorldCount* count, std::size_t nth);
   bool on_unknown(const WorldRecipe& recipe, const std::string& name, const WorldCount* count);
   bool settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth,
                     bool quiet, std::string& why);
   void after_trouble(const WorldCount& count);
+  void keep_alternative(Index index, const WorldCount& said);
+  void doubt_holders();
   void finished_round(Index index, std::int64_t number);
   std::optional<WorldRepeat> repeat_in(const Atoms& line, bool& trouble);
   std::optional<std::vector<Index>> recipes_in(const Atoms& line, std::size_t& at);
@@ -117,7 +123,10 @@ class WorldWorker {
   void do_repeat(const WorldRepeat& repeat, const WorldCount& count, std::int64_t rounds);
   void work_passes(const WorldRepeat& repeat, std::int64_t start, std::int64_t rounds);
   bool work_pass(const WorldRepeat& repeat, std::int64_t& left);
-  bool misses(std::int64_t until, std::int64_t start, std::int64_t before);
+  bool misses(const WorldRepeat& repeat, std::int64_t start, std::int64_t before);
+  [[nodiscard]] std::int64_t measured(const WorldRepeat& repeat) const;
+  void hold_unreached(const WorldRound& round, std::size_t held_before);
+  [[nodiscard]] WorldRound with_live_ones(const WorldRound& round) const;
   [[nodiscard]] bool line_is_wrong() const {
     return line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::does_not_add_up;
   }
@@ -145,10 +154,16 @@ class WorldWorker {
   bool join_ends(const Atoms& part);
   bool as_before(const Atoms& part);
   bool place_markers(const Atoms& part);
+  bool remove_markers(const Atoms& part);
   void begin_piece(std::int64_t stitches);
   void end_piece(bool held);
+  void leave_behind();
   void check_after(const WorldCount& count);
   WorldHolder* find_holder(const std::string& name, std::optional<std::int64_t> count);
+  [[nodiscard]] std::string none_held(const std::string& name) const;
+  void excuse_holders();
+  std::string forgotten(std::int64_t missing);
+  [[nodiscard]] bool may_have(std::int64_t stitches) const;
   WorldHands hands();
   void finish();
   void trace(Index index, const WorldCount& said, std::size_t nth);
@@ -165,6 +180,7 @@ class WorldWorker {
   bool has_needle_ = false, known_ = false, ever_cast_on_ = false, tells_ = false, in_round_ = false,
        rows_ = false;
   bool closed_ = false, broken_ = false, closed_once_ = false;
+  std::string left_behind_;  // on the needles when another piece began
   std::optional<std::int64_t> last_count_;
   std::size_t closed_line_ = 0;
   std::optional<std::int64_t> alternative_;
@@ -197,6 +213,7 @@ class WorldWorker {
   struct Rule {
     std::int64_t from = 2, step = 2;
     Index recipe = 0;
+    std::size_t told_after = 0;  // rounds that were worked before it was told
   };
   std::optional<Rule> rule_;
   std::int64_t next_ = 1;

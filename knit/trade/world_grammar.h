@@ -39,6 +39,7 @@ struct WorldNode {
   std::string name;                // of a holder
   bool next = false;               // up to the next marker, past one that is here
   bool plain = false;              // knit or purl without a number
+  bool live = false;               // taken, but not told to be held: they may be on the needle already
   bool vague = false;              // "inc"
   bool numbered = false;           // "k1", not "k"
   std::size_t at = 0, length = 0;  // bytes of the line

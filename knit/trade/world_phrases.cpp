@@ -105,6 +105,21 @@ std::span<const Atom> behind(std::span<const Atom> part, AtomWords words) {
   return {};
 }
 
+// "k across the 8 held arm sts": the name before the first stitches told.
+std::string name_before_stitches(std::span<const Atom> part) {
+  std::size_t end = 0;
+  while (end < part.size() && !is_stitches(part[end])) ++end;
+  if (end == part.size()) return "";
+  std::size_t begin = end;
+  while (
+      begin > 0 && part[begin - 1].is_word() &&
+      !is_any(part[begin - 1], {"k",     "knit", "p",         "purl",   "work",    "across",  "over", "held",
+                                "live",  "next", "remaining", "rem",    "resting", "waiting", "all",  "these",
+                                "those", "from", "of",        "holder", "other",   "same"}))
+    --begin;
+  return world_name(part.subspan(begin, end - begin));
+}
+
 std::optional<WorldNode> held(PhraseCursor& at) {
   const std::span<const Atom> part = at.part();
   if (part.empty()) return std::nullopt;
@@ -125,6 +140,8 @@ std::optional<WorldNode> held(PhraseCursor& at) {
     std::span<const Atom> name = behind(part, {"of", "from"});
     if (holds_any(name, {"of"})) name = behind(name, {"of"});
     node.name = world_name(name);
+    if (node.name.empty()) node.name = name_before_stitches(part);
+    node.live = !holds_any(part, {"held", "holder", "resting", "waiting"});
   } else {
     return std::nullopt;
   }
