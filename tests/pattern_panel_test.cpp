@@ -1,4 +1,6 @@
 // The written pattern in its panel: what is lit, what is hovered, what is typed.
+#include <algorithm>
+
 #include "app/files/pattern_export.h"
 #include "app/panels/dialogs/file_dialogs.h"
 #include "app/panels/pattern/chart_cache.h"
@@ -103,25 +105,22 @@ TEST_CASE("lines stand one below the other, and a round finds its own") {
 }
 
 TEST_CASE("a line of the pattern ends at a blank, never within a number or between it and its unit") {
-  Desk desk;
-  show_pattern(desk);
-  const knit::WrittenPattern& pattern = desk.ui.own<ChartCache>().pattern();
-  std::string whole;
-  for (const PatternLine& line : lines_of(pattern)) whole += line.words + " ";
-  std::replace(whole.begin(), whole.end(), '\n', ' ');
   std::size_t ends = 0;
-  for (const float width : {230.0f, 260.0f, 290.0f, 320.0f}) {
-    PatternLayout layout;
-    desk.frame();
-    layout.refresh(pattern, nullptr, 1, width, Fonts{}, 1.0f);
+  for (const float width : {700.0f, 900.0f, 1280.0f, 1920.0f}) {
+    Desk desk(width, 960, 1, KNIT_ASSETS_DIR "/fonts");
+    show_pattern(desk);
+    const knit::WrittenPattern& pattern = desk.ui.own<ChartCache>().pattern();
+    std::string whole;
+    for (const PatternLine& line : lines_of(pattern)) whole += line.words + " ";
     std::string words;
-    for (const auto& placed : layout.lines()) {
-      words += placed.line.words + " ";
-      ends += static_cast<std::size_t>(std::count(placed.line.words.begin(), placed.line.words.end(), '\n'));
-      CHECK(placed.line.words.find("\n%") == std::string::npos);
-      CHECK(placed.line.words.find("\ncm") == std::string::npos);
+    for (const auto& placed : desk.ui.own<PatternView>().layout.lines()) {
+      const std::string& line = placed.line.words;
+      words += line + " ";
+      ends += static_cast<std::size_t>(std::count(line.begin(), line.end(), '\n'));
+      CHECK(line.find("\n%") == std::string::npos);
+      CHECK(line.find("\ncm") == std::string::npos);
     }
-    std::replace(words.begin(), words.end(), '\n', ' ');
+    for (std::string* text : {&whole, &words}) std::replace(text->begin(), text->end(), '\n', ' ');
     CHECK(words == whole);
   }
   CHECK(ends > 20);

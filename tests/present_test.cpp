@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <cmath>
 
 #include "app/actions/pinned_session.h"
 #include "app/compare/beside_words.h"
@@ -62,6 +63,24 @@ TEST_CASE("page keys step, and a press on the thin timeline goes there") {
   apply(desk.session, Present{});
   lay_out_again(desk, 1280, 720, 2);
   CHECK(count_of<SeekTo>(desk.click("track", 0.9f)) > 0);
+}
+
+TEST_CASE("while presenting a ring follows the pointer, unless it is put away") {
+  Desk desk(1280, 720, 2);
+  desk.open();
+  const auto ring = [&](float x, float y) {
+    desk.frame({MouseMove{x, y}});
+    desk.frame();
+    const ImVector<ImDrawVert>& drawn = ImGui::GetForegroundDrawList()->VtxBuffer;
+    return drawn.Size > 0 && std::abs(drawn[0].pos.x - x) < 100.0f && std::abs(drawn[0].pos.y - y) < 100.0f;
+  };
+  CHECK_FALSE(ring(300.0f, 200.0f));
+  apply(desk.session, Present{});
+  lay_out_again(desk, 1280, 720, 2);
+  CHECK(ring(300.0f, 200.0f));
+  CHECK(ring(700.0f, 300.0f));
+  desk.session.view->ring = false;
+  CHECK_FALSE(ring(300.0f, 200.0f));
 }
 
 TEST_CASE("presenting, boxes do not overlap and fill the window, with a lesson and with two halves") {

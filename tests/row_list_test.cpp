@@ -199,6 +199,7 @@ TEST_CASE(
   desk.session.document->timeline.extend_to_end();
   desk.session.view->list = RunList::problems;
   desk.session.view->breaks = {std::get<knit::BreakCondition>(knit::parse_break("stall"))};
+  desk.act({ToLast{}});
   desk.settle();
   CHECK(desk.ui.controls.at("problems/summary").height > 1.5f * ImGui::GetTextLineHeight());
   CHECK(desk.ui.controls.at("list").right() <= desk.layout.explanation.right() - 9.5f);
