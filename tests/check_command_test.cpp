@@ -25,7 +25,8 @@ Answer answered(const std::vector<std::string>& words) {
 TEST_CASE("check says that every count holds") {
   const Answer answer = check_text(good, "ball");
   CHECK(answer.exit_code == 0);
-  CHECK(answer.out == "3 rounds; 4 lines worked, 0 not understood, 0 without instructions: every count holds.\n");
+  CHECK(answer.out ==
+        "3 rounds; 4 lines worked, 0 not understood, 0 without instructions: every count holds.\n");
   CHECK(answer.error.empty());
 }
 
@@ -50,6 +51,69 @@ TEST_CASE("check says which line and word it does not understand with an exit co
   CHECK(told["verdict"] == "not understood");
   CHECK(told["sizes"][0]["lines"][1]["at"] == 7);
   CHECK(told["sizes"][0]["lines"][0]["stitches"] == 6);
+}
+
+namespace {
+
+nlohmann::json told_of(const std::string& text, int exit_code) {
+  const Answer answer = check_text(text, "ball", CheckForm::json);
+  CHECK(answer.exit_code == exit_code);
+  CHECK(answer.error.empty());
+  return nlohmann::json::parse(answer.out);
+}
+
+}  // namespace
+
+TEST_CASE("check --json: a pattern that holds has each line and each round of its pieces") {
+  const auto told = told_of("Ball\n" + good, 0);
+  CHECK(told["verdict"] == "holds");
+  CHECK(told["worked"] == 4);
+  CHECK(told["not_understood"] == 0);
+  CHECK(told["no_instructions"] == 1);
+  CHECK(told["rounds"] == 3);
+  REQUIRE(told["sizes"].size() == 1);
+  const auto& size = told["sizes"][0];
+  CHECK(size["name"] == "");
+  CHECK(size["verdict"] == "holds");
+  CHECK(size["lines"][0]["verdict"] == "no instruction");
+  CHECK_FALSE(size["lines"][0].contains("stitches"));
+  CHECK(size["lines"][2] == nlohmann::json({{"line", 3}, {"verdict", "holds"}, {"stitches", 12}}));
+  REQUIRE(size["pieces"].size() == 1);
+  CHECK(size["pieces"][0]["name"] == "ball");
+  CHECK(size["pieces"][0]["made"] == 1);
+  CHECK(size["pieces"][0]["flat"] == false);
+  std::vector<int> stitches;
+  for (const auto& round : size["pieces"][0]["rounds"]) stitches.push_back(round["stitches"].get<int>());
+  CHECK(stitches == std::vector{6, 12, 12, 12});
+}
+
+TEST_CASE("check --json: what is wrong has its line and sentence and what is left is a remark") {
+  const auto told = told_of("CO 6 sts.\nRnd 1: [K1, m1l] 6 times. (13 sts)\n", 1);
+  CHECK(told["verdict"] == "does not add up");
+  CHECK(told["sizes"][0]["lines"][1]["line"] == 2);
+  CHECK(told["sizes"][0]["lines"][1]["sentence"] == "line 2: Rnd 1 makes 12 stitches, the line says 13.");
+  CHECK(told_of("CO 6 sts.\nRnd 1: Knit.\n", 0)["remark"] == "6 stitches are on the needles at the end.");
+}
+
+TEST_CASE("check --json: each size has its own verdict") {
+  const auto told =
+      told_of("CO 20 (24) sts.\nRnd 1: [K8 (10), k2tog] 2 times. 18 (23) sts.\nBO 18 (23) sts.\n", 1);
+  REQUIRE(told["sizes"].size() == 2);
+  CHECK(told["sizes"][0]["name"] == "20");
+  CHECK(told["sizes"][0]["verdict"] == "holds");
+  CHECK(told["sizes"][1]["name"] == "24");
+  CHECK(told["sizes"][1]["verdict"] == "does not add up");
+}
+
+TEST_CASE("check --json: several pieces are told apart") {
+  const auto told =
+      told_of("Head\nCO 6 sts.\nRnd 1: Knit.\nBO.\nLegs (make 2)\nCO 8 sts.\nRow 1: Knit.\nBO.\n", 0);
+  const auto& pieces = told["sizes"][0]["pieces"];
+  REQUIRE(pieces.size() == 2);
+  CHECK(pieces[1]["name"] == "legs");
+  CHECK(pieces[1]["made"] == 2);
+  CHECK(pieces[1]["flat"] == true);
+  CHECK(pieces[1]["rounds"][0] == nlohmann::json({{"line", 6}, {"stitches", 8}}));
 }
 
 TEST_CASE("check refuses what is no pattern or cannot be read") {

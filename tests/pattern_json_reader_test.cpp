@@ -352,3 +352,27 @@ TEST_CASE("json reader: check works out a pattern's JSON") {
         "pieces[1].rounds[0]: 6 stitches are on the needle, \"before\" says 7.\n"
         "1 round read, 12 stitches cast on, 18 stitches in all: 1 mistake.\n");
 }
+
+TEST_CASE("pattern JSON: check --json answers in the shape of written patterns") {
+  const auto told = [](const json& pattern) {
+    return json::parse(app::check_text(pattern.dump(), "legs.json", app::CheckForm::json).out);
+  };
+  const json sound = told(two_legs());
+  CHECK(sound["verdict"] == "holds");
+  CHECK(sound["rounds"] == 3);
+  CHECK(sound["sizes"][0]["lines"].empty());
+  json wrong = two_legs();
+  wrong["pieces"][1]["rounds"][0]["before"] = 7;
+  CHECK(app::check_text(wrong.dump(), "legs.json", app::CheckForm::json).exit_code == 1);
+  const json answer = told(wrong);
+  CHECK(answer["verdict"] == "does not add up");
+  CHECK(answer["sizes"][0]["verdict"] == "does not add up");
+  CHECK(answer["sizes"][0]["lines"][0]["sentence"] ==
+        "pieces[1].rounds[0]: 6 stitches are on the needle, \"before\" says 7.");
+  const json written =
+      json::parse(app::check_text("CO 6 sts.\nRnd 1: Knit.\n", "ball", app::CheckForm::json).out);
+  json keys = json::array(), own = json::array();
+  for (const auto& [key, value] : written.items()) keys.push_back(key);
+  for (const auto& [key, value] : answer.items()) own.push_back(key);
+  CHECK(own == keys);
+}

@@ -6,6 +6,7 @@
 #include "knit/model/stitch_size.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/written_pattern.h"
+#include "knit/reader/checked_pattern.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/run/timeline.h"
 #include "knit/stitches/placement.h"
@@ -26,7 +27,16 @@ void check_reads_back(const std::string& text, const KnitGraph& graph) {
   CHECK(graph_of(read.rounds) == graph);
 }
 
-void check_round_trip(const State& state, const Gauge& gauge) {
+// The checker works the same text to counts alone: it holds there too, and has as many rounds.
+void check_counts(const std::string& text, const KnitGraph& graph) {
+  const CheckedPattern checked = check_pattern(text);
+  CHECK(checked.verdict == PatternVerdict::holds);
+  CHECK(checked.not_understood == 0);
+  CHECK(checked.rounds + 1 == graph.rows.size());
+  CHECK(checked.remark == "");
+}
+
+void check_round_trip(const State& state, const Gauge& gauge, bool counts = false) {
   const Rounds rounds = rounds_of(state);
   const KnitGraph graph = graph_of(state);
   CHECK(graph_of(rounds) == graph);
@@ -37,7 +47,12 @@ void check_round_trip(const State& state, const Gauge& gauge) {
     options.markers = stars;
     const WrittenPattern pattern = write_pattern(rounds, gauge, options, "piece");
     check_reads_back(pattern_as_text(pattern) + chart_as_text(chart), graph);
+    if (counts) check_counts(pattern_as_text(pattern) + chart_as_text(chart), graph);
     if (stars) continue;
+    if (counts) {
+      check_counts(pattern_as_markdown(pattern) + chart_as_markdown(chart), graph);
+      check_counts(app::pattern_html(pattern, chart), graph);
+    }
     check_reads_back(pattern_as_markdown(pattern) + chart_as_markdown(chart), graph);
     check_reads_back(app::pattern_html(pattern, chart), graph);
   }
@@ -82,7 +97,7 @@ TEST_CASE("round trip: every shape, placement and row source comes back from its
         Timeline timeline(input, parameters);
         timeline.extend_to_end();
         REQUIRE(timeline.furthest().finished());
-        check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge);
+        check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge, true);
       }
     }
   }
@@ -144,5 +159,5 @@ TEST_CASE("the thesis sphere's pattern casts on 6 and has a round for each of it
   CHECK(rounds.cast_on == 6);
   CHECK(rounds.rounds.size() == 63);
   CHECK(rounds.last_count() == 6);
-  check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge);
+  check_round_trip(timeline.furthest(), timeline.parameters().stitch.gauge, true);
 }

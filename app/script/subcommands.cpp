@@ -109,11 +109,30 @@ Answer cannot_read(const std::string& name, const std::string& why) {
   return {exit_usage, "", "check: cannot read " + name + ": " + why + "."};
 }
 
-// Of this program's JSON: mistakes have places, not lines.
-Answer json_answer(const knit::ReadPattern& read) {
+// Of this program's JSON, in the same shape: mistakes have places, which their sentences tell, and no lines.
+std::string json_text(const knit::ReadPattern& read, std::string_view verdict) {
+  nlohmann::json lines = nlohmann::json::array();
+  for (const knit::PatternMistake& mistake : read.mistakes)
+    lines.push_back({{"verdict", verdict}, {"sentence", mistake.sentence}});
+  nlohmann::json size{
+      {"name", ""}, {"verdict", verdict}, {"lines", std::move(lines)}, {"pieces", nlohmann::json::array()}};
+  const nlohmann::json all{{"verdict", verdict},
+                           {"worked", read.rounds_read},
+                           {"not_understood", 0},
+                           {"no_instructions", 0},
+                           {"rounds", read.rounds_read},
+                           {"remark", ""},
+                           {"sizes", nlohmann::json::array({std::move(size)})}};
+  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Answer json_answer(const knit::ReadPattern& read, CheckForm form) {
+  const auto verdict =
+      read.mistakes.empty() ? knit::PatternVerdict::holds : knit::PatternVerdict::does_not_add_up;
+  if (form == CheckForm::json) return {exit_of(verdict), json_text(read, name_of(verdict)), ""};
   std::string out;
   for (const knit::PatternMistake& mistake : read.mistakes) out += mistake.sentence + "\n";
-  return {read.mistakes.empty() ? exit_done : 1, out + summary_of(read) + "\n", ""};
+  return {exit_of(verdict), out + summary_of(read) + "\n", ""};
 }
 
 }  // namespace
@@ -126,7 +145,7 @@ Answer check_text(std::string_view text, const std::string& name, CheckForm form
     auto* limbs = std::get_if<knit::ReadLimbs>(&json);
     const knit::ReadPattern read =
         limbs != nullptr ? knit::as_pattern(std::move(*limbs)) : std::get<knit::ReadPattern>(std::move(json));
-    if (read.rounds_read > 0 || !read.mistakes.empty()) return json_answer(read);
+    if (read.rounds_read > 0 || !read.mistakes.empty()) return json_answer(read, form);
   }
   const knit::CheckedPattern checked = knit::check_pattern(text);
   if (!checked.is_pattern) {

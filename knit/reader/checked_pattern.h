@@ -75,6 +75,10 @@ struct CheckedPattern {
   friend bool operator==(const CheckedPattern&, const CheckedPattern&) = default;
 };
 
+// This program's own words are worked to the graph of stitches where they tell pieces or short rows. Those of one tube are
+// held to their counts here as the world's are; that they lead to the very graph is read_pattern's to hold, which the round
+// trips of tests do for each form (words and short form, stars, Markdown, page, knitspeak).
+//
 // Any text: plain, Markdown, HTML or knitspeak, of this program or of the world. O(tokens and stitches).
 CheckedPattern check_pattern(std::string_view text);
 

@@ -45,6 +45,8 @@ struct WorldRepeat {
   std::int64_t between = 0;  // plain rounds before each
 };
 
+inline constexpr std::int64_t most_passes = 100'000;  // through rounds that are repeated
+
 class PhraseCursor;
 
 class WorldWorker {
