@@ -8,10 +8,14 @@
 #include "knit/quality/measures.h"
 #include "knit/quality/quality.h"
 #include "knit/run/machine.h"
+#include "knit/run/short_rows_due.h"
+#include "knit/run/timeline.h"
 #include "knit/stitches/short_join.h"
 #include "tests/support/bent_ellipsoid.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 #include "tests/support/run.h"
+#include "tests/support/scrub.h"
 
 using namespace knit;
 using test_support::bent_ellipsoid;
@@ -140,4 +144,79 @@ TEST_CASE("a run with short rows is the same from any of its states on", "[short
     while (again.stage() < Stage::settle) advance(*input, parameters, again);
     CHECK(hash_of(again) == hash_of(state));
   }
+}
+
+TEST_CASE("a choice of short rows that was made for another stitch is made anew", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  State state;
+  while (!state.short_rows.kept) advance(*input, parameters, state);
+  CHECK(*state.short_rows.kept == 0);
+  const double width = parameters.stitch.width;
+  give_width(parameters, 1.2 * width);
+  parameters = resolved(parameters, *input);
+  CHECK(get_if<KeptTried>(advance(*input, parameters, state)) != nullptr);
+  CHECK(state.short_rows.tries.size() == 1);
+  while (state.fabric.empty()) advance(*input, parameters, state);
+  CHECK(rows_beside_events(parameters, state) == 0);
+  // Once there is fabric it stays as it was, and says nothing of tubes to come.
+  give_width(parameters, width);
+  parameters = resolved(parameters, *input);
+  CHECK(rows_beside_events(parameters, state) == no_short_rows);
+  CHECK(get_if<KeptTried>(advance(*input, parameters, state)) == nullptr);
+}
+
+TEST_CASE("short rows are chosen without settling where stitches are not to settle", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  parameters.settle.settling = Settling::off;
+  State state;
+  while (state.stage() < Stage::cast_on) advance(*input, parameters, state);
+  const Step step = advance(*input, parameters, state);
+  const auto* chosen = get_if<KeptChosen>(step);
+  REQUIRE(chosen != nullptr);
+  CHECK(chosen->by == ChosenBy::unsettled);
+  CHECK(chosen->kept == 0);
+  CHECK(chosen->pairs >= 2);
+  CHECK(state.short_rows.tries.empty());
+  CHECK(chosen->sentence({state.next, parameters}).find("because stitches are not to settle") !=
+        std::string::npos);
+  while (state.stage() <= Stage::rows) advance(*input, parameters, state);
+  CHECK(short_rows_in(state) == 2 * chosen->pairs);
+}
+
+TEST_CASE("a change of how stitches settle chooses short rows anew", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Parameters before = parameters_of(*input, ShortRows::automatic), after = before;
+  after.settle.wale = 0.5;
+  CHECK(first_reader_of_change(before, after) == Stage::tubes);
+  before.short_rows.kept = after.short_rows.kept = KeptBeside::none;  // nothing is left to choose
+  CHECK(first_reader_of_change(before, after) == Stage::settle);
+  before.short_rows = after.short_rows = {};
+  CHECK(first_reader_of_change(before, after) == Stage::settle);
+}
+
+TEST_CASE("a chart that the choice was made by is not made again", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  const Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  State state;
+  while (!state.short_rows.kept) advance(*input, parameters, state);
+  REQUIRE(state.short_rows.ahead.size() == 1);
+  while (state.short_rows.tubes.empty()) advance(*input, parameters, state);
+  const PlannedPairs &ahead = *state.short_rows.ahead.front(), &planned = *state.short_rows.tubes.front();
+  CHECK(planned.chart.pointer() == ahead.chart.pointer());
+  CHECK(planned.search == ahead.search);
+}
+
+TEST_CASE("a run with short rows is gone through in every way", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Parameters parameters = parameters_of(*input, ShortRows::automatic);
+  give_width(parameters, 0.55);
+  give_height(parameters, 0.55);
+  Timeline timeline(input, resolved(parameters, *input));
+  timeline.extend_to_end();
+  REQUIRE(timeline.furthest().short_rows.kept == 0);
+  const std::vector<std::uint64_t> hashes = test_support::hashes_forward(timeline);
+  test_support::check_backward(timeline, hashes);
+  test_support::check_at_random(timeline, hashes, test_support::repeated(40));
 }

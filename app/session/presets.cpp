@@ -13,21 +13,23 @@ constexpr std::array thesis_settings{
     PresetSetting{"cast-on", "6"},        PresetSetting{"metric", "euclidean"},
     PresetSetting{"last-anchor", "keep"}, PresetSetting{"close", "thesis"},
     PresetSetting{"placement", "thesis"}, PresetSetting{"settle", "off"},
+    PresetSetting{"short-rows", "off"},
 };
 constexpr std::array best_settings{
     PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "mesh"},
     PresetSetting{"stitch-height", "auto"}, PresetSetting{"rows", "contours"},
     PresetSetting{"cast-on", "auto"},       PresetSetting{"counts", "whole"},
-    PresetSetting{"placement", "nearest"},  PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},   PresetSetting{"settle", "auto"},
-};
-constexpr std::array gauge_settings{
-    PresetSetting{"timing", "arc-length"},  PresetSetting{"sizes", "gauge"},
-    PresetSetting{"gauge", "22,32"},        PresetSetting{"height-cm", "12"},
-    PresetSetting{"rows", "contours"},      PresetSetting{"cast-on", "auto"},
-    PresetSetting{"counts", "whole"},       PresetSetting{"placement", "nearest"},
+    PresetSetting{"short-rows", "auto"},    PresetSetting{"placement", "nearest"},
     PresetSetting{"stacking-penalty", "0"}, PresetSetting{"follow-mains", "off"},
     PresetSetting{"settle", "auto"},
+};
+constexpr std::array gauge_settings{
+    PresetSetting{"timing", "arc-length"}, PresetSetting{"sizes", "gauge"},
+    PresetSetting{"gauge", "22,32"},       PresetSetting{"height-cm", "12"},
+    PresetSetting{"rows", "contours"},     PresetSetting{"cast-on", "auto"},
+    PresetSetting{"counts", "whole"},      PresetSetting{"short-rows", "off"},
+    PresetSetting{"placement", "nearest"}, PresetSetting{"stacking-penalty", "0"},
+    PresetSetting{"follow-mains", "off"},  PresetSetting{"settle", "auto"},
 };
 constexpr std::array hand_settings{
     PresetSetting{"timing", "arc-length"},   PresetSetting{"sizes", "gauge"},
@@ -35,8 +37,9 @@ constexpr std::array hand_settings{
     PresetSetting{"rows", "contours"},       PresetSetting{"cast-on", "auto"},
     PresetSetting{"counts", "rhythm"},       PresetSetting{"rhythm-tolerance", "3.5"},
     PresetSetting{"rhythm-changes", "auto"}, PresetSetting{"rhythm-style", "pairs"},
-    PresetSetting{"placement", "nearest"},   PresetSetting{"stacking-penalty", "0"},
-    PresetSetting{"follow-mains", "off"},    PresetSetting{"settle", "auto"},
+    PresetSetting{"short-rows", "auto"},     PresetSetting{"placement", "nearest"},
+    PresetSetting{"stacking-penalty", "0"},  PresetSetting{"follow-mains", "off"},
+    PresetSetting{"settle", "auto"},
 };
 
 constexpr std::array table{
@@ -44,18 +47,20 @@ constexpr std::array table{
         "thesis", "As in the thesis",
         "Rows from the mesh's rings by straight distances, the closing gap shifted, shaping by rules R0-R4.",
         thesis_settings},
-    Preset{
-        "best-rows", "Best rows",
-        "Contours equally high on the surface, stitches at equal arcs, each hung on the nearest below; then "
-        "all settle until they are at ease.",
-        best_settings},
+    Preset{"best-rows", "Best rows",
+           "Contours equally high on the surface, short rows where a tube bends, stitches at equal arcs, "
+           "each hung "
+           "on the nearest below; then all settle until they are at ease.",
+           best_settings},
     Preset{"knitters-gauge", "Knitter's gauge",
-           "As best rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a height of 12 cm.",
+           "As best rows without short rows, sized by a gauge of 22 stitches and 32 rounds in 10 cm and a "
+           "height of 12 cm.",
            gauge_settings},
-    Preset{
-        "hand", "For taking home",
-        "As knitter's gauge, with counts in a rhythm: few and regular repeats, shaped in pairs beside mains.",
-        hand_settings},
+    Preset{"hand", "For taking home",
+           "As knitter's gauge, with short rows where a tube bends and counts in a rhythm: few and regular "
+           "repeats, "
+           "shaped in pairs beside mains.",
+           hand_settings},
 };
 
 }  // namespace

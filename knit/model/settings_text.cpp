@@ -360,7 +360,12 @@ Stage first_stage_to_read(const ParameterInfo& info, const Parameters& parameter
   const bool makes_stitches = info.first_reader > Stage::tubes && info.first_reader <= Stage::stitches;
   const bool orders_tubes =
       makes_stitches && parameters.rows.source != RowSource::rings && is_read(info, parameters);
-  return orders_tubes ? Stage::tubes : info.first_reader;
+  // Whether there are short rows, and how many rows tubes keep, is chosen by how each way settles.
+  const ShortRowSettings& short_rows = parameters.short_rows;
+  const bool settles_ahead =
+      info.first_reader == Stage::settle && parameters.rows.source != RowSource::rings &&
+      short_rows.rows == ShortRows::automatic && short_rows.kept == KeptBeside::by_itself;
+  return orders_tubes || settles_ahead ? Stage::tubes : info.first_reader;
 }
 
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {

@@ -15,28 +15,62 @@ constexpr std::array ways{no_short_rows, 0, 1, 2};
 // A piece of one tube has no events.
 std::size_t ways_of(const TubePlan& plan) { return plan.tubes.size() == 1 ? 2 : ways.size(); }
 
+ChartAt chart_at(const Input& input, const Parameters& parameters, const State& state,
+                 const std::vector<double>& field, TubeId tube, std::int32_t beside) {
+  return {input,
+          field,
+          *state.tubes,
+          tube,
+          rows_kept(*state.tubes, tube, beside),
+          parameters.stitch,
+          parameters.short_rows,
+          false,
+          state.short_rows.ahead};
+}
+
+// Once for each part of a tube, however many ways keep the same rows.
+void plan_ahead(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+  const std::vector<double> field = field_of(input, *state.graph);
+  for (std::size_t i = 1; i < ways_of(*state.tubes); ++i) {
+    for (TubeId tube = 0; tube < static_cast<TubeId>(state.tubes->tubes.size()); ++tube) {
+      hear(heard, 0.0);
+      if (!can_be_charted(*state.tubes, tube, ways[i])) continue;
+      const ChartAt at = chart_at(input, parameters, state, field, tube, ways[i]);
+      if (planned_ahead(at) != nullptr) continue;
+      std::optional<PlannedPairs> planned;
+      while (!advance_planning(at, planned).done) {
+      }
+      state.short_rows.ahead.emplace_back(std::move(*planned));
+    }
+  }
+}
+
+const std::vector<double> no_field;  // where a plan is only looked up
+
 // Arcs that pay, in all tubes.
 std::int32_t arcs_that_pay(const Input& input, const Parameters& parameters, const State& state,
-                           std::int32_t beside, const Heard& heard) {
+                           std::int32_t beside) {
   std::int32_t arcs = 0;
-  const std::vector<double> field = field_of(input, *state.graph);
   for (TubeId tube = 0; tube < static_cast<TubeId>(state.tubes->tubes.size()); ++tube) {
-    hear(heard, 0.0);
     if (!can_be_charted(*state.tubes, tube, beside)) continue;
-    const ChartAt at{input,
-                     field,
-                     *state.tubes,
-                     tube,
-                     rows_kept(*state.tubes, tube, beside),
-                     parameters.stitch,
-                     parameters.short_rows,
-                     false};
-    std::optional<PlannedPairs> planned;
-    while (!advance_planning(at, planned).done) {
-    }
-    if (planned->none == NoChart::no) arcs += static_cast<std::int32_t>(planned->search.arcs.size());
+    const PlannedPairs* planned = planned_ahead(chart_at(input, parameters, state, no_field, tube, beside));
+    if (planned != nullptr && planned->none == NoChart::no)
+      arcs += static_cast<std::int32_t>(planned->search.arcs.size());
   }
   return arcs;
+}
+
+// Those of another way are not needed again.
+void keep_chosen_plans(const Input& input, const Parameters& parameters, State& state) {
+  std::vector<Shared<PlannedPairs>> chosen;
+  for (const Shared<PlannedPairs>& known : state.short_rows.ahead) {
+    if (*state.short_rows.kept == no_short_rows ||
+        !can_be_charted(*state.tubes, known->tube, *state.short_rows.kept))
+      continue;
+    const ChartAt at = chart_at(input, parameters, state, no_field, known->tube, *state.short_rows.kept);
+    if (planned_ahead(at) == &*known) chosen.push_back(known);
+  }
+  state.short_rows.ahead = std::move(chosen);
 }
 
 Parameters parameters_for(Parameters parameters, std::int32_t way) {
@@ -55,7 +89,9 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
                 const Heard& heard) {
   KeptTry made{way, 0, 0, std::numeric_limits<double>::infinity()};
   const Parameters parameters = parameters_for(as_asked, way);
+  std::vector<Shared<PlannedPairs>> plans = std::move(ahead.short_rows.ahead);
   ahead.short_rows = {};
+  ahead.short_rows.ahead = std::move(plans);
   while (ahead.stage() < Stage::pattern) {
     hear(heard, 0.0);
     const bool settles = ahead.stage() == Stage::settle;
@@ -73,16 +109,16 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
   return made;
 }
 
-bool any_pays(const Input& input, const Parameters& parameters, const State& state, const Heard& heard) {
+bool any_pays(const Input& input, const Parameters& parameters, const State& state) {
   for (std::size_t i = 1; i < ways_of(*state.tubes); ++i)
-    if (arcs_that_pay(input, parameters, state, ways[i], heard) > 0) return true;
+    if (arcs_that_pay(input, parameters, state, ways[i]) > 0) return true;
   return false;
 }
 
 KeptTry try_next(const Input& input, const Parameters& parameters, const State& state, const Heard& heard) {
   const std::vector<KeptTry>& tries = state.short_rows.tries;
   const std::int32_t way = ways[tries.size()];
-  if (!tries.empty() && arcs_that_pay(input, parameters, state, way, heard) == 0) {
+  if (!tries.empty() && arcs_that_pay(input, parameters, state, way) == 0) {
     KeptTry same = tries.front();
     same.kept = way;
     return same;
@@ -93,7 +129,27 @@ KeptTry try_next(const Input& input, const Parameters& parameters, const State& 
 KeptChosen choose(const State& state) {
   const KeptTry& best = best_of(state.short_rows.tries);
   return {best.kept, best.pairs, static_cast<float>(best.sum),
-          static_cast<float>(state.short_rows.tries.front().sum)};
+          static_cast<float>(state.short_rows.tries.front().sum), ChosenBy::settling};
+}
+
+// About.
+double stitches_of(const TubePlan& plan) {
+  double stitches = 0.0;
+  for (const Tube& tube : plan.tubes)
+    for (const double length : tube.lengths) stitches += length / plan.stitch_width;
+  return stitches;
+}
+
+// Where nothing has to be settled, or nothing can be.
+std::optional<KeptChosen> choose_unsettled(const Input& input, const Parameters& parameters,
+                                           const State& state) {
+  if (!any_pays(input, parameters, state))
+    return KeptChosen{no_short_rows, 0, 0.0F, 0.0F, ChosenBy::no_arc_pays};
+  const bool unsettled = parameters.settle.settling == Settling::off;
+  if (!unsettled && stitches_of(*state.tubes) <= most_stitches_to_try) return std::nullopt;
+  const ChosenBy by = unsettled ? ChosenBy::unsettled : ChosenBy::too_many;
+  if (state.tubes->tubes.size() > 1) return KeptChosen{no_short_rows, 0, 0.0F, 0.0F, by};
+  return KeptChosen{0, arcs_that_pay(input, parameters, state, 0), 0.0F, 0.0F, by};
 }
 
 }  // namespace
@@ -108,14 +164,25 @@ std::vector<double> field_of(const Input& input, const TubeGraph& graph) {
 ShortRowEvent advance_kept_choice(const Input& input, const Parameters& parameters, State& state,
                                   const Heard& heard) {
   ShortRowsMade& made = state.short_rows;
+  if (made.chosen_for != to_choose_for(parameters)) {
+    made.tries.clear();
+    made.kept.reset();
+    made.ahead.clear();
+    made.chosen_for = to_choose_for(parameters);
+  }
   if (made.tries.size() == ways_of(*state.tubes)) {
     const KeptChosen chosen = choose(state);
     made.kept = chosen.kept;
+    keep_chosen_plans(input, parameters, state);
     return chosen;
   }
-  if (made.tries.empty() && !any_pays(input, parameters, state, heard)) {
-    made.kept = no_short_rows;
-    return KeptChosen{no_short_rows, 0, 0.0F, 0.0F};
+  if (made.tries.empty()) {
+    plan_ahead(input, parameters, state, heard);
+    if (const auto chosen = choose_unsettled(input, parameters, state)) {
+      made.kept = chosen->kept;
+      keep_chosen_plans(input, parameters, state);
+      return *chosen;
+    }
   }
   made.tries.push_back(try_next(input, parameters, state, heard));
   const KeptTry& last = made.tries.back();

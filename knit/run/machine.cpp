@@ -185,7 +185,8 @@ Taken take_planning(const Input& input, const Parameters& parameters, State& sta
                    kept,
                    parameters.stitch,
                    parameters.short_rows,
-                   begins_in_middle(parameters, *state.tubes, tube, kept)};
+                   begins_in_middle(parameters, *state.tubes, tube, kept),
+                   state.short_rows.ahead};
   std::optional<PlannedPairs>& planning = state.short_rows.planning;
   const PlanningStep step = advance_planning(at, planning, heard);
   if (step.done) {
@@ -204,7 +205,8 @@ Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
   GapWork& gap = state.short_rows.gap;
   if (!gap.is_for(tube, work.row)) {
     const std::vector<std::uint8_t> plain = plain_to_come(input, parameters, state);
-    gap = {tube, work.row, Shared(pairs_over(pairs, below, plain))};
+    Shared columns(columns_of(pairs, below));
+    gap = {tube, work.row, Shared(pairs_over(pairs, below, *columns, plain)), columns};
   }
   std::optional<Row> row;
   Taken taken = advance_gap(pairs, state.fabric, below, gap, row);

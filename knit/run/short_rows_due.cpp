@@ -12,7 +12,7 @@ bool choice_is_due(const Parameters& parameters, const State& state, const Conto
   if (parameters.short_rows.rows == ShortRows::off || parameters.short_rows.kept != KeptBeside::by_itself)
     return false;
   return work.taken == 0 && work.phase == ContourPhase::take && state.fabric.empty() &&
-         !state.short_rows.kept;
+         !(state.short_rows.kept && state.short_rows.chosen_for == to_choose_for(parameters));
 }
 
 bool is_planned_for(const PlannedPairs& pairs, const StitchSize& stitch) {
@@ -46,6 +46,13 @@ bool can_be_charted(const TubePlan& plan, TubeId id, std::int32_t beside) {
   return plan.tube(id).rows() - kept.low - kept.high >= fewest_rows;
 }
 
+ChosenFor to_choose_for(const Parameters& parameters) {
+  const ShortRowSettings& settings = parameters.short_rows;
+  return {parameters.stitch.width,
+          parameters.stitch.height,
+          {settings.turn_cost, settings.turn_step, settings.shortest}};
+}
+
 std::int32_t rows_beside_events(const Parameters& parameters, const State& state) {
   switch (parameters.short_rows.kept) {
     case KeptBeside::none:
@@ -57,6 +64,7 @@ std::int32_t rows_beside_events(const Parameters& parameters, const State& state
     case KeptBeside::by_itself:
       break;
   }
+  if (state.short_rows.chosen_for != to_choose_for(parameters)) return no_short_rows;
   return state.short_rows.kept.value_or(no_short_rows);
 }
 

@@ -29,13 +29,18 @@ namespace knit {
 
 // Short rows, while rows are made: the tube that is planned, those that are, and the gap that is filled.
 struct ShortRowsMade {
+  ChosenFor chosen_for;  // what the tries and the choice are of
   std::vector<KeptTry> tries;
   std::optional<std::int32_t> kept;  // beside events, where a run chose; no_short_rows: none
+  std::vector<Shared<PlannedPairs>>
+      ahead;  // the plans of all ways, while they are tried; then of the chosen one
   std::optional<PlannedPairs> planning;
   std::vector<Shared<PlannedPairs>> tubes;
   GapWork gap;
   std::vector<Shared<Join>> foreseen;  // into the first rows, as they will be joined
-  [[nodiscard]] auto fields() const { return std::tie(tries, kept, planning, tubes, gap, foreseen); }
+  [[nodiscard]] auto fields() const {
+    return std::tie(chosen_for, tries, kept, ahead, planning, tubes, gap, foreseen);
+  }
   friend bool operator==(const ShortRowsMade&, const ShortRowsMade&) = default;
 };
 

@@ -2,16 +2,40 @@
 //
 // No number is best on every shape, and on many none is better than no short rows. So each is worked out and settled, and the one
 // of the least settled sum a stitch is taken; of equal ones the first: no short rows, then fewest rows kept. Where no arc of
-// any tube pays, nothing has to settle. A piece of one tube has no events, so only 0 is tried there.
+// any tube pays, nothing has to settle. A piece of one tube has no events, so only 0 is tried there. Where nothing can be settled
+// ahead, a piece of one tube gets its pairs, and one that branches none: there lag is too often a phantom.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <tuple>
 
+#include "knit/short_rows/pair_plan.h"
+
 namespace knit {
 
 inline constexpr std::int32_t no_short_rows = -1;
+
+// What a choice is made for: of another stitch or at other prices it says nothing.
+struct ChosenFor {
+  double stitch_width = 0.0, stitch_height = 0.0;
+  PairSettings settings;
+  [[nodiscard]] auto fields() const {
+    return std::tie(stitch_width, stitch_height, settings.turn_cost, settings.turn_step, settings.shortest);
+  }
+  friend bool operator==(const ChosenFor&, const ChosenFor&) = default;
+};
+
+// What decided.
+enum class ChosenBy : std::uint8_t {
+  settling,     // the least sum
+  no_arc_pays,  // anywhere
+  unsettled,    // stitches shall not settle, so that ways cannot be compared
+  too_many      // stitches: settling each way would take too long
+};
+
+// Of a piece with more each way is not settled.
+inline constexpr double most_stitches_to_try = 10000.0;
 
 struct KeptTry {
   std::int32_t kept = no_short_rows;

@@ -19,8 +19,10 @@ struct PlannedPairs {
   std::int32_t tube = 0;
   double stitch_width = 0.0, stitch_height = 0.0;  // that it was planned for
   PairSettings settings;
-  std::int32_t low_row = 0;  // of the tube: the one on the chart's low rim
+  std::int32_t low_row = 0, high_row = 0;  // of the tube: those on the chart's rims
+  Shared<Ring> low_curve, high_curve;      // of those rows
   NoChart none = NoChart::no;
+  double residual = 0.0;    // of the chart, or of the one that was refused
   Shared<TubeChart> chart;  // empty where there is none
   FullRounds rounds;
   ArcSearch search;
@@ -36,7 +38,8 @@ struct PlannedPairs {
   }
   [[nodiscard]] auto fields() const {
     return std::tie(tube, stitch_width, stitch_height, settings.turn_cost, settings.turn_step,
-                    settings.shortest, low_row, none, chart, rounds, search, first_column);
+                    settings.shortest, low_row, high_row, low_curve, high_curve, none, residual, chart,
+                    rounds, search, first_column);
   }
   friend bool operator==(const PlannedPairs&, const PlannedPairs&) = default;
 };

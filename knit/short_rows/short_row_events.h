@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "knit/model/event.h"
+#include "knit/short_rows/kept_choice.h"
 #include "knit/short_rows/pair_plan.h"
 #include "knit/short_rows/planned_pairs.h"
 
@@ -26,7 +27,8 @@ struct KeptTried {
 struct KeptChosen {
   static constexpr std::string_view kind = "kept-chosen";
   std::int32_t kept, pairs;
-  float sum, without;  // a stitch: of what is chosen, and without short rows; both 0: nothing had to settle
+  float sum, without;  // a stitch: of what is chosen, and without short rows; both 0: nothing was settled
+  ChosenBy by;
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   friend bool operator==(const KeptChosen&, const KeptChosen&) = default;

@@ -83,6 +83,20 @@ std::string kept_words(std::int32_t kept) {
 
 std::string thousandths(float sum) { return short_number(1000.0 * static_cast<double>(sum)); }
 
+// Nothing was settled ahead, so nothing could be compared.
+std::string unsettled_words(const KeptChosen& chosen) {
+  const std::string why = chosen.by == ChosenBy::unsettled
+                              ? "stitches are not to settle"
+                              : "the piece has too many stitches to settle it in each way";
+  if (chosen.kept == no_short_rows)
+    return "No short rows: " + why +
+           ", and unsettled it can't be seen whether they help a piece that branches. Say how many rows "
+           "tubes "
+           "keep at events to have them.";
+  return "Chosen: " + plural(chosen.pairs, "pair of short rows", "pairs of short rows") + ", because " + why +
+         " and a piece of one tube is mostly better with them.";
+}
+
 }  // namespace
 
 std::string KeptTried::sentence(const Telling& /*at*/) const {
@@ -97,10 +111,16 @@ StepFields KeptTried::numbers() const {
 }
 
 std::string KeptChosen::sentence(const Telling& /*at*/) const {
-  if (kept == no_short_rows) {
-    return sum == 0.0F ? "No short rows: no arc of any tube gains more than its turns cost."
-                       : "No short rows: the piece settles best without.";
+  switch (by) {
+    case ChosenBy::no_arc_pays:
+      return "No short rows: no arc of any tube gains more than its turns cost.";
+    case ChosenBy::unsettled:
+    case ChosenBy::too_many:
+      return unsettled_words(*this);
+    case ChosenBy::settling:
+      break;
   }
+  if (kept == no_short_rows) return "No short rows: the piece settles best without.";
   return "Chosen: " + kept_words(kept) + ", " + plural(pairs, "pair of short rows", "pairs of short rows") +
          "; " + thousandths(sum) + " thousandths a stitch are left, and " + thousandths(without) +
          " without short rows.";

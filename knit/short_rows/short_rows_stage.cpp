@@ -23,10 +23,9 @@ NoChart reason_of(NoPart why) {
 }
 
 // Fills in the chart, or why there is none.
-void chart_tube(const ChartAt& at, PlannedPairs& work, double& residual, const Heard& heard) {
+void chart_tube(const ChartAt& at, PlannedPairs& work, const Heard& heard) {
   const Tube& tube = at.plan.tube(at.tube);
-  const auto low = static_cast<std::size_t>(at.kept.low);
-  const auto high = static_cast<std::size_t>(tube.rows() - 1 - at.kept.high);
+  const auto low = static_cast<std::size_t>(work.low_row), high = static_cast<std::size_t>(work.high_row);
   const auto part = cut_tube(at.input, at.field, {tube.values[low], &*tube.curves[low]},
                              {tube.values[high], &*tube.curves[high]}, at.stitch.width);
   if (const auto* why = std::get_if<NoPart>(&part)) {
@@ -35,31 +34,47 @@ void chart_tube(const ChartAt& at, PlannedPairs& work, double& residual, const H
   }
   auto chart = make_tube_chart(std::get<TubePart>(part), at.stitch.height, chart_columns, heard);
   if (const auto* refusal = std::get_if<ChartRefusal>(&chart)) {
-    residual = refusal->residual;
+    work.residual = refusal->residual;
     work.none = refusal->reason == ChartRefusal::Reason::residual ? NoChart::residual : NoChart::not_solved;
     return;
   }
-  residual = std::get<TubeChart>(chart).residual;
+  work.residual = std::get<TubeChart>(chart).residual;
   work.rounds = full_rounds(std::get<TubeChart>(chart), at.stitch.height);
   work.chart = Shared(std::get<TubeChart>(std::move(chart)));
   if (work.rounds.crowded) work.none = NoChart::crowded;
 }
 
+// All but the chart and what follows from it.
+PlannedPairs to_be_planned(const ChartAt& at) {
+  PlannedPairs work;
+  work.tube = at.tube;
+  work.stitch_width = at.stitch.width;
+  work.stitch_height = at.stitch.height;
+  work.settings = {at.settings.turn_cost, at.settings.turn_step, at.settings.shortest};
+  const Tube& tube = at.plan.tube(at.tube);
+  work.low_row = at.kept.low;
+  work.high_row = tube.rows() - 1 - at.kept.high;
+  work.low_curve = tube.curves[static_cast<std::size_t>(work.low_row)];
+  work.high_curve = tube.curves[static_cast<std::size_t>(work.high_row)];
+  return work;
+}
+
 TubeCharted begin_planning(const ChartAt& at, std::optional<PlannedPairs>& work, const Heard& heard) {
-  work.emplace();
-  work->tube = at.tube;
-  work->stitch_width = at.stitch.width;
-  work->stitch_height = at.stitch.height;
-  work->settings = {at.settings.turn_cost, at.settings.turn_step, at.settings.shortest};
-  work->low_row = at.kept.low;
-  double residual = 0.0;
-  chart_tube(at, *work, residual, heard);
+  work = to_be_planned(at);
+  if (const PlannedPairs* known = planned_ahead(at)) {
+    work->residual = known->residual;
+    work->chart = known->chart;
+    work->rounds = known->rounds;
+    work->none = known->none == NoChart::no_pair ? NoChart::no : known->none;  // pairs are yet to be chosen
+  } else {
+    chart_tube(at, *work, heard);
+  }
   return {static_cast<std::int16_t>(at.tube),
           work->none,
           work->chart ? work->chart->levels() : 0,
           work->rounds.gaps() + 1,
           at.plan.tube(at.tube).rows() - at.kept.low - at.kept.high,
-          static_cast<float>(residual),
+          static_cast<float>(work->residual),
           static_cast<float>(work->rounds.spacing)};
 }
 
@@ -68,24 +83,6 @@ PairsChosen end_planning(const ChartAt& at, PlannedPairs& work) {
   if (at.middle) work.first_column = middle_of_arcs(work.search);
   return {static_cast<std::int16_t>(at.tube), static_cast<std::int32_t>(work.search.arcs.size()),
           work.rounds.gaps() + 1, static_cast<float>(work.search.greatest_lag)};
-}
-
-// In columns, rising from the round's first stitch on.
-std::vector<double> columns_of(const PlannedPairs& pairs, const Row& round) {
-  const std::size_t gap = static_cast<std::size_t>(round.level - pairs.low_row);
-  const Ring curve = ring_at(*pairs.chart, pairs.rounds.levels[gap], pairs.first_column);
-  const double whole = pairs.chart->columns;
-  std::vector<double> columns;
-  columns.reserve(round.stitches.size());
-  for (const Stitch& stitch : round.stitches) {
-    double column = column_of(*pairs.chart, curve, pairs.first_column, nearest_arc(curve, stitch.position));
-    if (!columns.empty()) {
-      while (column <= columns.front()) column += whole;
-      column = std::max(column, columns.back());
-    }
-    columns.push_back(column);
-  }
-  return columns;
 }
 
 std::size_t wrapped(std::int32_t place, std::int32_t all) {
@@ -125,7 +122,7 @@ Row short_row(const PlannedPairs& pairs, const Fabric& fabric, const Row& below,
   row.closed = false;
   row.turned = ShortRow{loop.at(static_cast<std::int32_t>(wrapped(first - 1, size))),
                         loop.at(static_cast<std::int32_t>(wrapped(pair.last + 1, size))), work.out};
-  const std::vector<double> columns = columns_of(pairs, below);
+  const std::vector<double>& columns = *work.columns;
   const Stacked stack = stacked(work, size);
   const auto gap = static_cast<std::size_t>(below.level - pairs.low_row);
   const double low = pairs.rounds.levels[gap], high = pairs.rounds.levels[gap + 1];
@@ -144,6 +141,18 @@ Row short_row(const PlannedPairs& pairs, const Fabric& fabric, const Row& below,
 }
 
 }  // namespace
+
+const PlannedPairs* planned_ahead(const ChartAt& at) {
+  const PlannedPairs asked = to_be_planned(at);
+  for (const Shared<PlannedPairs>& known : at.ahead) {
+    if (known->tube == asked.tube && known->stitch_width == asked.stitch_width &&
+        known->stitch_height == asked.stitch_height && known->settings == asked.settings &&
+        known->low_row == asked.low_row && known->high_row == asked.high_row &&
+        known->low_curve == asked.low_curve && known->high_curve == asked.high_curve)
+      return &*known;
+  }
+  return nullptr;
+}
 
 PlanningStep advance_planning(const ChartAt& at, std::optional<PlannedPairs>& work, const Heard& heard) {
   if (!work) {
@@ -190,9 +199,28 @@ TubePlan with_full_rounds(const TubePlan& plan, const PlannedPairs& pairs, const
   return made;
 }
 
-PairPlans pairs_over(const PlannedPairs& pairs, const Row& below, std::span<const std::uint8_t> plain) {
+std::vector<double> columns_of(const PlannedPairs& pairs, const Row& below) {
+  const std::size_t gap = static_cast<std::size_t>(below.level - pairs.low_row);
+  const Ring curve = ring_at(*pairs.chart, pairs.rounds.levels[gap], pairs.first_column);
+  const double whole = pairs.chart->columns;
+  std::vector<double> columns;
+  columns.reserve(below.stitches.size());
+  for (const Stitch& stitch : below.stitches) {
+    double column = column_of(*pairs.chart, curve, pairs.first_column, nearest_arc(curve, stitch.position));
+    if (!columns.empty()) {
+      while (column <= columns.front()) column += whole;
+      column = std::max(column, columns.back());
+    }
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+PairPlans pairs_over(const PlannedPairs& pairs, const Row& below, std::span<const double> columns,
+                     std::span<const std::uint8_t> plain) {
   PairPlans plans;
-  const RoundBelow round{columns_of(pairs, below), {plain.begin(), plain.end()}, pairs.chart->columns};
+  const RoundBelow round{
+      {columns.begin(), columns.end()}, {plain.begin(), plain.end()}, pairs.chart->columns};
   place_pairs(pairs.arcs_over(below.level), round, plans);
   return plans;
 }

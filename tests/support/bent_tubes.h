@@ -20,6 +20,7 @@ struct BentTube {
   std::string name;
   knit::Mesh mesh;
   glm::dvec3 bottom{0.0}, beginning{0.0};
+  unsigned around = 0;  // points of a ring
 };
 
 struct TubeNet {
@@ -30,7 +31,7 @@ struct TubeNet {
 // run counter-clockwise seen from above. The first round begins at `turn` 0.
 inline BentTube ringed_tube(const std::string& name, const TubeNet& net,
                             const std::function<glm::dvec3(double up, double turn)>& place) {
-  BentTube tube{name, {}, {}, place(0.0, 0.0)};
+  BentTube tube{name, {}, {}, place(0.0, 0.0), net.around};
   tube.mesh.name = name;
   for (unsigned i = 0; i <= net.along; ++i) {
     for (unsigned j = 0; j < net.around; ++j) {
@@ -63,6 +64,16 @@ inline BentTube arched_tube(const std::string& name, const TubeNet& net, double 
 
 inline BentTube half_ring(const TubeNet& net = {}) {
   return arched_tube("half ring", net, 2.0, [](double up) { return glm::dvec2(std::numbers::pi * up, 1.0); });
+}
+
+// Wider on the side of positive z than on the other, so that it is no mirror image of itself.
+inline BentTube oblique_half_ring(const TubeNet& net = {}) {
+  return ringed_tube("oblique half ring", net, [](double up, double turn) {
+    const double t = 2.0 * std::numbers::pi * turn, angle = std::numbers::pi * up;
+    const double radius = 1.0 + 0.2 * std::max(0.0, -std::sin(t)) * std::sin(angle);
+    const double out = 2.0 + radius * std::cos(t);
+    return glm::dvec3(out * std::cos(angle), out * std::sin(angle), -radius * std::sin(t));
+  });
 }
 
 // A round ended tube along an arc of 2 radians, cut off where it is a quarter as wide.
@@ -116,6 +127,45 @@ inline BentTube turned_tube(const std::string& name, const std::function<glm::dv
     const double t = 2.0 * std::numbers::pi * turn;
     return glm::dvec3(at.x * std::cos(t), at.x * std::sin(t), at.y);
   });
+}
+
+// With flat lids on both ends, of rings of triangles about their middles: the last two vertices, the low one first.
+inline BentTube lidded(BentTube tube, unsigned rings = 12) {
+  knit::Mesh& mesh = tube.mesh;
+  const auto around = tube.around;
+  const auto count = static_cast<knit::VertexId>(mesh.positions.size());
+  const auto add_lid = [&](knit::VertexId rim, bool low) {
+    glm::dvec3 middle(0.0);
+    for (knit::VertexId j = 0; j < around; ++j) middle += mesh.positions[rim + j] / double(around);
+    const auto add = [&](knit::VertexId a, knit::VertexId b, knit::VertexId c) {
+      mesh.triangles.push_back(low ? knit::Triangle{a, c, b} : knit::Triangle{a, b, c});
+    };
+    knit::VertexId outer = rim;
+    for (unsigned ring = 1; ring < rings; ++ring) {
+      const auto inner = static_cast<knit::VertexId>(mesh.positions.size());
+      for (knit::VertexId j = 0; j < around; ++j) {
+        const glm::dvec3 on_rim = mesh.positions[rim + j];
+        mesh.positions.push_back(on_rim + (middle - on_rim) * (double(ring) / rings));
+      }
+      for (knit::VertexId j = 0; j < around; ++j) {
+        const knit::VertexId k = (j + 1) % around;
+        add(outer + j, outer + k, inner + k);
+        add(outer + j, inner + k, inner + j);
+      }
+      outer = inner;
+    }
+    mesh.positions.push_back(middle);
+    for (knit::VertexId j = 0; j < around; ++j)
+      add(outer + j, outer + (j + 1) % around, static_cast<knit::VertexId>(mesh.positions.size() - 1));
+  };
+  add_lid(0, true);
+  add_lid(count - around, false);
+  std::swap(mesh.positions[count + (rings - 1) * around], mesh.positions[mesh.positions.size() - 2]);
+  const knit::VertexId one = count + (rings - 1) * around,
+                       other = static_cast<knit::VertexId>(mesh.positions.size() - 2);
+  for (knit::Triangle& f : mesh.triangles)
+    for (knit::VertexId& v : f) v = v == one ? other : v == other ? one : v;
+  return tube;
 }
 
 // Mirrored in the plane z = 0; its triangles face out again.

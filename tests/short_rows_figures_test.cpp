@@ -1,0 +1,202 @@
+// Short rows in whole runs of shapes that bend: how even their stitches come out, and what holds of every fabric with pairs.
+// The table of docs/algorithm.md is printed by: knit_tests "[short-rows-table]"
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "knit/import/obj.h"
+#include "knit/model/stitch_size.h"
+#include "knit/quality/ease.h"
+#include "knit/quality/measures.h"
+#include "knit/run/machine.h"
+#include "tests/support/bent_tubes.h"
+#include "tests/support/catch.h"
+#include "tests/support/repeated.h"
+
+using namespace knit;
+using namespace test_support;
+
+namespace {
+
+struct Bounds {
+  double wale_cv, longest;    // at most; in h
+  std::int32_t fewest, most;  // pairs
+};
+
+struct Case {
+  std::string name;
+  std::shared_ptr<const Input> input;
+  TimingKind timing = TimingKind::harmonic;
+  double width_percent = 3.0, height_of_width = 1.0;
+  VertexId start = no_vertex, end = no_vertex;
+  Bounds bounds{};
+  void (*change)(Parameters&) = nullptr;
+  Settling settle = Settling::on;
+};
+
+Case case_of(const BentTube& open, double height_of_width, const Bounds& bounds) {
+  const BentTube tube = lidded(open);
+  const auto vertices = static_cast<VertexId>(tube.mesh.positions.size());
+  return {open.name,       make_input(tube.mesh), TimingKind::harmonic, 3.0,
+          height_of_width, vertices - 2,          vertices - 1,         bounds};
+}
+
+State run(const Case& of, ShortRows rows) {
+  Parameters parameters = default_parameters(of.input->bounds);
+  const double width = of.width_percent / 100.0 * of.input->bounds.diagonal();
+  give_width(parameters, width);
+  give_height(parameters, of.height_of_width * width);
+  parameters.timing.kind = of.timing;
+  parameters.timing.start = of.start;
+  parameters.timing.end = of.end;
+  parameters.rows.source = RowSource::contours;
+  parameters.stitches.placement = PlacementPolicy::nearest;
+  parameters.settle.settling = of.settle;
+  parameters.short_rows.rows = rows;
+  if (of.change != nullptr) of.change(parameters);
+  parameters = resolved(parameters, *of.input);
+  State state;
+  while (!state.finished()) REQUIRE_FALSE(is_stop(advance(*of.input, parameters, state)));
+  return state;
+}
+
+std::int32_t pairs_in(const State& state) {
+  return static_cast<std::int32_t>(std::count_if(state.fabric.rows().begin(), state.fabric.rows().end(),
+                                                 [](const auto& row) { return is_short(*row); })) /
+         2;
+}
+
+// Of strips: bridges of deals have triangles of their own.
+std::size_t triangles_of_strips(const State& state) {
+  std::size_t triangles = 0;
+  for (const auto& strip : state.fabric.strips())
+    triangles += static_cast<std::size_t>(std::count_if(
+        strip->faces.begin(), strip->faces.end(), [](const Face& face) { return face.corner_count == 3; }));
+  return triangles;
+}
+
+struct Ran {
+  State with, without;
+  double height = 0.0;
+};
+
+Ran check_case(const Case& of) {
+  CAPTURE(of.name, of.width_percent, of.height_of_width, static_cast<int>(of.timing));
+  Ran ran{run(of, ShortRows::automatic), run(of, ShortRows::off),
+          of.height_of_width * of.width_percent / 100.0 * of.input->bounds.diagonal()};
+  const LengthFigures wales = wale_figures(ran.with), plain = wale_figures(ran.without);
+  const std::int32_t pairs = pairs_in(ran.with);
+  CHECK(wales.cv <= of.bounds.wale_cv);
+  CHECK(wales.high <= of.bounds.longest * ran.height);
+  CHECK(wales.cv <= plain.cv + 0.002);
+  CHECK(pairs >= of.bounds.fewest);
+  CHECK(pairs <= of.bounds.most);
+  if (pairs == 0) CHECK(ran.with.fabric == ran.without.fabric);
+  // What holds of any fabric.
+  CHECK(euler_characteristic(ran.with) == euler_characteristic(ran.without));
+  const ShapingFigures shaping = shaping_figures(ran.with);
+  CHECK(triangles_of_strips(ran.with) ==
+        static_cast<std::size_t>(shaping.increases + shaping.decreases + 4 * pairs));
+  CHECK(measure_turned(*of.input, ran.with).faces <= measure_turned(*of.input, ran.without).faces);
+  return ran;
+}
+
+std::vector<Case> bent_tubes() {
+  return {case_of(half_ring(), 1.0, {0.08, 1.6, 10, 14}),
+          case_of(half_ring(), 0.72, {0.07, 1.6, 15, 20}),
+          case_of(heel(), 1.0, {0.08, 1.6, 4, 6}),
+          case_of(heel(), 0.72, {0.07, 1.6, 6, 9}),
+          case_of(banana(), 1.0, {0.08, 1.6, 6, 9}),
+          case_of(banana(), 0.72, {0.07, 1.6, 9, 12}),
+          case_of(oblique_cone(), 1.0, {0.08, 1.6, 0, 5}),
+          case_of(oblique_cone(), 0.72, {0.07, 1.6, 0, 7}),
+          case_of(slanted_cylinder(), 1.0, {0.08, 1.6, 2, 5}),
+          case_of(slanted_cylinder(), 0.72, {0.07, 1.6, 4, 7})};
+}
+
+#ifdef KNIT_SHARED_MESHES
+std::vector<Case> others_meshes() {
+  const std::filesystem::path folder = KNIT_SHARED_MESHES;
+  if (!std::filesystem::exists(folder / "spot.obj")) return {};  // not part of the sources
+  const auto of = [&](const std::string& name, TimingKind timing, double percent, double height_of_width,
+                      const Bounds& bounds) {
+    auto read = read_obj_file(folder / (name + ".obj"));
+    REQUIRE(std::holds_alternative<Mesh>(read));
+    return Case{name,
+                make_input(std::get<Mesh>(std::move(read))),
+                timing,
+                percent,
+                height_of_width,
+                no_vertex,
+                no_vertex,
+                bounds};
+  };
+  constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic;
+  return {of("simple-elbow", linear, 4, 0.72, {0.055, 1.4, 5, 8}),
+          of("simple-elbow", linear, 2, 0.72, {0.04, 1.3, 14, 19}),
+          of("simple-elbow", linear, 3, 1.0, {0.08, 1.6, 6, 10}),
+          of("spot", linear, 4, 0.72, {0.09, 1.6, 4, 8}),
+          of("bunny", geodesic, 4, 0.72, {0.076, 1.7, 3, 5}),
+          of("bunny", linear, 4, 0.72, {0.081, 1.5, 0, 0}),
+          of("teddy", geodesic, 4, 0.72, {0.044, 1.3, 0, 0}),
+          of("starfish", geodesic, 4, 0.72, {0.050, 1.3, 0, 0})};
+}
+#else
+std::vector<Case> others_meshes() { return {}; }
+#endif
+
+}  // namespace
+
+// A few of them in every build, all with KNIT_WHOLE.
+void check_some(const std::vector<Case>& cases) {
+  std::size_t number = 0;
+  for (const Case& wanted : cases) {
+    const bool tried = std::getenv("KNIT_WHOLE") != nullptr || number % 5 == 0;
+    if (tried) check_case(wanted);
+    ++number;
+  }
+}
+
+TEST_CASE("short rows figures: tubes that bend or lean settle evenly", "[short-rows]") {
+  check_some(bent_tubes());
+}
+
+TEST_CASE("short rows figures: what is straight gets none", "[short-rows]") {
+  const Case straight = case_of(slanted_cylinder(0.0), 1.0, {0.02, 1.2, 0, 0});
+  check_case(straight);
+}
+
+TEST_CASE("short rows figures: meshes by others never settle worse with them", "[short-rows]") {
+  check_some(others_meshes());
+}
+
+TEST_CASE("short rows figures: mains and counts in rhythm go together with them", "[short-rows]") {
+  Case wanted = case_of(half_ring({48, 60}), 1.0, {0.13, 1.9, 8, 16});
+  wanted.change = [](Parameters& parameters) { parameters.stitches.follow_mains = FollowMains::on; };
+  check_case(wanted);
+  wanted.change = [](Parameters& parameters) { parameters.rhythm.counts = CountPlanning::rhythm; };
+  check_case(wanted);
+}
+
+TEST_CASE("short rows figures: the table", "[.][short-rows-table]") {
+  std::vector<Case> all = bent_tubes();
+  for (Case& other : others_meshes()) all.push_back(std::move(other));
+  std::printf(
+      "| | w, %% | h/w | pairs | wale CV, without | with | longest wale, without | with | course CV, without "
+      "| "
+      "with |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Case& of : all) {
+    const Ran ran = check_case(of);
+    const LengthFigures wales = wale_figures(ran.with), plain = wale_figures(ran.without);
+    std::printf("| %s%s | %g | %g | %d | %.3f | %.3f | %.2f | %.2f | %.3f | %.3f |\n", of.name.c_str(),
+                of.timing == TimingKind::geodesic ? ", geodesic"
+                : of.timing == TimingKind::linear ? ", linear"
+                                                  : "",
+                of.width_percent, of.height_of_width, pairs_in(ran.with), plain.cv, wales.cv,
+                plain.high / ran.height, wales.high / ran.height, course_figures(ran.without).cv,
+                course_figures(ran.with).cv);
+  }
+}
