@@ -79,6 +79,16 @@ std::optional<HalfCurves> sides_of(const Ring& curve, const MirrorPlane& plane) 
   return HalfCurves{&curve, *at, {ahead, curve.length - ahead}};
 }
 
+// How many stitches the back half gets instead of `back`, so that no half changes by more than a round gives or takes it. Where the
+// whole changes by more than both can, they share that.
+double within_reach(double back, double whole, double front_before, double back_before) {
+  constexpr double most = most_a_half_changes;
+  const double least_back = std::max(back_before - most, whole - front_before - most);
+  const double most_back = std::min(back_before + most, whole - front_before + most);
+  if (least_back > most_back) return back_before + (whole - front_before - back_before) / 2.0;
+  return std::clamp(back, least_back, most_back);
+}
+
 }  // namespace
 
 std::optional<double> back_arc(const Ring& curve, const MirrorPlane& plane) {
@@ -99,11 +109,19 @@ std::optional<HalfIdeals> half_ideals(const Tube& tube, const MirrorPlane& plane
       if (carried)
         share[side] =
             std::clamp(sides->share_of(side, main[side]), nearest_to_an_end, 1.0 - nearest_to_an_end);
-      main[side] = sides->place(side, share[side]);
     }
-    carried = carried || sides->curve->length > long_enough * tube.longest;
-    const double behind = (share[0] * sides->length[0] + share[1] * sides->length[1]) / sides->curve->length;
     const double whole = tube.lengths[row] / stitch_width;
+    const auto behind_now = [&] {
+      return (share[0] * sides->length[0] + share[1] * sides->length[1]) / sides->curve->length;
+    };
+    if (carried) {
+      const double kept = within_reach(behind_now() * whole, whole, ideals.front.back(), ideals.back.back());
+      const double more = kept / whole - behind_now();
+      for (double& one : share) one = std::clamp(one + more, nearest_to_an_end, 1.0 - nearest_to_an_end);
+    }
+    for (const std::size_t side : {0U, 1U}) main[side] = sides->place(side, share[side]);
+    carried = carried || sides->curve->length > long_enough * tube.longest;
+    const double behind = behind_now();
     ideals.front.push_back((1.0 - behind) * whole);
     ideals.back.push_back(behind * whole);
   }
