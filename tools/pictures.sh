@@ -8,6 +8,7 @@
 #   tools/pictures.sh --digest EXAMPLE  that of its mesh and parameters
 #   tools/pictures.sh --pair NAME ...   a mesh as its rows were placed and as it settled: NAME-placed.png, NAME-settled.png;
 #                                       ... is a mesh with what else the program is told. YAW, PITCH: where from
+#   tools/pictures.sh --short-rows NAME ...  a mesh settled in whole rounds and with short rows: NAME-off.png, NAME-auto.png
 # KNIT_MESH: the program, else build/dev/knit-mesh. KNIT_MESHES: where simple-elbow.obj may lie, else ../shared/meshes.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -69,6 +70,18 @@ pair() { # name, and what the program is told
   done
 }
 
+short_rows() { # name, and what the program is told
+  local name=$1
+  shift
+  local rows
+  for rows in off auto; do
+    "$program" "$@" --short-rows "$rows" --settle on --headless --at settle:0:1000 --save-session "$aside/short.json" 2>/dev/null
+    sed -E -i -e 's/"moves": true/"moves": false/' -e "s/\"yaw\": [^,]*/\"yaw\": ${YAW:-5.85}/" \
+      -e "s/\"pitch\": [^,]*/\"pitch\": ${PITCH:--0.24}/" "$aside/short.json"
+    "$program" --session "$aside/short.json" --headless --alone --size 700x700 --save-picture "$name-$rows.png"
+  done
+}
+
 docs() {
   local into=$root/docs/pictures
   "$program" --example thesis-sphere --headless --save-session "$aside/wide.json"
@@ -81,8 +94,10 @@ docs() {
   take best-rows dark 1440x900 1 "$into/best-rows.png"
   pair "$into/ball" --example sphere --preset best-rows
   pair "$into/starfish" --example starfish --settle on
+  short_rows "$into/heel" --example heel
   if [ -f "$meshes/simple-elbow.obj" ]; then
     YAW=2.1 PITCH=-0.25 pair "$into/elbow" "$meshes/simple-elbow.obj"
+    YAW=2.1 PITCH=-0.25 short_rows "$into/elbow" "$meshes/simple-elbow.obj" --timing harmonic
   else
     echo "pictures: no simple-elbow.obj in $meshes, so the elbow stays as it was" >&2
   fi
@@ -124,6 +139,11 @@ case ${1:-} in
   --pair)
     shift
     pair "$@"
+    exit 0
+    ;;
+  --short-rows)
+    shift
+    short_rows "$@"
     exit 0
     ;;
 esac

@@ -1,6 +1,7 @@
 #include "app/files/report.h"
 
 #include <array>
+#include <cmath>
 
 #include "app/files/card.h"
 #include "app/files/knitted.h"
@@ -535,7 +536,18 @@ Json short_rows_json(const knit::State& state) {
   for (const auto& tube : state.short_rows.tubes) planned += tube->search.arcs.size();
   const std::size_t pairs = rows / 2;
   const bool made = state.stage() > knit::Stage::rows && planned > pairs;
-  return {{"pairs", pairs}, {"stitches", stitches}, {"dropped", made ? planned - pairs : 0}};
+  Json tries = Json::array();
+  for (const knit::KeptTry& way : state.short_rows.tries) {
+    const bool finite = std::isfinite(way.sum);
+    tries.push_back({{"rows_kept", way.kept},
+                     {"pairs", way.pairs},
+                     {"stitches", way.stitches},
+                     {"settled_sum", finite ? Json(way.sum) : Json()},
+                     {"wale_cv", finite ? Json(static_cast<double>(way.wale_cv)) : Json()},
+                     {"chosen", state.short_rows.kept == way.kept}});
+  }
+  return {
+      {"pairs", pairs}, {"stitches", stitches}, {"dropped", made ? planned - pairs : 0}, {"tries", tries}};
 }
 
 }  // namespace

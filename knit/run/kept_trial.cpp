@@ -1,7 +1,11 @@
 #include "knit/run/kept_trial.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <vector>
 
 #include "knit/run/machine.h"
 #include "knit/run/short_rows_due.h"
@@ -84,10 +88,28 @@ Parameters parameters_for(Parameters parameters, std::int32_t way) {
   return parameters;
 }
 
+float wale_cv_of(const Fabric& fabric) {
+  const std::vector<glm::dvec3> path = knitting_path(fabric);
+  double count = 0.0, sum = 0.0, squares = 0.0;
+  const auto add = [&](const std::vector<std::array<std::uint32_t, 2>>& wales) {
+    for (const auto& [lower, upper] : wales) {
+      const double length = glm::distance(path[lower], path[upper]);
+      ++count;
+      sum += length;
+      squares += length * length;
+    }
+  };
+  for (const auto& strip : fabric.strips()) add(strip->column_edges);
+  for (const auto& deal : fabric.deals()) add(deal->column_edges);
+  if (sum <= 0.0) return 0.0F;
+  const double mean = sum / count;
+  return static_cast<float>(std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean);
+}
+
 // Runs ahead until all has settled.
 KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std::int32_t way,
                 const Heard& heard) {
-  KeptTry made{way, 0, 0, std::numeric_limits<double>::infinity()};
+  KeptTry made{way, 0, 0, 0.0F, std::numeric_limits<double>::infinity()};
   const Parameters parameters = parameters_for(as_asked, way);
   std::vector<Shared<PlannedPairs>> plans = std::move(ahead.short_rows.ahead);
   ahead.short_rows = {};
@@ -106,6 +128,7 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
   for (const auto& row : ahead.fabric.rows()) made.pairs += is_short(*row) ? 1 : 0;
   made.pairs /= 2;
   made.sum /= static_cast<double>(made.stitches);
+  made.wale_cv = wale_cv_of(ahead.fabric);
   return made;
 }
 

@@ -16,6 +16,7 @@
 #include "app/panels/kit/run_cache.h"
 #include "app/panels/kit/term_text.h"
 #include "app/panels/kit/widgets.h"
+#include "app/panels/parameters/kept_choices.h"
 #include "app/panels/parameters/knob_curve.h"
 #include "app/panels/parameters/knob_notes.h"
 #include "app/panels/parameters/parameters.h"
@@ -476,6 +477,7 @@ void draw_knobs(PanelFrame& frame, const knit::Timeline& timeline) {
     knit::Parameters parameters = timeline.parameters();
     draw_knob(frame, info, parameters);
     bool held = number_dragged(frame);  // a click is over, and so is what was typed
+    if (is_short_rows_knob(info)) draw_kept_choices(frame, parameters);
     if (is_rhythm_dial(info)) held = draw_rhythm_dial(frame, info, parameters) || held;
     if (parameters == timeline.parameters()) continue;
     note_change_of(frame, info, timeline.parameters(), parameters);
