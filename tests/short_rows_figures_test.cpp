@@ -1,6 +1,7 @@
 // Short rows in whole runs of shapes that bend: how even their stitches come out, and what holds of every fabric with pairs.
 // The table of docs/algorithm.md is printed by: knit_tests "[short-rows-table]"
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "knit/quality/ease.h"
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
+#include "knit/stitches/short_join.h"
 #include "tests/support/bent_tubes.h"
 #include "tests/support/catch.h"
 #include "tests/support/repeated.h"
@@ -171,6 +173,58 @@ TEST_CASE("short rows figures: what is straight gets none", "[short-rows]") {
 
 TEST_CASE("short rows figures: meshes by others never settle worse with them", "[short-rows]") {
   check_some(others_meshes());
+}
+
+namespace {
+
+// Of each full round: its stitches, and the pairs under it.
+struct RoundPairs {
+  std::int32_t stitches = 0;
+  std::vector<std::array<std::int32_t, 2>> pairs;
+  friend bool operator==(const RoundPairs&, const RoundPairs&) = default;
+};
+
+std::vector<RoundPairs> rounds_of(const State& state) {
+  std::vector<RoundPairs> rounds;
+  for (const auto& row : state.fabric.rows()) {
+    if (is_short(*row)) continue;
+    rounds.push_back({size_of(*row), {}});
+    if (!row->on.empty()) rounds.back().pairs = short_arcs_below(state.fabric, row->id);
+    std::sort(rounds.back().pairs.begin(), rounds.back().pairs.end());
+  }
+  return rounds;
+}
+
+// Round the other way: stitch 0 stays, stitch i goes to the place of stitch -i.
+std::vector<RoundPairs> mirror_of(std::vector<RoundPairs> rounds) {
+  for (std::size_t i = 1; i < rounds.size(); ++i) {
+    const std::int32_t below = rounds[i - 1].stitches;
+    for (auto& [first, last] : rounds[i].pairs) {
+      const std::int32_t from = -last, to = -first;
+      const std::int32_t turn = to < 0 ? below : 0;
+      first = from + turn;
+      last = to + turn;
+    }
+    std::sort(rounds[i].pairs.begin(), rounds[i].pairs.end());
+  }
+  return rounds;
+}
+
+void begin_on_the_high_side(Parameters& parameters) {
+  parameters.rows.start_direction = glm::dvec3(1.0, 0.0, 0.0);  // in the mirror plane
+}
+
+}  // namespace
+
+TEST_CASE("short rows figures: a mirrored shape gets the mirrored pairs", "[short-rows]") {
+  Case one = case_of(lopsided_cylinder(), 1.0, {}), other = case_of(mirrored(lopsided_cylinder()), 1.0, {});
+  one.settle = other.settle = Settling::off;
+  one.change = other.change = begin_on_the_high_side;
+  const std::vector<RoundPairs> rounds = rounds_of(run(one, ShortRows::automatic)),
+                                mirrors = rounds_of(run(other, ShortRows::automatic));
+  CHECK(std::any_of(rounds.begin(), rounds.end(), [](const RoundPairs& r) { return !r.pairs.empty(); }));
+  CHECK(mirror_of(rounds) == mirrors);
+  CHECK(rounds != mirrors);
 }
 
 TEST_CASE("short rows figures: mains and counts in rhythm go together with them", "[short-rows]") {

@@ -66,16 +66,6 @@ inline BentTube half_ring(const TubeNet& net = {}) {
   return arched_tube("half ring", net, 2.0, [](double up) { return glm::dvec2(std::numbers::pi * up, 1.0); });
 }
 
-// Wider on the side of positive z than on the other, so that it is no mirror image of itself.
-inline BentTube oblique_half_ring(const TubeNet& net = {}) {
-  return ringed_tube("oblique half ring", net, [](double up, double turn) {
-    const double t = 2.0 * std::numbers::pi * turn, angle = std::numbers::pi * up;
-    const double radius = 1.0 + 0.2 * std::max(0.0, -std::sin(t)) * std::sin(angle);
-    const double out = 2.0 + radius * std::cos(t);
-    return glm::dvec3(out * std::cos(angle), out * std::sin(angle), -radius * std::sin(t));
-  });
-}
-
 // A round ended tube along an arc of 2 radians, cut off where it is a quarter as wide.
 inline BentTube banana(const TubeNet& net = {64, 120}) {
   return arched_tube("banana", net, 3.0, [](double up) {
@@ -116,6 +106,15 @@ inline BentTube slanted_cylinder(double slope = 0.8, const TubeNet& net = {}) {
   return ringed_tube("slanted cylinder", net, [=](double up, double turn) {
     const double t = 2.0 * std::numbers::pi * turn;
     return glm::dvec3(std::cos(t), std::sin(t), up * (4.0 + slope * std::cos(t)));
+  });
+}
+
+// Cut off obliquely, and wider on the side of positive y than on the other, so that it is no mirror image of itself.
+inline BentTube lopsided_cylinder(const TubeNet& net = {}) {
+  return ringed_tube("lopsided cylinder", net, [](double up, double turn) {
+    const double t = 2.0 * std::numbers::pi * turn;
+    const double radius = 1.0 + 0.15 * std::max(0.0, std::sin(t)) * std::sin(std::numbers::pi * up);
+    return glm::dvec3(radius * std::cos(t), radius * std::sin(t), up * (4.0 + 0.8 * std::cos(t)));
   });
 }
 
