@@ -379,3 +379,14 @@ TEST_CASE("checked pattern: a count that does not hold is said once") {
                  "8 sts.") == "+!+++");
   CHECK(signs_of("CO 12 sts.\nRnd 1: [k1, k2tog] 4 times. (9 sts)\nBO 8 sts.") == "+!+");
 }
+
+TEST_CASE("checked pattern: a round that is told by another is work whatever its label") {
+  for (const char* line : {"3. As rnd 1", "3: Same as rnd 1", "3: Work as for round 1", "- 3: as rnd 1",
+                           "As rnd 1", "Rnd 3: Rep rnd 1", "3. Rep rnd 1"}) {
+    CAPTURE(line);
+    const std::string text = "CO 20 sts.\n1. K2tog, k to end. (19 sts)\n2. Knit.\n" + std::string(line);
+    CHECK(signs_of(text + " (18 sts)\nBO 18 sts.") == "+++++");
+    CHECK(signs_of(text + " (19 sts)") == "+++!");
+    CHECK(signs_of(text + "\nBO 19 sts.") == "++++!");
+  }
+}

@@ -335,6 +335,18 @@ bool is_order(const Atom& atom) {
        "graft", "sew", "weave", "put",    "leave", "return", "transfer", "thread", "draw", "pull", "make"});
 }
 
+// "as rnd 3", "same as rnd 3", "work as for round 3": a round that is told by another.
+bool is_like_round(std::span<const Atom> line) {
+  constexpr std::size_t most_words = 5;
+  if (line.empty() || !is_any(line[0], {"as", "like", "same", "work", "rep", "repeat"})) return false;
+  const bool says_as = is_any(line[0], {"rep", "repeat"}) ||
+                       holds_any(line.first(std::min<std::size_t>(line.size(), 2)), {"as", "like"});
+  for (std::size_t i = 1; says_as && i + 1 < std::min(line.size(), most_words); ++i) {
+    if (is_rounds(line[i]) && line[i + 1].is_number()) return true;
+  }
+  return false;
+}
+
 // MATERIALS, NOTES: a section that tells about the pattern.
 bool tells_about(std::span<const Atom> line) {
   return holds_any(line, {"materials",  "gauge",    "tension", "abbreviations", "notes",     "note",
@@ -405,6 +417,7 @@ bool is_word_list(std::span<const Atom> line, const Lexicon& lexicon) {
 
 bool looks_like_work(std::span<const Atom> line, const Lexicon& lexicon) {
   if (line.empty()) return false;
+  if (is_like_round(line)) return true;
   bool figures = false, words = false, count = false;
   const bool order =
       is_any(line[0], {"k",    "p",    "knit",     "purl",     "work", "rep",  "repeat", "continue",

@@ -335,7 +335,8 @@ std::optional<RepeatWords> PhraseCursor::numbered_times() {
   if (sees({"once", "twice", "thrice"})) {
     words.times = sees({"once"}) ? 1 : sees({"twice"}) ? 2 : 3;
     skip();
-  } else if ((sees({"x"}) || (sees({"*"}) && at_ > 0 && is_any(line_[at_ - 1], {")", "]"}))) &&
+  } else if ((sees({"x"}) || (sees({"*"}) && at_ > 0 && is_any(line_[at_ - 1], {")", "]"}) &&
+                              !sees({"times"}, 2))) &&  // "*k1, (k1, p1)* 3 times": the star's end
              peek(1).is_number()) {
     words.times = peek(1).value;
     skip(2);

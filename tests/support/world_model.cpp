@@ -198,6 +198,7 @@ class Worker {
         return;
       case LineKind::cast_on:
         needle_ = count;
+        has_rule_ = false;
         markers_.clear();
         by_number_.clear();
         latest_.clear();
@@ -237,14 +238,22 @@ class Worker {
   void round(const Line& line) {
     if (!line.numbers.empty()) {
       for (const int number : line.numbers) by_number_[number] = &line;
+      has_rule_ = has_rule_ || line.label >= 100;
       if (!line.whole) throw Stop{Truth::unclear};
       return;
     }
-    for (int i = line.first; i <= line.last; ++i) {
-      one(line);
-      if (i > 0) by_number_[i] = &line;
+    const Line* told = &line;
+    if (line.like > 0) {
+      const auto found = by_number_.find(line.like);
+      // "Rnd 2 and every alternate rnd" tells of rounds that have no line.
+      if (found == by_number_.end()) throw Stop{has_rule_ ? Truth::unclear : Truth::wrong};
+      told = found->second;
     }
-    latest_.push_back(&line);
+    for (int i = line.first; i <= line.last; ++i) {
+      one(*told);
+      if (i > 0) by_number_[i] = told;
+    }
+    latest_.push_back(told);
   }
 
   void one(const Line& line) {
@@ -289,6 +298,7 @@ class Worker {
   const Pattern& pattern_;
   std::size_t size_;
   int needle_ = 0;
+  bool has_rule_ = false;
   std::vector<int> markers_;
   std::map<int, const Line*> by_number_;
   std::vector<const Line*> latest_;  // rounds since the last line of another kind

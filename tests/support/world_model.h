@@ -90,6 +90,7 @@ struct Line {
   int first = 0, last = 0;   // numbers of rounds; 0: none
   std::vector<int> numbers;  // "Rnds 2, 4 and 6"
   int from = 0, to = 0;      // rounds worked again
+  int like = 0;              // "as rnd 3": the round that this one is like; 0: it says its own
   std::optional<Num> until;  // stitches
   Num picked_up{0};
   std::string name;  // of a holder or of a piece

@@ -148,6 +148,7 @@ class Maker {
     line.text = dice_.of(flat_ ? ways().cast_on_rows : ways().cast_on);
     line.count = count_ = count;
     number_ = 1;
+    known_.reset();
     is_numbered_ = flat_ || paragraph_ || dice_.chance(75);
   }
   Num random_count() {
@@ -192,8 +193,30 @@ class Maker {
   Part knit(int times) { return knits(Num(times), look(), knit_word); }
   int look() { return dice_.roll(0, 239); }
 
+  // "(k1, p1) twice, k2tog": a repeat within the repeat.
+  std::vector<Part> nested_unit(int takes, int change) {
+    Part inner;
+    inner.kind = Kind::group;
+    const int rest = change < 0 ? 2 : 1;
+    const int each = (takes - rest) / 2 >= 3 && (takes - rest) % 3 == 0 ? 3 : 2;
+    inner.times = Num((takes - rest) / each);
+    inner.look = dice_.roll(0, 4);  // in brackets
+    inner.parts = {knit(each - 1), knits(Num(1), look(), purl_word)};
+    const int left = takes - inner.times.of[0] * each;
+    std::vector<Part> parts{inner};
+    if (change < 0) {
+      parts.push_back(stitch(2, 1));
+      if (left > 2) parts.push_back(knit(left - 2));
+    } else {
+      parts.push_back(knit(left));
+      if (change > 0) parts.push_back(stitch(0, 1));
+    }
+    if (dice_.chance(30)) std::rotate(parts.begin(), parts.begin() + 1, parts.end());
+    return parts;
+  }
   // A repeat of `takes` stitches that grows, shrinks, or stays.
   std::vector<Part> unit(int takes, int change) {
+    if (takes >= 6 && dice_.chance(20)) return nested_unit(takes, change);
     if (change > 0) {
       if (takes == 1) return {stitch(1, dice_.chance(80) ? 2 : 3)};
       if (dice_.chance(40)) return {knit(takes - 1), stitch(1, dice_.chance(85) ? 2 : 3)};
@@ -293,6 +316,7 @@ class Maker {
     if (tail_first) line.parts.push_back(knit(tail));
     line.parts.push_back(group);
     if (tail > 0 && !tail_first) line.parts.push_back(knit(tail));
+    if (change == 0) remember(line, 0, count_);
     count_ = after;
     state(line, change == 0 ? 40 : 85);
     if (tail == 0 && is_ambiguous(group)) line.stated = count_;
@@ -324,8 +348,26 @@ class Maker {
     Line& line = add_round(fewer ? "dec" : "inc");
     int by = 0;
     line.parts = edge_parts(fewer, by);
+    remember(line, by, {});
     count_ = with(by);
     state(line, 85);
+  }
+  // "Rnd 7: As rnd 3."
+  struct Known {
+    int number = 0, by = 0;
+    std::optional<Num> count;  // only on so many
+  };
+  void remember(const Line& line, int by, std::optional<Num> count) {
+    if (is_numbered_ && line.first > 0 && line.first == line.last) known_ = Known{line.first, by, count};
+  }
+  void like_before() {
+    const bool fits = known_ && is_numbered_ && known_->number < number_ &&
+                      (!known_->count || *known_->count == count_) && least() + known_->by >= 10;
+    if (!fits || (flat_ && (number_ - known_->number) % 2 != 0)) return plain();
+    Line& line = add_round();
+    line.like = known_->number;
+    count_ = with(known_->by);
+    state(line, 60);
   }
   void evenly() {
     const int by = dice_.roll(2, 8);
@@ -447,7 +489,8 @@ class Maker {
     if (kind < 66) return edges(fewer);
     if (kind < 72) return evenly();
     if (kind < 78) return paragraph_ ? plain() : even();
-    if (kind < 90) return paragraph_ ? plain() : pair_again();
+    if (kind < 86) return paragraph_ ? plain() : pair_again();
+    if (kind < 90) return like_before();
     if (kind < 95) return alternate();
     return markers();
   }
@@ -476,6 +519,7 @@ class Maker {
     count_ = Num(held + more);
     line.stated = count_;
     number_ = 1;
+    known_.reset();
   }
   void mitten() {
     made_.sizes = 1;
@@ -545,6 +589,7 @@ class Maker {
   Num count_;
   int number_ = 1, mark_ = 0;
   bool is_numbered_ = true, paragraph_ = false, flat_ = false;
+  std::optional<Known> known_;  // a round of this piece that another may be like
 };
 
 }  // namespace

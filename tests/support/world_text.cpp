@@ -57,6 +57,8 @@ const Said& ways() {
       .knit_round = {"knit", "knit", "k all sts", "knit all stitches", "knit to end of round", "k to end",
                      "knit around", "work even"},
       .purl_round = {"purl", "purl", "p all sts", "p to end", "purl to end", "p"},
+      .as_round = {"work as rnd {a}", "as rnd {a}", "work as for round {a}", "same as rnd {a}",
+                   "rep rnd {a}"},
       .even = {"Work even for {n} {rnds}.", "Knit {n} rounds.", "Work {n} {rnds} even.",
                "Work {n} rounds without shaping.", "K {n} rnds.", "Knit {w} rounds."},
       .even_one = {"Knit 1 rnd.", "Knit one round.", "Work 1 rnd even.", "Purl 1 rnd."},
@@ -383,6 +385,8 @@ class Speaker {
     std::string body = line.whole ? (line.purl ? choose("whole round", said.purl_round, line.look)
                                                : choose("whole round", said.knit_round, line.look))
                                   : parts(line.parts, true);
+    if (line.like > 0)
+      body = put(choose("as round", said.as_round, line.look), {{"a", std::to_string(line.like)}});
     const std::string named = label(line);
     if (named.empty() || line.look % 5 != 0) begin_large(body);
     if (line.mark > 0 && !named.empty()) used("bullet", bullet(line.mark));
@@ -491,6 +495,7 @@ std::vector<std::string> all_forms() {
                                    {"label", said.label_row_range},
                                    {"whole round", said.knit_round},
                                    {"whole round", said.purl_round},
+                                   {"as round", said.as_round},
                                    {"even", said.even},
                                    {"even", said.even_one},
                                    {"again", said.again},
