@@ -203,23 +203,10 @@ std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::M
 
 namespace {
 // The menu's order; what else lies in the folder follows by name.
-constexpr std::array<std::string_view, 17> known_order{"thesis-sphere",
-                                                       "sphere",
-                                                       "stretched-sphere",
-                                                       "egg",
-                                                       "capsule",
-                                                       "cone",
-                                                       "vase",
-                                                       "torus",
-                                                       "heel",
-                                                       "trousers",
-                                                       "y",
-                                                       "starfish",
-                                                       "octopus",
-                                                       "mug",
-                                                       "cup",
-                                                       "double-torus",
-                                                       "chain-of-three"};
+constexpr std::array<std::string_view, 17> known_order{
+    "thesis-sphere", "sphere",       "stretched-sphere", "egg", "capsule",  "cone",    "vase",
+    "torus",         "heel",         "trousers",         "y",   "starfish", "octopus", "mug",
+    "cup",           "double-torus", "chain-of-three"};
 }  // namespace
 
 std::vector<std::string> list_examples(const std::filesystem::path& assets) {

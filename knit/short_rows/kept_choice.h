@@ -41,8 +41,9 @@ struct KeptTry {
   std::int32_t kept = no_short_rows;
   std::int32_t pairs = 0;     // that are worked
   std::int32_t stitches = 0;  // of the whole piece
-  float wale_cv = 0.0F;       // settled: standard deviation of the wales' lengths / mean; to show, nothing is chosen by it
-  double sum = 0.0;           // a stitch, settled; infinite where the run stopped
+  float wale_cv =
+      0.0F;  // settled: standard deviation of the wales' lengths / mean; to show, nothing is chosen by it
+  double sum = 0.0;  // a stitch, settled; infinite where the run stopped
   [[nodiscard]] auto fields() const { return std::tie(kept, pairs, stitches, wale_cv, sum); }
   friend bool operator==(const KeptTry&, const KeptTry&) = default;
 };

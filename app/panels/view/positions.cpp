@@ -33,8 +33,7 @@ void draw_positions(PanelFrame& frame) {
   const Box& view = frame.layout.view;
   float bottom = view.bottom() - frame.units(above_legend);
   const auto legend = frame.memory.controls.find("legend-box");
-  if (legend != frame.memory.controls.end())
-    bottom = std::min(bottom, legend->second.y - frame.units(8.0f));
+  if (legend != frame.memory.controls.end()) bottom = std::min(bottom, legend->second.y - frame.units(8.0f));
   ImGui::SetNextWindowPos(ImVec2(view.right() - frame.units(12.0f), bottom), ImGuiCond_Always,
                           ImVec2(1.0f, 1.0f));
   push_raised_look(frame);

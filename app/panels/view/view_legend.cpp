@@ -92,8 +92,7 @@ void draw_labels(PanelFrame& frame) {
     const float at = y + 0.5f * (line - swatch);
     list.AddRectFilled(ImVec2(left, at), ImVec2(left + swatch, at + swatch),
                        style::packed(theme().of(shown[i].label)), frame.units(2.0f));
-    text_at(ImVec2(left + beside_swatch, y), 0.0f, theme().text,
-            std::string(knit::name_of(shown[i].label)));
+    text_at(ImVec2(left + beside_swatch, y), 0.0f, theme().text, std::string(knit::name_of(shown[i].label)));
   }
 }
 
