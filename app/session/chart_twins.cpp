@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "knit/pattern/limb_short_rows.h"
+
 namespace app {
 
 namespace {
@@ -24,6 +26,14 @@ std::vector<StitchAt> stitch_in_each(const knit::LimbPlan& plan, const std::vect
                                      const StitchAt& at) {
   std::vector<StitchAt> all;
   for (const std::int32_t number : pieces) {
+    const auto short_row = knit::short_row_of(plan.piece(number), at.row);
+    if (short_row) {
+      for (const std::int32_t twin : pieces) {
+        if (const knit::RowId row = knit::row_of(plan.piece(twin), *short_row); row > 0)
+          all.push_back({row, at.stitch});
+      }
+      break;
+    }
     const auto round = round_in(plan.piece(number), at.row);
     if (!round) continue;
     const std::int32_t count = stitches_in(plan.piece(number), *round);
@@ -44,6 +54,9 @@ std::int32_t row_in_first(const knit::LimbPlan& plan, const std::vector<std::int
   for (const std::int32_t number : pieces) {
     const auto round = round_in(plan.piece(number), row);
     if (round && *round < first.size()) return first[*round];
+    const auto short_row = knit::short_row_of(plan.piece(number), row);
+    const knit::RowId twin = short_row ? knit::row_of(plan.piece(pieces.front()), *short_row) : 0;
+    if (twin > 0) return twin;
   }
   return row;
 }
@@ -63,7 +76,7 @@ std::optional<std::size_t> chart_with_row(const std::vector<knit::PieceChart>& c
                                           const knit::LimbPlan& plan, std::int32_t row) {
   for (std::size_t i = 0; i < charts.size(); ++i) {
     for (const std::int32_t piece : charts[i].pieces) {
-      if (round_in(plan.piece(piece), row)) return i;
+      if (round_in(plan.piece(piece), row) || knit::short_row_of(plan.piece(piece), row)) return i;
     }
   }
   return std::nullopt;

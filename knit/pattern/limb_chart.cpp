@@ -5,6 +5,7 @@
 
 #include "knit/pattern/limb_groups.h"
 #include "knit/pattern/limb_needle.h"
+#include "knit/pattern/limb_short_rows.h"
 
 namespace knit {
 
@@ -79,9 +80,11 @@ PieceChart chart_of_piece(const LimbPiece& piece, const PieceNeedle& needle) {
   made.rows.assign(rows.size(), 0);
   made.starts.assign(rows.size(), 0);
   const std::size_t first = piece.is_cast_on() ? 0 : 1;
-  // Short rows have no row of the piece.
   for (std::size_t i = 0, at = first; i < piece.rows.size() && at < rows.size(); ++at) {
-    if (rows[at].short_row != 0) continue;
+    if (rows[at].short_row != 0) {
+      if (const auto short_row = short_row_of(piece, rows[at])) made.rows[at] = row_of(piece, *short_row);
+      continue;
+    }
     made.rows[at] = piece.rows[i];
     made.starts[at] = piece.starts[i];
     ++i;

@@ -26,7 +26,7 @@ struct PieceChart {
   std::vector<std::int32_t> pieces;  // of the plan
   Chart chart;
   // Of the first of them: of each of the chart's rows the fabric's row, 0 where it is none's, and the stitch of it that the
-  // marker stands before.
+  // marker stands before. A short row's stitches are found apart (limb_short_rows.h).
   std::vector<std::int32_t> rows, starts;
   // What stands at a stitch of a row of the chart, in the fabric.
   [[nodiscard]] PiecePlace place(std::size_t row, std::int32_t stitch) const;

@@ -16,6 +16,7 @@
 #include "knit/model/words.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/limb_chart.h"
+#include "knit/pattern/limb_short_rows.h"
 
 namespace app {
 
@@ -127,6 +128,11 @@ struct Sheet {
     if (piece == nullptr) {
       const auto found = stitches->stitch(row, square);
       return found ? std::optional(StitchAt{found->row, found->stitch}) : std::nullopt;
+    }
+    if (chart.rows[row].short_row != 0) {
+      const knit::ShortRowPlace over =
+          knit::place_of(plan->piece(piece->pieces.front()), chart.rows[row], square);
+      return over.row == 0 ? std::nullopt : std::optional(StitchAt{over.row, over.stitch});
     }
     const knit::PiecePlace place = piece->place(row, square.stitch);
     return StitchAt{place.row, place.stitch};

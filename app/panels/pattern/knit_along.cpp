@@ -153,7 +153,7 @@ void draw_pieces_along(PanelFrame& frame, const ChartCache& cache, std::int32_t 
   draw_turning_of_pieces(frame, cache, stops, at);
   draw_round_line(frame, words_of(pieces, stop));
   if (const knit::ChartRow* squares = chart_row_of(cache, stop)) draw_strip(frame, *squares);
-  const std::string rhythm = stop.deal == 0 ? cache.rhythm_of(stop.row) : "";
+  const std::string rhythm = stop.deal == 0 && stop.short_row == 0 ? cache.rhythm_of(stop.row) : "";
   if (!rhythm.empty()) draw_labelled(frame, "Rhythm", rhythm, "knit-along/rhythm");
   const std::string end = end_words(pieces, stop);
   if (!end.empty()) draw_labelled(frame, "Then", end, "knit-along/end");
@@ -162,7 +162,7 @@ void draw_pieces_along(PanelFrame& frame, const ChartCache& cache, std::int32_t 
   const Holding holding = holding_after(pieces, stop);
   draw_labelled(frame, "Needle",
                 knit::stitches_text(holding.needle) + " of " + pieces.name_of(stop.piece) +
-                    (stop.deal == 0 ? ", after this round" : ", after this"),
+                    (stop.deal == 0 && stop.short_row == 0 ? ", after this round" : ", after this"),
                 "knit-along/needle");
   draw_labelled(frame, "Holders", holders_text(holding), "knit-along/holders");
   if (at + 1 == stops.size()) return;

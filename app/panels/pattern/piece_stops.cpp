@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "knit/pattern/limb_notes.h"
+#include "knit/pattern/limb_short_rows.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
 
@@ -27,7 +28,21 @@ std::string with_small_letter(std::string words) {
 }
 
 // Of a cast on the first of its rows is no round that is worked.
-std::string round_words(const PlannedPieces& pieces, const LimbPiece& piece, std::int32_t number) {
+// Of the lines of a round the one that turns so many times after its beginning, and what follows it to the next turn.
+std::string short_row_words(const std::vector<knit::RoundLine>& lines, std::int32_t short_row) {
+  std::string words;
+  std::int32_t turns = 0;
+  for (const knit::RoundLine& line : lines) {
+    if (!line.short_row) break;
+    if (line.label.starts_with("Short row ")) ++turns;
+    if (turns == short_row) words += (words.empty() ? "" : "\n") + line.text();
+  }
+  return words;
+}
+
+// With short rows each has its own, with the way home behind it.
+std::string round_words(const PlannedPieces& pieces, const LimbPiece& piece, std::int32_t number,
+                        std::int32_t short_row) {
   const std::int32_t cast_on = piece.is_cast_on() ? 1 : 0;
   if (number == 1 && cast_on == 1)
     return knit::RoundLine{1, 1, knit::cast_on_words(piece.deals.back()), piece.first_count()}.text();
@@ -37,11 +52,10 @@ std::string round_words(const PlannedPieces& pieces, const LimbPiece& piece, std
   one.rounds = {{number, round.operations, round.before, round.after, round.pairs}};
   const std::vector<knit::RoundLine> lines = knit::round_lines(one, pieces.options);
   knit::RoundLine line = lines.back();
-  std::string before;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) before += lines[i].text() + "\n";
+  if (short_row > 0) return short_row_words(lines, short_row);
   if (round.slips_back) line.words = "Slip last st back, " + with_small_letter(line.words);
   line.moves_marker = round.slips_back;
-  return before + line.text();
+  return line.text();
 }
 
 // Holders by the piece that they go by and their number, and waste yarn by its piece.
@@ -109,8 +123,12 @@ std::vector<PieceStop> stops_of(const knit::LimbPlan& plan) {
       if (!casts_on(piece.deals[deal]))
         stops.push_back({i, piece.rows.front(), static_cast<std::int16_t>(deal + 1), 0});
     }
-    std::int32_t number = 0;
-    for (const knit::RowId row : piece.rows) stops.push_back({i, row, 0, ++number});
+    for (std::size_t round = 0; round < piece.rows.size(); ++round) {
+      const auto number = static_cast<std::int32_t>(round) + 1;
+      for (std::int32_t turn = 1; turn <= knit::short_rows_before(piece, round); ++turn)
+        stops.push_back({i, knit::row_of(piece, {round, turn}), 0, number, turn});
+      stops.push_back({i, piece.rows[round], 0, number});
+    }
   }
   return stops;
 }
@@ -139,19 +157,20 @@ std::size_t stop_a_piece_on(const std::vector<PieceStop>& stops, std::size_t fro
 
 std::string words_of(const PlannedPieces& pieces, const PieceStop& stop) {
   const LimbPiece& piece = pieces.plan.piece(stop.piece);
-  if (stop.deal == 0) return round_words(pieces, piece, stop.number);
+  if (stop.deal == 0) return round_words(pieces, piece, stop.number, stop.short_row);
   const knit::LimbNames names(pieces.plan, pieces.options);
   return knit::deal_sentence(pieces.plan, names, piece.deals[static_cast<std::size_t>(stop.deal - 1)]);
 }
 
 std::string end_words(const PlannedPieces& pieces, const PieceStop& stop) {
   const LimbPiece& piece = pieces.plan.piece(stop.piece);
-  if (stop.deal != 0 || stop.number != piece.round_count()) return "";
+  if (stop.deal != 0 || stop.short_row != 0 || stop.number != piece.round_count()) return "";
   return knit::end_sentence(pieces.plan, knit::LimbNames(pieces.plan, pieces.options), piece);
 }
 
 std::string seam_words(const PlannedPieces& pieces, const PieceStop& stop) {
-  if (stop.deal != 0 || stop.number != pieces.plan.piece(stop.piece).round_count()) return "";
+  const std::int32_t last = pieces.plan.piece(stop.piece).round_count();
+  if (stop.deal != 0 || stop.short_row != 0 || stop.number != last) return "";
   std::string words;
   for (const std::string& remark :
        knit::seam_remarks(pieces.plan, knit::LimbNames(pieces.plan, pieces.options), stop.piece))
@@ -162,7 +181,9 @@ std::string seam_words(const PlannedPieces& pieces, const PieceStop& stop) {
 std::string place_words(const PlannedPieces& pieces, const PieceStop& stop) {
   const std::string name = pieces.name_of(stop.piece);
   if (stop.deal != 0) return name + ", before round 1";
-  return name + ", round " + std::to_string(stop.number) + " of " +
+  const std::string short_row =
+      stop.short_row > 0 ? "short row " + std::to_string(stop.short_row) + " before " : "";
+  return name + ", " + short_row + "round " + std::to_string(stop.number) + " of " +
          std::to_string(pieces.plan.piece(stop.piece).round_count());
 }
 
@@ -172,7 +193,8 @@ Holding holding_after(const PlannedPieces& pieces, const PieceStop& stop) {
   for (std::int32_t before = 0; before < stop.piece; ++before) holders.do_piece(before);
   holders.do_deals(stop.piece, stop.deal != 0 ? static_cast<std::size_t>(stop.deal) : piece.deals.size());
   Holding holding;
-  const std::int32_t worked = stop.number - (piece.is_cast_on() ? 1 : 0);
+  // A short row leaves as many stitches as there were.
+  const std::int32_t worked = stop.number - (piece.is_cast_on() ? 1 : 0) - (stop.short_row > 0 ? 1 : 0);
   if (stop.deal != 0)
     holding.needle = piece.deals[static_cast<std::size_t>(stop.deal - 1)].after;
   else if (worked > 0)

@@ -1,6 +1,6 @@
 // Knitting along through pieces: what is done one after the other, in words, and what waits on which holder then.
 //
-// A stop is a deal before a piece's first round, or a round. Stops stand in working order; a stop is found again by the
+// A stop is a deal before a piece's first round, a round, or a short row before one. Stops stand in working order; a stop is found again by the
 // fabric's row and the deal's number, which is what a session keeps.
 #pragma once
 
@@ -14,10 +14,11 @@
 namespace app {
 
 struct PieceStop {
-  std::int32_t piece = 0;   // of the plan
-  std::int32_t row = 1;     // of the fabric; of a deal: of the first round after it
-  std::int16_t deal = 0;    // of the piece's, from 1; 0: it is a round
-  std::int32_t number = 0;  // of the round in its piece; of a deal: 0
+  std::int32_t piece = 0;      // of the plan
+  std::int32_t row = 1;        // of the fabric; of a deal: of the first round after it
+  std::int16_t deal = 0;       // of the piece's, from 1; 0: it is a round
+  std::int32_t number = 0;     // of the round in its piece; of a deal: 0
+  std::int32_t short_row = 0;  // its number before that round; 0: it is the round
   friend bool operator==(const PieceStop&, const PieceStop&) = default;
 };
 
@@ -35,7 +36,7 @@ std::string words_of(const PlannedPieces& pieces, const PieceStop& stop);
 std::string end_words(const PlannedPieces& pieces, const PieceStop& stop);
 // How it is joined to another there; empty where it is not.
 std::string seam_words(const PlannedPieces& pieces, const PieceStop& stop);
-// "Body D, round 3 of 30"; "Body D, before round 1"
+// "Body D, round 3 of 30"; "Body D, short row 2 before round 3 of 30"; "Body D, before round 1"
 std::string place_words(const PlannedPieces& pieces, const PieceStop& stop);
 
 struct HeldPiece {
