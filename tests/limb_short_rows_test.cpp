@@ -1,5 +1,4 @@
 // Short rows inside pieces, stop by stop: each is one when knitting along, and the squares of its row of the chart are its stitches.
-#include "knit/pattern/limb_short_rows.h"
 
 #include <algorithm>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "knit/pattern/limb_short_rows.h"
+#include "knit/pattern/limb_chart.h"
 
 namespace app {
 

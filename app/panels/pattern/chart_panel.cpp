@@ -16,7 +16,6 @@
 #include "knit/model/words.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/limb_chart.h"
-#include "knit/pattern/limb_short_rows.h"
 
 namespace app {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "knit/pattern/limb_chart.h"
 #include "knit/pattern/limb_notes.h"
-#include "knit/pattern/limb_short_rows.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/pattern_words.h"
 
