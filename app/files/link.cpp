@@ -8,6 +8,7 @@
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/settings_table.h"
+#include "knit/pattern/written_rows.h"
 
 namespace app {
 
@@ -73,6 +74,15 @@ void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternP
   if (!pieces.order.empty()) link.add("--piece-order", piece_order_text(pieces.order));
 }
 
+// As the pattern counts: "12", or "12.1", the first short row on it.
+std::string round_words(const knit::Fabric& fabric, std::int32_t row) {
+  const std::vector<knit::WrittenRow> written = knit::written_rows(fabric);
+  if (row < 1 || row > std::ssize(written)) return std::to_string(row);
+  const knit::WrittenRow& called = written[static_cast<std::size_t>(row - 1)];
+  if (called.short_row == 0) return std::to_string(called.round);
+  return std::to_string(called.round - 1) + "." + std::to_string(called.short_row);
+}
+
 }  // namespace
 
 std::string shell_quoted(const std::string& word) {
@@ -113,7 +123,8 @@ std::optional<std::string> link_by_options(const Session& session) {
     link.add("--centre", piece.empty() ? "chart" : "chart:" + piece);
   }
   if (session.view->positions == Positions::placed) link.add("--positions", "placed");
-  if (session.view->gaze.knit_along) link.add("--knit-along", std::to_string(*session.view->gaze.knit_along));
+  if (session.view->gaze.knit_along)
+    link.add("--knit-along", round_words(timeline.furthest().fabric, *session.view->gaze.knit_along));
   add_pattern(link, session.view->pattern, session.document->pieces);
   return link.text();
 }

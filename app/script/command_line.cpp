@@ -142,7 +142,8 @@ void declare_looking(CLI::App& app, Words& words) {
   app.add_option("--scale", words.scale, "size of words and lines, 0.75 to 2.5; 1.5 for a projector");
   app.add_option("--lesson", words.lesson, "begin a lesson: its key (see --list-lessons), or a file of one");
   app.add_option("--lesson-page", words.lesson_page, "the lesson's page to begin with, from 1");
-  app.add_option("--knit-along", words.knit_along, "knit along, beginning with this round");
+  app.add_option("--knit-along", words.knit_along,
+                 "knit along, beginning with this round, or 12.1: the first short row on round 12");
   app.add_flag("--follow", words.follow, "turn the view to what happens when that is behind the surface");
 }
 
@@ -360,12 +361,16 @@ std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
   line.centre = centre == "chart" ? CentrePanel::chart : CentrePanel::view;
   line.centre_given = !words.centre.empty();
   if (words.knit_along.empty()) return std::nullopt;
-  std::int32_t round = 0;
+  std::int32_t round = 0, short_row = 0;
   const char* end = words.knit_along.data() + words.knit_along.size();
-  const auto result = std::from_chars(words.knit_along.data(), end, round);
-  if (result.ec != std::errc() || result.ptr != end || round < 1)
-    return "--knit-along cannot be \"" + words.knit_along + "\"; give a round from 1.";
+  auto result = std::from_chars(words.knit_along.data(), end, round);
+  const bool on_it = result.ec == std::errc() && result.ptr != end && *result.ptr == '.';
+  if (on_it) result = std::from_chars(result.ptr + 1, end, short_row);
+  if (result.ec != std::errc() || result.ptr != end || round < 1 || (on_it && short_row < 1))
+    return "--knit-along cannot be \"" + words.knit_along +
+           "\"; give a round from 1, or 12.1 for the first short row on round 12.";
   line.knit_along = round;
+  line.knit_along_short = short_row;
   return std::nullopt;
 }
 

@@ -20,6 +20,12 @@ std::vector<WrittenRow> written_rows(const Fabric& fabric) {
   return written;
 }
 
+RowId row_called(const Fabric& fabric, const WrittenRow& called) {
+  const std::vector<WrittenRow> written = written_rows(fabric);
+  const auto found = std::find(written.begin(), written.end(), called);
+  return found == written.end() ? 0 : static_cast<RowId>(found - written.begin()) + 1;
+}
+
 RowId row_of_round(const Fabric& fabric, std::int32_t round) {
   for (const auto& row : fabric.rows()) {
     if (!is_short(*row) && --round == 0) return row->id;

@@ -20,6 +20,9 @@ struct WrittenRow {
 // Of each row of the fabric. A short row's number is its turn's: what is worked home to the beginning of the round has none.
 std::vector<WrittenRow> written_rows(const Fabric& fabric);
 
+// The row of the fabric that is called so; 0: none.
+RowId row_called(const Fabric& fabric, const WrittenRow& called);
+
 // The row that a round of the pattern is; 0: none.
 RowId row_of_round(const Fabric& fabric, std::int32_t round);
 
