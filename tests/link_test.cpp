@@ -1,6 +1,8 @@
 // The copied command line opens exactly the state it was copied from.
 #include "app/files/link.h"
 
+#include <algorithm>
+
 #include "app/actions/navigate.h"
 #include "app/files/session_file.h"
 #include "app/script/command_line.h"
@@ -133,6 +135,29 @@ TEST_CASE("a link says what is shown, and quotes what a shell would take apart")
   CHECK(shell_quoted("") == "''");
   CHECK(shell_quoted("a'b") == "'a'\\''b'");
   CHECK(shell_quoted("--at=rows:1:2") == "--at=rows:1:2");
+}
+
+TEST_CASE("a link says where one knits along as the pattern counts, short rows too") {
+  Session session = example_session("heel");
+  session.document->timeline.extend_to_end();
+  const auto rows = session.document->timeline.furthest().fabric.rows();
+  const auto turned =
+      std::find_if(rows.begin(), rows.end(), [](const auto& row) { return knit::is_short(*row); });
+  REQUIRE(turned != rows.end());
+  const knit::RowId short_row = (*turned)->id;  // the rows before it are rounds
+  apply(session, KnitAlong{short_row});
+  const std::string link = copied(session);
+  CHECK(contains(link, "--knit-along " + std::to_string(short_row - 1) + ".1"));
+  CHECK(opened_by(link).view->gaze.knit_along == short_row);
+
+  // A round that short rows came before has a smaller number than its row.
+  const auto round = std::find_if(turned, rows.end(), [](const auto& row) { return !knit::is_short(*row); });
+  REQUIRE(round != rows.end());
+  apply(session, KnitAlong{(*round)->id});
+  const std::string other = copied(session);
+  CHECK(contains(other, "--knit-along " + std::to_string(short_row)));
+  CHECK_FALSE(contains(other, std::to_string(short_row) + "."));
+  CHECK(opened_by(other).view->gaze.knit_along == (*round)->id);
 }
 
 TEST_CASE("with edits the link names the session file, while that says what is shown") {

@@ -10,10 +10,6 @@ namespace knit {
 
 namespace {
 
-std::span<const Atom> from(const Atoms& line, std::size_t at) {
-  return std::span(line).subspan(std::min(at, line.size()));
-}
-
 // "3", "3 - 6", "3 to 6": first and last.
 std::optional<std::pair<std::int64_t, std::int64_t>> number_range(PhraseCursor& here) {
   if (!here.peek().is_number()) return std::nullopt;
@@ -407,7 +403,7 @@ bool WorldWorker::plain_rounds(const Atoms& part, const WorldCount& count) {
   any_number_ = true;
   run_pending(true);
   std::string how = told->shape_at ? "" : "knit";
-  for (const Atom& atom : from(part, told->shape_at.value_or(part.size())))
+  for (const Atom& atom : rest_of(part, told->shape_at.value_or(part.size())))
     how += (how.empty() ? "" : " ") + atom.text;
   work_plain(told->rounds.value_or(1), how, count);
   return true;

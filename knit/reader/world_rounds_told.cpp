@@ -10,10 +10,6 @@ namespace knit {
 
 namespace {
 
-std::span<const Atom> from(const Atoms& line, std::size_t at) {
-  return std::span(line).subspan(std::min(at, line.size()));
-}
-
 // "[Knit 1 rnd, inc rnd] …", not "[k2, p2] …".
 bool begins_with_rounds(const Atoms& body) {
   if (body.empty() || !is_any(body.front(), {"[", "("})) return false;
@@ -187,7 +183,7 @@ bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const
   }
   if (recipes->size() == 1 && here.take({"with", "but", "working", "using"})) {
     here.take({"work", "working"});
-    if (like_but(recipes->front(), label, from(body, here.at()), count)) return true;
+    if (like_but(recipes->front(), label, rest_of(body, here.at()), count)) return true;
   } else {
     bool trouble = false;
     if (const auto repeat = repeat_in(body, trouble)) {

@@ -24,6 +24,11 @@ struct Atom {
 };
 using Atoms = std::vector<Atom>;
 
+// From `at` on; none beyond the end.
+inline std::span<const Atom> rest_of(const Atoms& line, std::size_t at) {
+  return std::span(line).subspan(at < line.size() ? at : line.size());
+}
+
 inline constexpr std::int64_t most_value = 1'000'000'000;
 
 // Any bytes; linear.
