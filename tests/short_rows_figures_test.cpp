@@ -180,7 +180,7 @@ struct RoundPairs {
   friend bool operator==(const RoundPairs&, const RoundPairs&) = default;
 };
 
-std::vector<RoundPairs> rounds_of(const State& state) {
+std::vector<RoundPairs> pairs_by_round(const State& state) {
   std::vector<RoundPairs> rounds;
   for (const auto& row : state.fabric.rows()) {
     if (is_short(*row)) continue;
@@ -216,8 +216,8 @@ TEST_CASE("short rows figures: a mirrored shape gets the mirrored pairs", "[shor
   Case one = case_of(lopsided_cylinder(), 1.0, {}), other = case_of(mirrored(lopsided_cylinder()), 1.0, {});
   one.settle = other.settle = Settling::off;
   one.change = other.change = begin_on_the_high_side;
-  const std::vector<RoundPairs> rounds = rounds_of(run(one, ShortRows::automatic)),
-                                mirrors = rounds_of(run(other, ShortRows::automatic));
+  const std::vector<RoundPairs> rounds = pairs_by_round(run(one, ShortRows::automatic)),
+                                mirrors = pairs_by_round(run(other, ShortRows::automatic));
   CHECK(std::any_of(rounds.begin(), rounds.end(), [](const RoundPairs& r) { return !r.pairs.empty(); }));
   CHECK(mirror_of(rounds) == mirrors);
   CHECK(rounds != mirrors);
