@@ -103,7 +103,8 @@ TEST_CASE("kept rows: a tube of few rows is not charted") {
 }
 
 TEST_CASE("kept rows: of equal ways the first is taken") {
-  const std::vector<KeptTry> tries{{no_short_rows, 0, 100, 0.05F}, {0, 3, 104, 0.04F}, {1, 2, 103, 0.04F}};
+  const std::vector<KeptTry> tries{
+      {no_short_rows, 0, 100, 0.0F, 0.05}, {0, 3, 104, 0.0F, 0.04}, {1, 2, 103, 0.0F, 0.04}};
   CHECK(best_of(tries).kept == 0);
 }
 

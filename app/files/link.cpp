@@ -76,11 +76,10 @@ void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternP
 
 // As the pattern counts: "12", or "12.1", the first short row on it.
 std::string round_words(const knit::Fabric& fabric, std::int32_t row) {
-  const std::vector<knit::WrittenRow> written = knit::written_rows(fabric);
-  if (row < 1 || row > std::ssize(written)) return std::to_string(row);
-  const knit::WrittenRow& called = written[static_cast<std::size_t>(row - 1)];
-  if (called.short_row == 0) return std::to_string(called.round);
-  return std::to_string(called.round - 1) + "." + std::to_string(called.short_row);
+  const auto called = knit::written_row(fabric, row);
+  if (!called) return std::to_string(row);
+  if (called->short_row == 0) return std::to_string(called->round);
+  return std::to_string(called->round - 1) + "." + std::to_string(called->short_row);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "app/files/report.h"
 
 #include <array>
-#include <cmath>
 
 #include "app/files/card.h"
 #include "app/files/knitted.h"
@@ -497,6 +496,32 @@ Json edits_json(const knit::Timeline& timeline) {
   return all;
 }
 
+// What was left out is known once the rows are made.
+Json short_rows_json(const knit::State& state) {
+  std::size_t rows = 0, stitches = 0, planned = 0;
+  for (const auto& row : state.fabric.rows()) {
+    if (!knit::is_short(*row)) continue;
+    ++rows;
+    stitches += row->stitches.size();
+  }
+  for (const auto& tube : state.short_rows.tubes) planned += tube->search.arcs.size();
+  const std::size_t pairs = rows / 2;
+  Json tries = Json::array();
+  for (const knit::KeptTry& way : state.short_rows.tries) {
+    tries.push_back({{"rows_kept", way.kept},
+                     {"pairs", way.pairs},
+                     {"stitches", way.stitches},
+                     {"settled_sum", way.sum},  // infinite where the run stopped: null
+                     {"wale_cv", static_cast<double>(way.wale_cv)},
+                     {"chosen", state.short_rows.kept == way.kept}});
+  }
+  if (state.stage() <= knit::Stage::rows) planned = pairs;
+  return {{"pairs", pairs},
+          {"stitches", stitches},
+          {"dropped", planned > pairs ? planned - pairs : 0},
+          {"tries", tries}};
+}
+
 }  // namespace
 
 std::vector<TubeLabels> label_rows(const knit::State& state) {
@@ -523,42 +548,12 @@ std::vector<TubeLabels> label_rows(const knit::State& state) {
   return tubes;
 }
 
-namespace {
-
-// What was left out is known once the rows are made.
-Json short_rows_json(const knit::State& state) {
-  std::size_t rows = 0, stitches = 0, planned = 0;
-  for (const auto& row : state.fabric.rows()) {
-    if (!knit::is_short(*row)) continue;
-    ++rows;
-    stitches += row->stitches.size();
-  }
-  for (const auto& tube : state.short_rows.tubes) planned += tube->search.arcs.size();
-  const std::size_t pairs = rows / 2;
-  const bool made = state.stage() > knit::Stage::rows && planned > pairs;
-  Json tries = Json::array();
-  for (const knit::KeptTry& way : state.short_rows.tries) {
-    const bool finite = std::isfinite(way.sum);
-    tries.push_back({{"rows_kept", way.kept},
-                     {"pairs", way.pairs},
-                     {"stitches", way.stitches},
-                     {"settled_sum", finite ? Json(way.sum) : Json()},
-                     {"wale_cv", finite ? Json(static_cast<double>(way.wale_cv)) : Json()},
-                     {"chosen", state.short_rows.kept == way.kept}});
-  }
-  return {
-      {"pairs", pairs}, {"stitches", stitches}, {"dropped", made ? planned - pairs : 0}, {"tries", tries}};
-}
-
-}  // namespace
-
 Json report_json(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const knit::State state = shown_state(session);
   const knit::Mesh& mesh = timeline.input().mesh;
   const knit::FaceCounts faces = knit::count_faces(state);
   const knit::ShapingFigures shaping = knit::shaping_figures(state);
-
   Json report;
   report["mesh"] = {
       {"name", mesh.name}, {"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};

@@ -172,7 +172,7 @@ const std::array judges{
               {"placed", "settled"},
               truths::longest_wale,
               nullptr},
-    JudgeInfo{"short-rows",
+    JudgeInfo{"pairs-of-short-rows",
               "how many pairs of short rows there are, or how many short rows",
               {AnswerKind::number},
               JudgeNeeds::word,

@@ -361,16 +361,10 @@ std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
   line.centre = centre == "chart" ? CentrePanel::chart : CentrePanel::view;
   line.centre_given = !words.centre.empty();
   if (words.knit_along.empty()) return std::nullopt;
-  std::int32_t round = 0, short_row = 0;
-  const char* end = words.knit_along.data() + words.knit_along.size();
-  auto result = std::from_chars(words.knit_along.data(), end, round);
-  const bool on_it = result.ec == std::errc() && result.ptr != end && *result.ptr == '.';
-  if (on_it) result = std::from_chars(result.ptr + 1, end, short_row);
-  if (result.ec != std::errc() || result.ptr != end || round < 1 || (on_it && short_row < 1))
+  line.knit_along = read_round(words.knit_along);
+  if (!line.knit_along)
     return "--knit-along cannot be \"" + words.knit_along +
            "\"; give a round from 1, or 12.1 for the first short row on round 12.";
-  line.knit_along = round;
-  line.knit_along_short = short_row;
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/script/round_words.h"
 #include "app/session/action.h"
 #include "app/session/at.h"
 #include "app/session/preferences.h"
@@ -35,7 +36,7 @@ struct CommandLine {
   std::optional<double> scale;         // likewise
   std::optional<decltype(Preferences::row_columns)> row_columns;  // of the list of rows; likewise
   std::vector<std::string> piece_order;    // letters, as they are worked; empty: the cheapest
-  std::optional<std::int32_t> knit_along;  // the round to begin with, as the pattern counts
+  std::optional<RoundWords> knit_along;    // the round to begin with, as the pattern counts
   bool follow = false;                     // the view turns to what happens behind the surface
   bool fit_size = false;                   // to the rhythm, once all else is set
   std::filesystem::path session;           // instead of a mesh; empty: none
@@ -61,8 +62,6 @@ struct CommandLine {
   std::optional<std::size_t> checked_line;  // where the caret stands, from 1
   std::string checked_size;                 // its name or its number from 1; empty: the first
   std::optional<SetCheckedGauge> checked_gauge;
-  std::int32_t knit_along_short =
-      0;  // on the round of `knit_along`: its short row of this number; 0: the round itself
 };
 
 // The program's answer without a window: help, a list, an error.

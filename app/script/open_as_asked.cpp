@@ -146,17 +146,18 @@ bool opens_beside(const CommandLine& line) {
 }
 
 // The fabric numbers short rows among its rows, so it must be known where there are any.
-void knit_along(Session& session, std::int32_t round, std::int32_t short_row) {
+void knit_along(Session& session, const RoundWords& from) {
+  const auto [round, short_row] = from;
   if (!session.document) return apply(session, KnitAlong{round});
-  knit::Timeline& timeline = session.document->timeline;
+  const knit::Timeline& timeline = session.document->timeline;
   const bool shorts = timeline.parameters().short_rows.rows != knit::ShortRows::off;
-  if (shorts) timeline.extend_to_end();
+  if (shorts) work_out(session);
   const knit::WrittenRow called{round + (short_row > 0 ? 1 : 0), short_row};
   const std::int32_t row = shorts ? knit::row_called(timeline.furthest().fabric, called) : 0;
   if (row == 0 && short_row > 0) {
-    session.outbox->notices.emplace_back(
-        Notice::Kind::warning, "--knit-along: round " + std::to_string(round) + " has no short row " +
-                                   std::to_string(short_row) + " on it; beginning with the round.");
+    notify(session, Notice::Kind::warning,
+           "--knit-along: round " + std::to_string(round) + " has no short row " + std::to_string(short_row) +
+               " on it; beginning with the round.");
   }
   apply(session, KnitAlong{row > 0 ? row : round});
 }
@@ -176,7 +177,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (line.positions) apply(session, SetPositions{*line.positions});
   if (line.presenting) apply(session, Present{});
   if (!line.point.empty()) apply(session, PointAt{line.point});
-  if (line.knit_along) knit_along(session, *line.knit_along, line.knit_along_short);
+  if (line.knit_along) knit_along(session, *line.knit_along);
   if (line.follow) apply(session, SetFollowing{true});
 }
 

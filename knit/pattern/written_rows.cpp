@@ -20,6 +20,16 @@ std::vector<WrittenRow> written_rows(const Fabric& fabric) {
   return written;
 }
 
+std::optional<WrittenRow> written_row(const Fabric& fabric, RowId row) {
+  const std::vector<WrittenRow> written = written_rows(fabric);
+  auto at = written.begin();
+  for (const auto& one : fabric.rows()) {
+    if (one->id == row) return *at;
+    ++at;
+  }
+  return std::nullopt;
+}
+
 RowId row_called(const Fabric& fabric, const WrittenRow& called) {
   const std::vector<WrittenRow> written = written_rows(fabric);
   const auto found = std::find(written.begin(), written.end(), called);

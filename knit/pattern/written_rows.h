@@ -20,6 +20,9 @@ struct WrittenRow {
 // Of each row of the fabric. A short row's number is its turn's: what is worked home to the beginning of the round has none.
 std::vector<WrittenRow> written_rows(const Fabric& fabric);
 
+// How the pattern calls a row; none: there is no such row.
+std::optional<WrittenRow> written_row(const Fabric& fabric, RowId row);
+
 // The row of the fabric that is called so; 0: none.
 RowId row_called(const Fabric& fabric, const WrittenRow& called);
 

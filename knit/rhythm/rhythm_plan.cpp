@@ -22,6 +22,15 @@ double microseconds_to_try_all(double rows, double belt) {
 // A piece that would take longer is looked at in small first. A ball of 50 cm at 22 x 32 does not.
 constexpr double longest_to_try_all = 4e6;
 
+// By Newton from above, until rounding ends the descent; of 1 or more. The C library's differs from one to the next.
+double cube_root(double of) {
+  double root = of;
+  for (double next = of;; root = next) {
+    next = (2.0 * root + of / (root * root)) / 3.0;
+    if (next >= root) return root;
+  }
+}
+
 constexpr std::array one_a_section{4, 5, 6, 7, 8, 9, 10, 12};
 constexpr std::array pairs_alone{2, 3, 4, 5, 6};
 constexpr std::array pairs_or_halves{3, 4, 6};
@@ -281,7 +290,7 @@ std::optional<RhythmPlan> plan_rhythm(const IdealsAt& ideals, const RhythmSettin
       microseconds_to_try_all(static_cast<double>(asked.size()), belt) / longest_to_try_all;
   Heard last = heard;
   if (too_long > 1.0 && all.size() > 1) {
-    const double smaller = std::cbrt(4.0 * too_long);
+    const double smaller = cube_root(4.0 * too_long);
     std::vector<Attempt> some = promising(ideals, all, settings.tolerance, smaller, part_of(heard, 0.0, 0.3));
     if (!some.empty()) all = std::move(some);
     last = part_of(heard, 0.3, 1.0);

@@ -112,7 +112,14 @@ void KeptChoices::refresh(const knit::Timeline& timeline) {
   }
 }
 
-bool is_short_rows_knob(const knit::ParameterInfo& info) { return info.key == "short-rows"; }
+bool is_short_rows_knob(const knit::ParameterInfo& info) {
+  const auto* choice = std::get_if<knit::Choice>(&info.kind);
+  if (choice == nullptr) return false;
+  knit::Parameters off, on;
+  off.short_rows.rows = knit::ShortRows::off;
+  on.short_rows.rows = knit::ShortRows::automatic;
+  return choice->get(off) != choice->get(on);
+}
 
 void draw_kept_choices(PanelFrame& frame, knit::Parameters& parameters) {
   const knit::Timeline& timeline = *frame.timeline();

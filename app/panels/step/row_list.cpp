@@ -229,13 +229,14 @@ void follow_row(PanelFrame& frame) {
   if (row == last || row < 1) return;
   const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
   const float room = ImGui::GetWindowHeight() - line;  // below the heads
+  const auto line_of = [](std::int32_t number) { return static_cast<std::size_t>(number - 1); };
   const auto in_sight = [&](std::int32_t number) {
-    const float top = line * static_cast<float>(number - 1) - ImGui::GetScrollY();
+    const float top = line * static_cast<float>(line_of(number)) - ImGui::GetScrollY();
     return top >= 0.0f && top + line <= room;
   };
   const bool step = std::abs(row - last) == 1;
   if (in_sight(row) || (step && last > 0 && !in_sight(last))) return;
-  scroll_to_line(static_cast<std::size_t>(row - 1));
+  scroll_to_line(line_of(row));
 }
 
 bool makes_rows(const knit::State& state) {
