@@ -54,6 +54,7 @@ std::vector<std::string> rhythm_notes(const knit::State& state, const PlannedPie
   }
   const knit::LimbNames names(planned.plan, planned.options);
   std::vector<std::string> notes;
+  notes.reserve(told.size());
   for (const PiecesInRhythm& one : told)
     notes.push_back("Rhythm of " + names.listed(one.pieces) + ": " + one.sentence + ".");
   return notes;

@@ -304,7 +304,7 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
   if (live == 0) {
     if (auto halves = plan_halves(wish, at, *made, start))
       plan = LiveRhythm{start.row, *std::move(halves)};
-    else if (auto alone = plan_rhythm(resized_ideals(std::move(ideals)), as_it_is, start, wish.heard))
+    else if (auto alone = plan_rhythm(resized_ideals(ideals), as_it_is, start, wish.heard))
       plan = LiveRhythm{start.row, *std::move(alone)};
   } else if (tube.rows() < fewest_rows_in_rhythm) {
     made->none = NoRhythm::few_rows;

@@ -223,7 +223,7 @@ void draw_fit_size(PanelFrame& frame, std::uint64_t key) {
     auto fitted = fitted_size(*frame.timeline());
     if (auto* fit = std::get_if<FittedSize>(&fitted)) {
       answer = {key, true, std::move(fit->words)};
-      frame.wish(Tune{std::move(fit->parameters)});
+      frame.wish(Tune{fit->parameters});
     } else {
       answer = {key, false, std::move(std::get<std::string>(fitted))};
     }
