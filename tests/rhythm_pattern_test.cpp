@@ -174,6 +174,16 @@ TEST_CASE("README shows the ball's pattern as it is written") {
   CHECK(readme.find("\n" + text.substr(begin, end - begin) + "\n```\n") != std::string::npos);
 }
 
+TEST_CASE("a rhythm is told where short rows stand between its rounds") {
+  Session session = by_hand("heel");
+  apply(session, ToLast{});
+  REQUIRE(session.document->timeline.state().finished());
+  const nlohmann::ordered_json report = report_json(session);
+  CHECK(report["short_rows"]["pairs"].get<int>() > 0);
+  CHECK_FALSE(report["rhythm"].is_null());
+  CHECK(rhythm_of_run(session.document->timeline.state()) != nullptr);
+}
+
 TEST_CASE("a rhythm that is given up on the way is none") {
   Session session = by_hand("sphere");
   apply(session, SeekPlace{{knit::Stage::rows, 12, 0}});

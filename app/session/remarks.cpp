@@ -21,7 +21,8 @@ namespace {
 // Edits on the way may leave a tube with other counts than were planned.
 bool is_kept(const knit::State& state, const knit::TubeRhythm& rhythm) {
   const auto keeps = [&](const auto& row) {
-    return row->tube != rhythm.tube || !rhythm.has(row->level) || rhythm.count(row->level) == size_of(*row);
+    return is_short(*row) || row->tube != rhythm.tube || !rhythm.has(row->level) ||
+           rhythm.count(row->level) == size_of(*row);
   };
   const auto& rows = state.fabric.rows();
   return std::all_of(rows.begin(), rows.end(), keeps);
