@@ -195,9 +195,7 @@ std::vector<std::size_t> worked_order(const std::vector<ShortRowPair>& pairs) {
   return order;
 }
 
-std::size_t round_of(const LimbPiece& /*piece*/, const ChartRow& row) {
-  return static_cast<std::size_t>(std::max(0, row.number - 1));
-}
+std::size_t round_of(const ChartRow& row) { return static_cast<std::size_t>(std::max(0, row.number - 1)); }
 
 }  // namespace
 
@@ -223,7 +221,7 @@ std::optional<PieceShortRow> short_row_of(const LimbPiece& piece, RowId row) {
 }
 
 std::optional<PieceShortRow> short_row_of(const LimbPiece& piece, const ChartRow& row) {
-  const std::size_t round = round_of(piece, row);
+  const std::size_t round = round_of(row);
   const std::int32_t count = short_rows_before(piece, round);
   if (row.short_row == 0 || count == 0) return std::nullopt;
   const std::vector<ShortRowPair>& pairs = round_at(piece, round)->pairs;
@@ -235,7 +233,7 @@ std::optional<PieceShortRow> short_row_of(const LimbPiece& piece, const ChartRow
 }
 
 ShortRowPlace place_of(const LimbPiece& piece, const ChartRow& row, const ChartSquare& square) {
-  const std::size_t round = round_of(piece, row);
+  const std::size_t round = round_of(row);
   if (square.stitch < 0 || short_rows_before(piece, round) == 0) return {};
   const LimbRound& made = *round_at(piece, round);
   std::int32_t under = 0;  // short rows' stitches on the wale

@@ -49,11 +49,10 @@ void plan_ahead(const Input& input, const Parameters& parameters, State& state, 
   }
 }
 
-const std::vector<double> no_field;  // where a plan is only looked up
-
 // Arcs that pay, in all tubes.
 std::int32_t arcs_that_pay(const Input& input, const Parameters& parameters, const State& state,
                            std::int32_t beside) {
+  const std::vector<double> no_field;  // plans are only looked up
   std::int32_t arcs = 0;
   for (TubeId tube = 0; tube < static_cast<TubeId>(state.tubes->tubes.size()); ++tube) {
     if (!can_be_charted(*state.tubes, tube, beside)) continue;
@@ -66,6 +65,7 @@ std::int32_t arcs_that_pay(const Input& input, const Parameters& parameters, con
 
 // Those of another way are not needed again.
 void keep_chosen_plans(const Input& input, const Parameters& parameters, State& state) {
+  const std::vector<double> no_field;  // plans are only looked up
   std::vector<Shared<PlannedPairs>> chosen;
   for (const Shared<PlannedPairs>& known : state.short_rows.ahead) {
     if (*state.short_rows.kept == no_short_rows ||
