@@ -23,7 +23,8 @@ inline std::string at_row(const char* what, knit::RowId row) {
   return std::string(what) + " (row " + std::to_string(row) + ")";
 }
 
-// Rows of three stitches or more, numbered from 1, times rising in each tube, every stitch at a finite place.
+// Rows of three stitches or more, numbered from 1, times rising in each tube, every stitch at a finite place. A short row has
+// the time of the round that it stands on.
 inline std::string broken_rows(const knit::State& state) {
   std::map<knit::TubeId, double> before;
   knit::RowId number = 0;
@@ -33,7 +34,12 @@ inline std::string broken_rows(const knit::State& state) {
     if (row.stitches.size() < 3) return at_row("a row has three stitches at least", row.id);
     if (!(row.time >= 0.0 && row.time <= 1.0)) return at_row("a row's time lies in 0 to 1", row.id);
     const auto last = before.find(row.tube);
-    if (last != before.end() && !(row.time > last->second)) return at_row("a tube's times rise", row.id);
+    if (knit::is_short(row)) {
+      if (last == before.end() || row.time != last->second)
+        return at_row("a short row stands on a round of its tube", row.id);
+    } else if (last != before.end() && !(row.time > last->second)) {
+      return at_row("a tube's times rise", row.id);
+    }
     before[row.tube] = row.time;
     for (const knit::Stitch& stitch : row.stitches) {
       const glm::dvec3& p = stitch.position;
@@ -129,7 +135,7 @@ inline std::string broken_joins(const knit::State& state) {
 }
 
 // A strip has a column edge for each cell of its join, between the cell's two ends, and a face beside each; as many
-// triangles as there is shaping.
+// triangles as there is shaping, and one at each end of a short row.
 inline std::string broken_strips(const knit::State& state) {
   const knit::Fabric& fabric = state.fabric;
   const knit::KnittingPath path(fabric);
@@ -144,11 +150,13 @@ inline std::string broken_strips(const knit::State& state) {
           path.at(upper) != knit::StitchRef{join->to, ends.above})
         return at_row("a column edge stands between its cell's ends", strip->to);
     }
-    if (strip->faces.size() != knit::Edges(join->link.size(), join->from.closed).size())
+    const std::size_t turns = knit::is_short(fabric.row(strip->to)) ? 2 : 0;
+    if (strip->faces.size() != knit::Edges(join->link.size(), join->from.closed).size() + turns)
       return at_row("there is a face between two cells", strip->to);
     const auto triangles = std::count_if(strip->faces.begin(), strip->faces.end(),
                                          [](const knit::Face& face) { return face.corner_count == 3; });
-    if (triangles != std::abs(join->change())) return at_row("shaping makes triangles", strip->to);
+    if (triangles != std::abs(join->change()) + static_cast<std::ptrdiff_t>(turns))
+      return at_row("shaping makes triangles", strip->to);
   }
   return {};
 }
@@ -213,6 +221,10 @@ inline std::string broken_pattern(const knit::State& state) {
   if (!state.fabric.deals().empty()) return {};
   if (state.fabric.empty() || state.fabric.joins().size() + 1 != state.fabric.rows().size()) return {};
   const knit::Rounds rounds = knit::rounds_of(state);
+  std::vector<const knit::Row*> whole;  // the rows that are no short rows
+  for (const auto& row : state.fabric.rows())
+    if (!knit::is_short(*row)) whole.push_back(&*row);
+  if (rounds.rounds.size() + 1 != whole.size()) return "there is a round for each row but the cast on";
   std::int32_t there = rounds.cast_on;
   for (std::size_t i = 0; i < rounds.rounds.size(); ++i) {
     std::int32_t taken = 0, made = 0;
@@ -220,9 +232,9 @@ inline std::string broken_pattern(const knit::State& state) {
       taken += knit::consumed_by(operation.hand);
       made += knit::made_by(operation.hand);
     }
-    const knit::RowId row = rounds.rounds[i].number;
-    if (taken != there || made != knit::size_of(state.fabric.row(row)))
-      return at_row("a round takes what is there and makes its row", row);
+    const knit::Row& row = *whole[i + 1];
+    if (taken != there || made != knit::size_of(row))
+      return at_row("a round takes what is there and makes its row", row.id);
     there = made;
   }
   if (knit::graph_of(rounds) != knit::graph_of(state)) return "the operations make the graph of the labels";
