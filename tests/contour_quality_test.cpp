@@ -102,6 +102,7 @@ TEST_CASE("contour quality: even stitches on fine spheres", "[contour-quality]")
 
 TEST_CASE("contour quality: shapes of revolution, every timing", "[contour-quality]") {
   check_shape(egg(96, 0.05), 0.02);
+  if (!test_support::whole()) return;
   check_shape(stretched_sphere(96, 0.05), 0.02);
   check_shape(vase(96, 0.05), 0.02);
   check_shape(capsule(96, 0.05), 0.02);
@@ -109,6 +110,7 @@ TEST_CASE("contour quality: shapes of revolution, every timing", "[contour-quali
 
 TEST_CASE("contour quality: spheres without rings, every timing", "[contour-quality]") {
   check_shape(icosphere(4), 0.02);
+  if (!test_support::whole()) return;
   check_shape(icosphere(5), 0.02);
   for (const unsigned seed : {1u, 3u}) check_shape(test_support::rough_sphere(5, seed), 0.021);
 }

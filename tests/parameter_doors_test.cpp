@@ -11,6 +11,7 @@
 #include "app/session/sweep.h"
 #include "knit/model/settings_table.h"
 #include "tests/support/catch.h"
+#include "tests/support/repeated.h"
 #include "tests/support/samples.h"
 #include "tests/support/session.h"
 
@@ -74,7 +75,9 @@ std::size_t stitches_of(const knit::Parameters& parameters) {
 }  // namespace
 
 TEST_CASE("doors: each parameter comes out the same by option, knob, paste, lesson and sweep") {
+  std::size_t number = 0;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    if (!test_support::is_tried(number++)) continue;
     const std::string key(info.key);
     const std::string value = sample_of(info);
     CAPTURE(key, value);
@@ -89,7 +92,9 @@ TEST_CASE("doors: each parameter comes out the same by option, knob, paste, less
 }
 
 TEST_CASE("doors: each parameter comes back from a session file and from a link") {
+  std::size_t number = 0;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    if (!test_support::is_tried(number++)) continue;
     const Session session = opened_with({"--" + std::string(info.key) + "=" + sample_of(info)});
     const knit::Parameters& wanted = session.document->timeline.parameters();
     CAPTURE(info.key);

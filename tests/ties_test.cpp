@@ -95,7 +95,7 @@ void check_moved(const Shape& shape, const std::string& how, const std::function
   parameters = resolved(parameters, *input);
   const State still = knitted(input, parameters);
   const double size = input->bounds.diagonal();
-  for (unsigned seed = 1; seed <= 3; ++seed) {
+  for (unsigned seed = 1; seed <= test_support::repeated(3U); ++seed) {
     CAPTURE(shape.name, how, seed);
     CHECK(difference(still, knitted(make_input(shaken(*input, 1e-13 * size, seed)), parameters),
                      1e-8 * size) == "");

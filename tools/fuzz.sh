@@ -43,9 +43,9 @@ for target in "${targets[@]}"; do
   mkdir -p "$grown" build/fuzz/found
   dictionary=()
   [ -e "tests/fuzz/dictionary/$target" ] && dictionary=("-dict=tests/fuzz/dictionary/$target")
-  # A run of the pipeline is work for some milliseconds, so a tenth as many are asked of it.
+  # A run of the pipeline is work for a tenth of a second and more, so a fortieth as many are asked of it.
   asked=$runs
-  [ "$target" = pipeline ] && asked=$((runs / 10))
+  [ "$target" = pipeline ] && asked=$((runs / 40))
   say "== fuzz_$target: $asked executions"
   "build/${preset[$target]}/fuzz_$target" "$grown" "tests/fuzz/corpus/$target" "${dictionary[@]}" \
     -runs="$asked" -seed="${KNIT_FUZZ_SEED:-0}" -max_len="${longest[$target]}" -timeout=60 -rss_limit_mb=2048 -detect_leaks=0 -entropic=0 \

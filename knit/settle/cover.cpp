@@ -13,6 +13,7 @@ namespace knit {
 namespace {
 
 constexpr double finest = 0.5;      // edge, in w
+constexpr double finest_of = 0.1;   // and in the side of a square as large as the surface has for a stitch
 constexpr double bends_from = 0.3;  // how far outside its neighbours' middle, in w
 
 // Of each stitch's neighbours' neighbours, as often as they are that, itself too.
@@ -33,6 +34,21 @@ std::vector<glm::dvec3> middles_around(const SettleGraph& graph, std::span<const
   }
   for (std::size_t i = 0; i < middles.size(); ++i) middles[i] /= all[i];
   return middles;
+}
+
+double area_of(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3& from = mesh.positions[a];
+    sum += glm::length(glm::cross(mesh.positions[b] - from, mesh.positions[c] - from)) / 2.0;
+  }
+  return sum;
+}
+
+// A width that is far from what was knitted, as after an edit half way, asks for no more places than the fabric can tell apart.
+double size_of_cubes(const Input& input, const PlacedFabric& placed) {
+  const double of_a_stitch = area_of(input.mesh) / static_cast<double>(placed.graph.stitches);
+  return std::max(finest * placed.width, finest_of * std::sqrt(of_a_stitch));
 }
 
 class Sampling {
@@ -84,7 +100,7 @@ std::vector<CoverPlace> places_to_cover(const Input& input, const PlacedFabric& 
   if (graph.triangles.empty()) return {};
   const std::vector<glm::dvec3> middles = middles_around(graph, placed.positions);
   const TriangleTree tree(placed.positions, graph.triangles);
-  Sampling sampling(input.bounds.low, finest * placed.width);
+  Sampling sampling(input.bounds.low, size_of_cubes(input, placed));
   for (std::size_t t = 0; t < input.mesh.triangles.size(); ++t) {
     if (t % 4096 == 0)
       hear(heard, 0.5 * static_cast<double>(t) / static_cast<double>(input.mesh.triangles.size()));

@@ -1,10 +1,10 @@
 // Places of the mesh that fabric may slide off while it settles, because the surface bends sharply there: ends of limbs,
 // thin limbs that no row ends on, sharp edges.
 //
-// The mesh is cut until no edge is longer than half a stitch's width; of all corners in a cube of that size the first stands for
-// their area. Kept are those that lie at least 0.3 w outside the middle of the stitches up to two faces away: elsewhere
-// faces cannot come to lie far below the surface, wherever their stitches go on it. Mesh units. Cost: as many searches of the
-// nearest face as there are cubes.
+// The mesh is cut until no edge is longer than half a stitch's width (nor finer than some hundred places a stitch, whatever
+// the width); of all corners in a cube of that size the first stands for their area. Kept are those that lie at least 0.3 w
+// outside the middle of the stitches up to two faces away: elsewhere faces cannot come to lie far below the surface,
+// wherever their stitches go on it. Mesh units. Cost: as many searches of the nearest face as there are cubes.
 #pragma once
 
 #include <cstdint>

@@ -128,7 +128,7 @@ inline knit::Parameters parameters_of(Bytes& bytes, double size, unsigned vertic
   if ((picks & 4U) != 0) p.rows.start_direction = direction_of(bytes);
   if ((picks & 8U) != 0)
     p.rows.cast_on =
-        (picks & 16U) != 0 ? static_cast<int>(4 * bytes.byte()) : 3 + static_cast<int>(bytes.below(16));
+        (picks & 16U) != 0 ? static_cast<int>(bytes.byte()) : 3 + static_cast<int>(bytes.below(16));
   if ((picks & 32U) != 0) p.timing.level_tolerance = bytes.between(0.0, 0.1);
   if ((picks & 64U) != 0) knit::give_height(p, length_of(bytes, size));
   if ((picks & 128U) != 0) knit::give_gauge(p, {bytes.between(0.5, 60.0), bytes.between(0.5, 60.0)});
