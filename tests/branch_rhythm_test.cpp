@@ -1,5 +1,7 @@
 // Rhythms of pieces that branch: one for every tube, begun at its main, the same for twins; in words, and read back.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "knit/rhythm/live_rhythm.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/rhythm/segment_search.h"
+#include "tests/support/belly.h"
 #include "tests/support/limb_hands.h"
 #include "tests/support/promises.h"
 #include "tests/support/scrub.h"
@@ -107,7 +110,87 @@ void check_is_read_back(const State& state) {
   }
 }
 
+// Trousers whose waist bulges forward, so that front and back are not alike above the join.
+Mesh trousers_with_belly() {
+  Mesh mesh = trousers(0.12);
+  double low = mesh.positions.front().y, high = low;
+  for (const glm::dvec3& p : mesh.positions) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  const double from = low + 0.45 * (high - low);
+  for (glm::dvec3& p : mesh.positions) {
+    if (p.y <= from) continue;
+    const double wave = std::sin(std::numbers::pi * (p.y - from) / (high - from));
+    p.z += 0.5 * wave * wave;
+  }
+  return mesh;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "a body on live stitches has its halves shaped apart and begins with the stitches that it is dealt") {
+  const Timeline timeline = knitted_in_rhythm(trousers_with_belly(), 0.08);
+  const State& state = timeline.furthest();
+  CHECK(broken_promise(state).empty());
+  std::size_t apart = 0, shaping = 0;
+  for (const auto& rhythm : state.rhythms) {
+    if (rhythm->plan.fronts.empty()) continue;
+    ++apart;
+    REQUIRE(rhythm->mirror);
+    for (const auto& row : state.fabric.rows()) {
+      if (row->tube != rhythm->tube) continue;
+      CHECK(std::abs(rhythm->mirror->height(row->stitches.front().position)) < 1e-9);
+      CHECK(size_of(*row) == rhythm->count(row->level));
+      if (row->level == 0) {
+        REQUIRE_FALSE(row->on.empty());
+        // The loop was turned: its first stitch is at the back, right below that of the row.
+        const glm::dvec3& begin = row->stitches.front().position;
+        for (const Stitch& live : state.fabric.stitches_of(row->on))
+          CHECK(glm::distance(state.fabric.position(row->on.at(0)), begin) <=
+                glm::distance(live.position, begin) + 1e-9);
+        if (rhythm->from < 0) {
+          CHECK(rhythm->plan.counts.front() == row->on.size());
+          CHECK(rhythm->front(-1) % 2 == 0);
+        } else {
+          CHECK(std::abs(rhythm->plan.counts.front() - row->on.size()) <= 1);
+        }
+      }
+      if (!rhythm->has(row->level - 1)) continue;
+      const Join* join = state.fabric.join_into(row->id);
+      REQUIRE(join != nullptr);
+      CHECK(join->rule == Rule::repeat);
+      CHECK(join->mains.size() == 4);
+      shaping += join->change() != 0 ? 1 : 0;
+    }
+    CHECK(rhythm->plan.front_off < 8.0);
+    CHECK(rhythm->plan.back_off < 8.0);
+  }
+  CHECK(apart == 1);
+  CHECK(shaping >= 4);
+  check_is_read_back(state);
+}
+
+TEST_CASE("halves on live stitches begin with their number if it is even and one beside it if it is odd") {
+  const HalfIdeals ideals = belly_ideals();
+  HalfIdeals upper;  // from the widest row on
+  const auto widest = std::max_element(ideals.front.begin(), ideals.front.end()) - ideals.front.begin();
+  upper.front.assign(ideals.front.begin() + widest, ideals.front.end());
+  upper.back.assign(ideals.back.begin() + widest, ideals.back.end());
+  const RhythmSettings settings{CountPlanning::rhythm};
+  const auto first = static_cast<std::int32_t>(upper.front.front() + upper.back.front());
+  for (std::int32_t live = first - 2; live <= first + 2; ++live) {
+    INFO("on " << live);
+    const auto plan = plan_halves_on(upper, settings, {live, false});
+    REQUIRE(plan);
+    CHECK(plan->plan.counts.size() == upper.front.size() + (plan->from < 0 ? 1 : 0));
+    CHECK(std::abs(plan->plan.counts.front() - live) == live % 2);
+    const auto shared = plan_halves_on(upper, settings, {live, true});
+    REQUIRE(shared);
+    CHECK(shared->from == 0);
+  }
+}
 
 TEST_CASE("a piece that branches has a rhythm in every tube, limbs begin at a main, and all is read back") {
   // Of the trousers the first round after the join is a repeat already.

@@ -192,7 +192,8 @@ class Climber {
       first = hands.up[static_cast<std::size_t>(way.gap)];
     }
     way.noted.push_back({&found_.first, number, first});
-    if (tube.section > 0 && first % tube.section != 0) way.cost += cost_of_cut_repeats;
+    if (!tube.mains.empty() && std::find(tube.mains.begin(), tube.mains.end(), first) == tube.mains.end())
+      way.cost += cost_of_cut_repeats;
     way.slips += tube.slips_of_first[static_cast<std::size_t>(first)];
     way.cost += cost_of_turn_at_marker * tube.turns_of_first[static_cast<std::size_t>(first)];
     way.gap = tube.last_of_first[static_cast<std::size_t>(first)];

@@ -140,6 +140,22 @@ std::int32_t LimbTubes::add_places(std::int32_t count, std::int32_t bridge, bool
   return first;
 }
 
+namespace {
+
+// Where the sections of a repeat begin, in the row that it makes or in the one that it takes: that one is the first, or, with rests
+// between, has as many stitches as the first.
+std::vector<std::int32_t> mains_of_first(const Join& join, bool makes_first) {
+  std::vector<std::int32_t> mains;
+  for (const PlacedLabel& placed : join.placed) {
+    if (placed.label != Label::main) continue;
+    const CellEnds ends = ends_of(join, placed.cell);
+    mains.push_back(makes_first ? ends.above : ends.below);
+  }
+  return mains;
+}
+
+}  // namespace
+
 // Of short rows nothing is kept but where they stand: they leave the loop as many stitches, each in its place.
 void LimbTubes::add_row(const Fabric& fabric, const Row& row) {
   if (is_short(row)) return;
@@ -155,8 +171,8 @@ void LimbTubes::add_row(const Fabric& fabric, const Row& row) {
   tube.hands.push_back(join != nullptr ? hands_of(*join) : HandsRow{});
   for (const auto& [low, high] : short_arcs_below(fabric, row.id))
     tube.hands.back().pairs.push_back({low, high});
-  if (tube.section == 0 && join != nullptr && join->rule == Rule::repeat && !join->mains.empty())
-    tube.section = size_of(tube.places.front()) / static_cast<std::int32_t>(join->mains.size());
+  if (tube.mains.empty() && join != nullptr && join->rule == Rule::repeat)
+    tube.mains = mains_of_first(*join, tube.rows.size() == 1);
 }
 
 namespace {

@@ -39,7 +39,8 @@ struct LimbTube {
   // From a gap in the base, or in the first row: the gap in the last row, and how often a stitch is slipped back.
   std::vector<std::int32_t> last_of_base, slips_of_base, last_of_first, slips_of_first;
   std::vector<std::int32_t> turns_of_first;  // and how often short rows turn at it, or could not be worked
-  std::int32_t section = 0;  // stitches of the first row from main to main, where a rhythm repeats; 0: none
+  std::vector<std::int32_t>
+      mains;  // stitches of the first row at which a rhythm's sections begin; empty: it has none
   std::vector<std::int32_t> twins;  // tubes here, itself too
   bool inner = false;
   [[nodiscard]] bool has_rows() const { return !rows.empty(); }

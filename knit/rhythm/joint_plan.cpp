@@ -91,8 +91,8 @@ RhythmPlan plan_of(FoundJoint found, const HalfIdeals& ideals, std::span<const d
   return plan;
 }
 
-// Within the tolerance, then by shape and words together, as rhythm_plan.h weighs them; of the shape the worst counts, of the
-// whole or of a half.
+}  // namespace
+
 bool halves_read_better(const RhythmPlan& one, const RhythmPlan& other) {
   if (one.within != other.within) return one.within;
   const auto rank = [](const RhythmPlan& plan) {
@@ -100,8 +100,6 @@ bool halves_read_better(const RhythmPlan& one, const RhythmPlan& other) {
   };
   return clearly_less(rank(one), rank(other), 1.0);
 }
-
-}  // namespace
 
 bool may_plan_jointly(const RhythmSettings& settings) {
   return settings.halves == RhythmHalves::by_themselves && settings.style == RhythmStyle::pairs &&

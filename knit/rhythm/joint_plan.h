@@ -31,9 +31,12 @@ inline constexpr double narrowest_in_halves = 24.0;  // stitches of the widest r
 // Halves are shaped in pairs, and by as many stitches as they need.
 bool may_plan_jointly(const RhythmSettings& settings);
 bool wants_joint_plan(const HalfIdeals& ideals, const RhythmSettings& settings);
-// `start_front`: of start.count, where that is given. None: nothing fits, as with an odd count.
+// `start_front`: of start.count, where that is given; 0: any. None: nothing fits, as with an odd count.
 std::optional<RhythmPlan> plan_joint(const HalfIdeals& ideals, const RhythmSettings& settings,
                                      const RhythmStart& start = {}, std::int32_t start_front = 0,
                                      const Heard& heard = {});
+// Within the tolerance, then by shape and words together, as rhythm_plan.h weighs them; of the shape the worst counts, of the
+// whole or of a half.
+bool halves_read_better(const RhythmPlan& one, const RhythmPlan& other);
 
 }  // namespace knit

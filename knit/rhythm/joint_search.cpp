@@ -131,6 +131,13 @@ class JointSearch {
     if (start.live > 0) return 2 * count >= start.live && count <= 2 * start.live;
     return count >= 4 && count <= std::max(12.0, 2.6 * (task_.front[0] + task_.back[0]));
   }
+  // Of the first round where it makes another count of the live stitches: one more or fewer, as an odd count needs it, is a change, more
+  // a rhythm of its own. How they part into halves is open: no mains stand in them.
+  [[nodiscard]] double price_to_begin(const Place& place) const {
+    const std::int32_t live = task_.start.live, more = std::abs(place.front + place.back - live);
+    if (live == 0 || more == 0) return 0.0;
+    return more == 1 ? task_.prices.change : task_.prices.rhythm;
+  }
   void begin() {
     const RhythmStart& start = task_.start;
     Place place{start.row, 0, 0, static_cast<std::int32_t>(start.ended)};
@@ -140,7 +147,7 @@ class JointSearch {
         place.back = back_.lowest(start.row) + 2 * b;
         if (!reaches(place) || !may_begin(place)) continue;
         at(place).cost = start.row == 0 ? stretch(place, 0, 1) : 0.0;
-        if (start.live > 0 && place.front + place.back != start.live) at(place).cost += task_.prices.rhythm;
+        at(place).cost += price_to_begin(place);
       }
     }
   }

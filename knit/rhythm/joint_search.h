@@ -40,7 +40,7 @@ struct JointTask {
   std::span<const double> front, back;  // ideals of each half, of the same rows
   RhythmPrices prices;
   RhythmStart start = {};
-  std::int32_t start_front = 0;  // of start.count, where that is given
+  std::int32_t start_front = 0;  // of start.count, where that is given; 0: any
   std::size_t beam = joint_beam;
   std::span<const HalvesChange> growing = halves_changes, shrinking = halves_changes;
   Heard heard = {};

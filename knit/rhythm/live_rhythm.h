@@ -13,6 +13,7 @@
 
 #include "knit/model/heard.h"
 #include "knit/model/rhythm_settings.h"
+#include "knit/rhythm/joint_plan.h"
 #include "knit/rhythm/tube_rhythm.h"
 
 namespace knit {
@@ -31,6 +32,10 @@ struct LiveRhythm {
 };
 // Ideals: of the tube's rows. None: no number of sections fits.
 std::optional<LiveRhythm> plan_rhythm_on(std::span<const double> ideals, const RhythmSettings& settings,
+                                         const BeginsOn& on, const Heard& heard = {});
+// The same with front and back halves apart (joint_plan.h). From the live stitches only if their number is even: both halves are.
+// They are taken to part as the first row does, for no mains stand in them yet.
+std::optional<LiveRhythm> plan_halves_on(const HalfIdeals& ideals, const RhythmSettings& settings,
                                          const BeginsOn& on, const Heard& heard = {});
 
 // Whether one round makes the plan's first count of so many; of none it is cast on.

@@ -96,6 +96,20 @@ std::optional<double> back_arc(const Ring& curve, const MirrorPlane& plane) {
   return at ? std::optional(at->back) : std::nullopt;
 }
 
+std::optional<std::int32_t> back_stitch(std::span<const glm::dvec3> loop, const Ring& curve,
+                                        const MirrorPlane& plane) {
+  const auto back = back_arc(curve, plane);
+  if (!back) return std::nullopt;
+  const glm::dvec3 place = point_at(curve, *back);
+  std::int32_t nearest = 0;
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    const double here = glm::distance(loop[i], place);
+    const double least = glm::distance(loop[static_cast<std::size_t>(nearest)], place);
+    if (clearly_less(here, least, curve.length)) nearest = static_cast<std::int32_t>(i);
+  }
+  return nearest;
+}
+
 std::optional<HalfIdeals> half_ideals(const Tube& tube, const MirrorPlane& plane, double stitch_width) {
   constexpr double long_enough = 0.15, nearest_to_an_end = 0.06;
   std::array<double, 2> share{0.5, 0.5};

@@ -8,6 +8,8 @@
 // stands in front of the side mains is the front half. Cost: the points of all curves.
 #pragma once
 
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 
@@ -23,6 +25,11 @@ inline constexpr double most_a_half_changes =
 
 // Along the curve to where it crosses the plane farthest at the back. None: it does not cross it.
 std::optional<double> back_arc(const Ring& curve, const MirrorPlane& plane);
+
+// Of a loop that a tube begins on the stitch that is nearest to where its first row crosses the plane farthest at the back. `loop`:
+// places of the stitches, in working order. None: the row does not cross it.
+std::optional<std::int32_t> back_stitch(std::span<const glm::dvec3> loop, const Ring& curve,
+                                        const MirrorPlane& plane);
 
 // In stitches. None: some row does not cross the plane, or is not its own mirror image in it to a tenth.
 std::optional<HalfIdeals> half_ideals(const Tube& tube, const MirrorPlane& plane, double stitch_width);

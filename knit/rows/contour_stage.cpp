@@ -103,6 +103,78 @@ struct RowWish {
   const Heard& heard;
 };
 
+// In which the mesh mirrors; of the whole piece sought once.
+std::optional<MirrorPlane> mirror_of(const RowWish& wish, const ContourAt& at) {
+  for (const Shared<TubeRhythm>& rhythm : at.rhythms) {
+    if (rhythm->mirror_sought) return rhythm->mirror;
+  }
+  const RowFrame frame = row_frame(at.timing.ends.direction, wish.rows.start_direction);
+  return find_mirror_plane(at.input.mesh, frame.along, frame.right);
+}
+
+// What a tube's halves hold that are to be shaped apart; none where it is round, or does not lie in the plane.
+std::optional<HalfIdeals> halves_apart(const RowWish& wish, const Tube& tube,
+                                       const std::optional<MirrorPlane>& mirror) {
+  if (!mirror || tube.rows() < fewest_rows_in_rhythm) return {};
+  auto ideals = half_ideals(tube, *mirror, wish.stitch.width);
+  if (!ideals || !wants_joint_plan(*ideals, wish.rhythm)) return {};
+  return ideals;
+}
+
+// Front and back halves apart, where the tube is not round and begins at its back. A plan goes on from one of its kind only: its
+// mains stand where they stand.
+std::optional<RhythmPlan> plan_halves(const RowWish& wish, const ContourAt& at, TubeRhythm& made,
+                                      const RhythmStart& start) {
+  if (!may_plan_jointly(wish.rhythm) || start.live > 0) return {};
+  made.mirror = mirror_of(wish, at);
+  made.mirror_sought = true;
+  std::int32_t front = 0;
+  if (start.row > 0) {
+    const TubeRhythm* before = rhythm_of(at.rhythms, made.tube);
+    if (before == nullptr || !before->is_joint(start.row)) return {};
+    front = before->front(start.row);
+  }
+  const auto ideals = halves_apart(wish, at.plan.tube(made.tube), made.mirror);
+  if (!ideals) return {};
+  return plan_joint(*ideals, wish.rhythm, start, front, wish.heard);
+}
+
+// The same on live stitches. They were turned when they were dealt, if halves were to be shaped apart then.
+std::optional<LiveRhythm> plan_halves_on_loop(const RowWish& wish, const ContourAt& at, TubeRhythm& made) {
+  if (!may_plan_jointly(wish.rhythm)) return {};
+  made.mirror = mirror_of(wish, at);
+  made.mirror_sought = true;
+  const Tube& tube = at.plan.tube(made.tube);
+  const auto ideals = halves_apart(wish, tube, made.mirror);
+  if (!ideals) return {};
+  std::vector<glm::dvec3> loop;
+  for (const Stitch& stitch : at.fabric.stitches_of(at.fabric.live(made.tube)))
+    loop.push_back(stitch.position);
+  const auto live = static_cast<std::int32_t>(loop.size());
+  const auto back = back_stitch(loop, *tube.curves.front(), *made.mirror);
+  if (!back || std::min(*back, live - *back) > 1) return {};
+  return plan_halves_on(*ideals, wish.rhythm, {live, tube.twins.size() > 1}, wish.heard);
+}
+
+// The rounds of a tube whose halves are shaped apart begin at its back.
+void begin_at_backs(const RowWish& wish, const ContourAt& at, Deal& deal) {
+  if (!may_plan_jointly(wish.rhythm)) return;
+  const std::optional<MirrorPlane> mirror = mirror_of(wish, at);
+  const RowId bridge = bridge_row(static_cast<std::int32_t>(at.fabric.deals().size()) + 1);
+  for (std::size_t i = 0; i < deal.to.size(); ++i) {
+    const Tube& tube = at.plan.tube(deal.to[i]);
+    if (!halves_apart(wish, tube, mirror)) continue;
+    std::vector<glm::dvec3> loop;
+    for (std::int32_t stitch = 0; stitch < deal.given[i].size(); ++stitch) {
+      const StitchRef ref = deal.given[i].at(stitch);
+      loop.push_back(ref.row == bridge ? deal.bridge[static_cast<std::size_t>(ref.stitch)].position
+                                       : at.fabric.position(ref));
+    }
+    if (const auto back = back_stitch(loop, *tube.curves.front(), *mirror))
+      deal.given[i] = begun_at(deal.given[i], *back);
+  }
+}
+
 Advanced<ContourEvent> find_gaps(const RowWish& wish, const ContourAt& at, std::int32_t event,
                                  ContourWork& work) {
   const StitchSize& stitch = wish.stitch;
@@ -123,6 +195,7 @@ Advanced<ContourEvent> find_gaps(const RowWish& wish, const ContourAt& at, std::
   } else {
     deal = deal_ring(deal_at);
   }
+  if (in_rhythm) begin_at_backs(wish, at, deal);
   const GapsFound step{
       deal.kind,        what.vertex,  static_cast<std::int32_t>(std::min<std::int64_t>(tried, INT32_MAX)),
       deal.arcs[0],     deal.arcs[1], static_cast<float>(deal.gap / stitch.width),
@@ -240,48 +313,20 @@ std::int32_t stitches_below(const ContourAt& at, TubeId tube) {
   return live > 0 ? live : across_the_ring(at, tube);
 }
 
-// That a twin was given before it, if it has the same rows and was planned for the same.
+// That a twin was given before it, if it has the same rows and was planned for the same. Halves are each tube's own: what is in front of
+// one may be behind the other.
 const TubeRhythm* rhythm_of_twin(const RowWish& wish, const ContourAt& at, TubeId id) {
   const Tube& tube = at.plan.tube(id);
   for (const TubeId twin : tube.twins) {
     const TubeRhythm* rhythm = twin != id ? rhythm_of(at.rhythms, twin) : nullptr;
     const bool same = rhythm != nullptr && rhythm->from == 0 && rhythm->none == NoRhythm::no &&
-                      rhythm->settings == wish.rhythm && rhythm->stitch_width == wish.stitch.width &&
+                      rhythm->plan.fronts.empty() && rhythm->settings == wish.rhythm &&
+                      rhythm->stitch_width == wish.stitch.width &&
                       rhythm->stitch_height == wish.stitch.height &&
                       at.plan.tube(twin).lengths == tube.lengths;
     if (same && may_begin_on(rhythm->plan, stitches_below(at, id))) return rhythm;
   }
   return nullptr;
-}
-
-// In which the mesh mirrors; of the whole piece sought once.
-void seek_mirror(const RowWish& wish, const ContourAt& at, TubeRhythm& made) {
-  if (!at.rhythms.empty() && at.rhythms.back()->mirror_sought) {
-    made.mirror = at.rhythms.back()->mirror;
-  } else {
-    const RowFrame frame = row_frame(at.timing.ends.direction, wish.rows.start_direction);
-    made.mirror = find_mirror_plane(at.input.mesh, frame.along, frame.right);
-  }
-  made.mirror_sought = true;
-}
-
-// Front and back halves apart, where the tube is not round and begins at its back. A plan goes on from one of its kind only: its
-// mains stand where they stand.
-std::optional<RhythmPlan> plan_halves(const RowWish& wish, const ContourAt& at, TubeRhythm& made,
-                                      const RhythmStart& start) {
-  if (!may_plan_jointly(wish.rhythm) || start.live > 0) return {};
-  seek_mirror(wish, at, made);
-  const Tube& tube = at.plan.tube(made.tube);
-  if (!made.mirror || tube.rows() < fewest_rows_in_rhythm) return {};
-  std::int32_t front = 0;
-  if (start.row > 0) {
-    const TubeRhythm* before = rhythm_of(at.rhythms, made.tube);
-    if (before == nullptr || !before->is_joint(start.row)) return {};
-    front = before->front(start.row);
-  }
-  const auto ideals = half_ideals(tube, *made.mirror, wish.stitch.width);
-  if (!ideals || !wants_joint_plan(*ideals, wish.rhythm)) return {};
-  return plan_joint(*ideals, wish.rhythm, start, front, wish.heard);
 }
 
 RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourWork& work,
@@ -309,7 +354,8 @@ RhythmPlanned plan_rows(const RowWish& wish, const ContourAt& at, const ContourW
   } else if (tube.rows() < fewest_rows_in_rhythm) {
     made->none = NoRhythm::few_rows;
   } else {
-    plan = plan_rhythm_on(ideals, as_it_is, {live, tube.twins.size() > 1}, wish.heard);
+    plan = plan_halves_on_loop(wish, at, *made);
+    if (!plan) plan = plan_rhythm_on(ideals, as_it_is, {live, tube.twins.size() > 1}, wish.heard);
   }
   if (plan) {
     made->from = plan->from;

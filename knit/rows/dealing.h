@@ -10,7 +10,8 @@
 // The beginning of the round stays where it is: of a split, the child that has it goes on with it; of a join it is that of the
 // loop that brings the yarn. The other child of a split begins a quarter along its arc, beside the saddle: decreases gather
 // at the saddle, where wales are longest, and opposite it, and none may lie across the beginning. In a rhythm shaping stands
-// beside mains, and it begins where its yarn is rejoined, at the saddle. Where rounds begin in a written pattern is decided apart (knit/limbs/limb_markers.h).
+// beside mains, and it begins where its yarn is rejoined, at the saddle; a tube whose front and back are to be shaped apart begins at its
+// back, whichever loop it is dealt (contour_stage.cpp turns it). Where rounds begin in a written pattern is decided apart (knit/limbs/limb_markers.h).
 #pragma once
 
 #include <array>

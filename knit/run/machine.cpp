@@ -80,7 +80,7 @@ struct WorkedRow {
 
 // A round that comes of no segment, as the first on live stitches: to the count of its tube's rhythm, where that is one repeat.
 std::optional<RepeatedRound> round_by_itself(const TubeRhythm& rhythm, const WorkedRow& row) {
-  if (row.below == 0 || rhythm.count(row.level) != row.above) return {};
+  if (row.below == 0 || rhythm.count(row.level) != row.above || rhythm.is_joint(row.level)) return {};
   const bool in_pairs = rhythm.settings.style == RhythmStyle::pairs;
   const std::int32_t sections =
       row.below == row.above ? rhythm.plan.sections : sections_to_begin(row.below, row.above, in_pairs);
