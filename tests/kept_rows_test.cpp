@@ -1,5 +1,6 @@
 // Short rows in the tubes of shapes that branch: which rows a tube keeps, what its chart lies between, and whether they pay.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
@@ -104,8 +105,23 @@ TEST_CASE("kept rows: a tube of few rows is not charted") {
 
 TEST_CASE("kept rows: of equal ways the first is taken") {
   const std::vector<KeptTry> tries{
-      {no_short_rows, 0, 100, 0.0F, 0.05}, {0, 3, 104, 0.0F, 0.04}, {1, 2, 103, 0.0F, 0.04}};
+      {no_short_rows, 0, 100, 0.0F, 0.05F}, {0, 3, 104, 0.0F, 0.04F}, {1, 2, 103, 0.0F, 0.04F}};
   CHECK(best_of(tries).kept == 0);
+}
+
+TEST_CASE("kept rows: a way is never taken that leaves wales less even or a longer one") {
+  const KeptTry without{no_short_rows, 0, 100, 0.060F, 0.05F, 1.30F};
+  const KeptTry uneven{0, 3, 104, 0.061F, 0.03F, 1.20F}, longer{1, 3, 104, 0.050F, 0.03F, 1.31F};
+  const KeptTry better{2, 3, 104, 0.060F, 0.04F, 1.30F}, stops{0, 0, 0, 0.0F, INFINITY};
+  CHECK(best_of(std::vector{without, uneven, longer}).kept == no_short_rows);
+  CHECK(best_of(std::vector{without, uneven, longer, better}).kept == 2);
+  // Below what is seen, length does not count.
+  const KeptTry even{no_short_rows, 0, 100, 0.060F, 0.05F, 1.10F}, seen{0, 2, 104, 0.040F, 0.03F, 1.21F};
+  const KeptTry unseen{0, 2, 104, 0.040F, 0.03F, 1.19F};
+  CHECK(best_of(std::vector{even, seen}).kept == no_short_rows);
+  CHECK(best_of(std::vector{even, unseen}).kept == 0);
+  CHECK(best_of(std::vector{without, stops}).kept == no_short_rows);
+  CHECK(best_of(std::vector{KeptTry{no_short_rows, 0, 0, 0.0F, INFINITY}, uneven}).kept == 0);
 }
 
 #ifdef KNIT_SHARED_MESHES

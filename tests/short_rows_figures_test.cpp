@@ -13,6 +13,7 @@
 #include "knit/quality/ease.h"
 #include "knit/quality/measures.h"
 #include "knit/run/machine.h"
+#include "knit/short_rows/kept_choice.h"
 #include "knit/stitches/short_join.h"
 #include "tests/support/bent_tubes.h"
 #include "tests/support/catch.h"
@@ -93,7 +94,8 @@ Ran check_case(const Case& of) {
   const std::int32_t pairs = pairs_in(ran.with);
   CHECK(wales.cv <= of.bounds.wale_cv);
   CHECK(wales.high <= of.bounds.longest * ran.height);
-  CHECK(wales.cv <= plain.cv + 0.002);
+  CHECK(wales.cv <= plain.cv + 1e-6);
+  CHECK(wales.high <= std::max(plain.high, long_wale * ran.height) + 1e-6 * ran.height);
   CHECK(pairs >= of.bounds.fewest);
   CHECK(pairs <= of.bounds.most);
   if (pairs == 0) CHECK(ran.with.fabric == ran.without.fabric);
@@ -115,8 +117,8 @@ std::vector<Case> bent_tubes() {
           case_of(banana(), 0.72, {0.07, 1.6, 9, 12}),
           case_of(oblique_cone(), 1.0, {0.08, 1.6, 0, 5}),
           case_of(oblique_cone(), 0.72, {0.07, 1.6, 0, 7}),
-          case_of(slanted_cylinder(), 1.0, {0.08, 1.6, 2, 5}),
-          case_of(slanted_cylinder(), 0.72, {0.07, 1.6, 4, 7})};
+          case_of(slanted_cylinder(), 1.0, {0.08, 1.6, 0, 5}),
+          case_of(slanted_cylinder(), 0.72, {0.07, 1.6, 0, 7})};
 }
 
 #ifdef KNIT_SHARED_MESHES
@@ -141,7 +143,7 @@ std::vector<Case> others_meshes() {
           of("simple-elbow", linear, 2, 0.72, {0.04, 1.3, 14, 19}),
           of("simple-elbow", linear, 3, 1.0, {0.08, 1.6, 6, 10}),
           of("spot", linear, 4, 0.72, {0.09, 1.6, 4, 8}),
-          of("bunny", geodesic, 4, 0.72, {0.076, 1.7, 3, 5}),
+          of("bunny", geodesic, 4, 0.72, {0.078, 1.7, 0, 5}),
           of("bunny", linear, 4, 0.72, {0.081, 1.5, 0, 0}),
           of("teddy", geodesic, 4, 0.72, {0.044, 1.3, 0, 0}),
           of("starfish", geodesic, 4, 0.72, {0.050, 1.3, 0, 0})};
@@ -165,6 +167,15 @@ TEST_CASE("short rows figures: tubes that bend or lean settle evenly", "[short-r
 TEST_CASE("short rows figures: what is straight gets none", "[short-rows]") {
   const Case straight = case_of(slanted_cylinder(0.0), 1.0, {0.02, 1.2, 0, 0});
   check_case(straight);
+}
+
+TEST_CASE("short rows figures: a cylinder that lies on its side gets none") {
+  // Round its lids rows are missing, but settled without short rows its longest wale is shorter.
+  Case lying = case_of(slanted_cylinder(0.0), 1.0, {0.08, 1.3, 0, 0});
+  lying.timing = TimingKind::arc_length;
+  lying.start = lying.end = no_vertex;
+  lying.change = [](Parameters& parameters) { parameters.timing.axis = {AxisKind::x, {1.0, 0.0, 0.0}}; };
+  check_case(lying);
 }
 
 TEST_CASE("short rows figures: meshes by others never settle worse with them", "[short-rows]") {

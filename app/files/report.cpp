@@ -511,8 +511,9 @@ Json short_rows_json(const knit::State& state) {
     tries.push_back({{"rows_kept", way.kept},
                      {"pairs", way.pairs},
                      {"stitches", way.stitches},
-                     {"settled_sum", way.sum},  // infinite where the run stopped: null
+                     {"settled_sum", static_cast<double>(way.sum)},  // infinite where the run stopped: null
                      {"wale_cv", static_cast<double>(way.wale_cv)},
+                     {"wale_max", static_cast<double>(way.longest_wale)},
                      {"chosen", state.short_rows.kept == way.kept}});
   }
   if (state.stage() <= knit::Stage::rows) planned = pairs;

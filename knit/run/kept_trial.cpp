@@ -88,28 +88,32 @@ Parameters parameters_for(Parameters parameters, std::int32_t way) {
   return parameters;
 }
 
-float wale_cv_of(const Fabric& fabric) {
+// How even they are, and how long the longest is.
+void measure_wales(const Fabric& fabric, double stitch_height, KeptTry& made) {
   const std::vector<glm::dvec3> path = knitting_path(fabric);
-  double count = 0.0, sum = 0.0, squares = 0.0;
+  double count = 0.0, sum = 0.0, squares = 0.0, longest = 0.0;
   const auto add = [&](const std::vector<std::array<std::uint32_t, 2>>& wales) {
     for (const auto& [lower, upper] : wales) {
       const double length = glm::distance(path[lower], path[upper]);
       ++count;
       sum += length;
       squares += length * length;
+      longest = std::max(longest, length);
     }
   };
   for (const auto& strip : fabric.strips()) add(strip->column_edges);
   for (const auto& deal : fabric.deals()) add(deal->column_edges);
-  if (sum <= 0.0) return 0.0F;
+  if (sum <= 0.0) return;
   const double mean = sum / count;
-  return static_cast<float>(std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean);
+  made.wale_cv = static_cast<float>(std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean);
+  made.longest_wale = static_cast<float>(longest / stitch_height);
 }
 
 // Runs ahead until all has settled.
 KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std::int32_t way,
                 const Heard& heard) {
-  KeptTry made{way, 0, 0, 0.0F, std::numeric_limits<double>::infinity()};
+  KeptTry made{way, 0, 0, 0.0F, std::numeric_limits<float>::infinity()};
+  double sum = 0.0;
   const Parameters parameters = parameters_for(as_asked, way);
   std::vector<Shared<PlannedPairs>> plans = std::move(ahead.short_rows.ahead);
   ahead.short_rows = {};
@@ -120,15 +124,15 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
     const Step step = advance(input, parameters, ahead);
     if (is_stop(step)) return made;
     if (!settles) continue;
-    if (const auto* work = std::get_if<SettleWork>(&ahead.work)) made.sum = work->sum;
+    if (const auto* work = std::get_if<SettleWork>(&ahead.work)) sum = work->sum;
     if (const auto* iteration = get_if<StitchesSettled>(step))
-      made.sum = static_cast<double>(iteration->taken ? iteration->after : iteration->before);
+      sum = static_cast<double>(iteration->taken ? iteration->after : iteration->before);
   }
   made.stitches = static_cast<std::int32_t>(ahead.fabric.stitch_count());
   for (const auto& row : ahead.fabric.rows()) made.pairs += is_short(*row) ? 1 : 0;
   made.pairs /= 2;
-  made.sum /= static_cast<double>(made.stitches);
-  made.wale_cv = wale_cv_of(ahead.fabric);
+  made.sum = static_cast<float>(sum / static_cast<double>(made.stitches));
+  measure_wales(ahead.fabric, parameters.stitch.height, made);
   return made;
 }
 
@@ -150,9 +154,12 @@ KeptTry try_next(const Input& input, const Parameters& parameters, const State& 
 }
 
 KeptChosen choose(const State& state) {
-  const KeptTry& best = best_of(state.short_rows.tries);
-  return {best.kept, best.pairs, static_cast<float>(best.sum),
-          static_cast<float>(state.short_rows.tries.front().sum), ChosenBy::settling};
+  const std::vector<KeptTry>& tries = state.short_rows.tries;
+  const KeptTry& best = best_of(tries);
+  const bool refused =
+      best.kept == no_short_rows &&
+      std::any_of(tries.begin(), tries.end(), [&](const KeptTry& way) { return way.sum < best.sum; });
+  return {best.kept, best.pairs, best.sum, tries.front().sum, refused ? ChosenBy::wales : ChosenBy::settling};
 }
 
 // About.
@@ -209,8 +216,12 @@ ShortRowEvent advance_kept_choice(const Input& input, const Parameters& paramete
   }
   made.tries.push_back(try_next(input, parameters, state, heard));
   const KeptTry& last = made.tries.back();
-  return KeptTried{last.kept, last.pairs, last.stitches, static_cast<float>(last.sum),
-                   &best_of(made.tries) == &last};
+  return KeptTried{last.kept,
+                   last.pairs,
+                   last.stitches,
+                   last.sum,
+                   &best_of(made.tries) == &last,
+                   !never_worse(last, made.tries.front())};
 }
 
 }  // namespace knit

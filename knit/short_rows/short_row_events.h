@@ -17,8 +17,9 @@ struct KeptTried {
   static constexpr std::string_view kind = "kept-tried";
   std::int32_t kept;  // no_short_rows: none
   std::int32_t pairs, stitches;
-  float sum;  // a stitch
-  bool best;  // so far
+  float sum;   // a stitch
+  bool best;   // so far
+  bool worse;  // its wales are less even than without short rows, or the longest is longer
   [[nodiscard]] std::string sentence(const Telling& at) const;
   [[nodiscard]] StepFields numbers() const;
   friend bool operator==(const KeptTried&, const KeptTried&) = default;

@@ -104,7 +104,10 @@ std::string KeptTried::sentence(const Telling& /*at*/) const {
   if (kept != no_short_rows) text += ", " + plural(pairs, "pair of short rows", "pairs of short rows");
   if (!std::isfinite(sum)) return text + "; it can't be worked so.";
   return text + ", " + stitch_count_text(stitches) + "; settled, " + thousandths(sum) +
-         " thousandths a stitch are left" + (best ? ", the least so far." : ".");
+         " thousandths a stitch are left" +
+         (best    ? ", the least so far."
+          : worse ? "; but its wales are less even than without short rows, or the longest is longer."
+                  : ".");
 }
 StepFields KeptTried::numbers() const {
   return {{var::rows_kept, kept}, {var::pairs, pairs}, {var::settled_sum, static_cast<double>(sum)}};
@@ -117,6 +120,10 @@ std::string KeptChosen::sentence(const Telling& /*at*/) const {
     case ChosenBy::unsettled:
     case ChosenBy::too_many:
       return unsettled_words(*this);
+    case ChosenBy::wales:
+      return "No short rows: with them less is left, but wales come out less even than without, or the "
+             "longest "
+             "is longer.";
     case ChosenBy::settling:
       break;
   }

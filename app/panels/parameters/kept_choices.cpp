@@ -71,8 +71,10 @@ void draw_way(PanelFrame& frame, const knit::KeptTry& way, bool events, bool in_
     take(way.kept, parameters);
   frame.mark(name);
   tooltip(frame, help_of(way, events));
-  const std::array cells{std::to_string(way.pairs), finite ? fixed_text(1000.0 * way.sum, 1) : "-",
-                         finite ? fixed_text(static_cast<double>(way.wale_cv), 3) : "-"};
+  const std::array cells{std::to_string(way.pairs),
+                         finite ? fixed_text(1000.0 * static_cast<double>(way.sum), 1) : "-",
+                         finite ? fixed_text(static_cast<double>(way.wale_cv), 3) : "-",
+                         finite ? fixed_text(static_cast<double>(way.longest_wale), 2) : "-"};
   for (const std::string& cell : cells) {
     ImGui::TableNextColumn();
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(cell.c_str()).x;
@@ -82,12 +84,14 @@ void draw_way(PanelFrame& frame, const knit::KeptTry& way, bool events, bool in_
 }
 
 void draw_heads(PanelFrame& frame) {
-  constexpr std::array<std::array<const char*, 2>, 4> heads{
+  constexpr std::array<std::array<const char*, 2>, 5> heads{
       {{"Way", "None, or how many rows each tube keeps as they are where loops part or meet."},
        {"Pairs", "Pairs of short rows that are worked."},
        {"Left",
-        "What is left of wrong lengths when all has settled, in thousandths a stitch: the least is taken."},
-       {"Wale CV", "How uneven the wales are then: standard deviation / mean."}}};
+        "What is left of wrong lengths when all has settled, in thousandths a stitch: the least is taken, of "
+        "ways whose wales are as even as without short rows and none longer."},
+       {"Wale CV", "How uneven the wales are then: standard deviation / mean."},
+       {"Longest", "The longest wale then, in stitch heights."}}};
   ImGui::TableNextRow();
   for (std::size_t i = 0; i < heads.size(); ++i) {
     ImGui::TableNextColumn();
@@ -139,7 +143,7 @@ void draw_kept_choices(PanelFrame& frame, knit::Parameters& parameters) {
   const bool events = choices.tries().size() > 2;
   push_font(frame.fonts.small);
   if (ImGui::BeginTable(
-          "ways of short rows", 4,
+          "ways of short rows", 5,
           ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingStretchSame)) {
     draw_heads(frame);
     for (const knit::KeptTry& way : choices.tries())
