@@ -169,15 +169,6 @@ TEST_CASE("short rows figures: what is straight gets none", "[short-rows]") {
   check_case(straight);
 }
 
-TEST_CASE("short rows figures: a cylinder that lies on its side gets none") {
-  // Round its lids rows are missing, but settled without short rows its longest wale is shorter.
-  Case lying = case_of(slanted_cylinder(0.0), 1.0, {0.08, 1.3, 0, 0});
-  lying.timing = TimingKind::arc_length;
-  lying.start = lying.end = no_vertex;
-  lying.change = [](Parameters& parameters) { parameters.timing.axis = {AxisKind::x, {1.0, 0.0, 0.0}}; };
-  check_case(lying);
-}
-
 TEST_CASE("short rows figures: meshes by others never settle worse with them", "[short-rows]") {
   check_some(others_meshes());
 }
