@@ -94,8 +94,8 @@ Ran check_case(const Case& of) {
   const std::int32_t pairs = pairs_in(ran.with);
   CHECK(wales.cv <= of.bounds.wale_cv);
   CHECK(wales.high <= of.bounds.longest * ran.height);
-  CHECK(wales.cv <= plain.cv + 1e-6);
-  CHECK(wales.high <= std::max(plain.high, long_wale * ran.height) + 1e-6 * ran.height);
+  CHECK(wales.cv <= plain.cv + 0.002);
+  CHECK(wales.high <= std::max(clearly_longer * plain.high, long_wale * ran.height) + 1e-6 * ran.height);
   CHECK(pairs >= of.bounds.fewest);
   CHECK(pairs <= of.bounds.most);
   if (pairs == 0) CHECK(ran.with.fabric == ran.without.fabric);
@@ -143,7 +143,7 @@ std::vector<Case> others_meshes() {
           of("simple-elbow", linear, 2, 0.72, {0.04, 1.3, 14, 19}),
           of("simple-elbow", linear, 3, 1.0, {0.08, 1.6, 6, 10}),
           of("spot", linear, 4, 0.72, {0.09, 1.6, 4, 8}),
-          of("bunny", geodesic, 4, 0.72, {0.078, 1.7, 0, 5}),
+          of("bunny", geodesic, 4, 0.72, {0.076, 1.7, 3, 5}),
           of("bunny", linear, 4, 0.72, {0.081, 1.5, 0, 0}),
           of("teddy", geodesic, 4, 0.72, {0.044, 1.3, 0, 0}),
           of("starfish", geodesic, 4, 0.72, {0.050, 1.3, 0, 0})};

@@ -7,7 +7,8 @@ namespace knit {
 
 bool never_worse(const KeptTry& with, const KeptTry& without) {
   if (!std::isfinite(without.sum) || !std::isfinite(with.sum)) return std::isfinite(with.sum);
-  return with.wale_cv <= without.wale_cv && with.longest_wale <= std::max(long_wale, without.longest_wale);
+  return with.wale_cv <= without.wale_cv + clearly_less_even &&
+         with.longest_wale <= std::max(long_wale, clearly_longer * without.longest_wale);
 }
 
 const KeptTry& best_of(std::span<const KeptTry> tries) {

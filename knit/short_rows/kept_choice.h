@@ -1,9 +1,9 @@
 // Which rows tubes keep beside events, and whether there are short rows at all.
 //
 // No number is best on every shape, and on many none is better than no short rows. So each is worked out and settled. A way whose
-// wales come out less even than without short rows, or whose longest wale is long and longer, is no way: what evens most wales may pull a
-// few beside its turns, and those are seen. Of the rest the one of the least settled sum a stitch is taken; of equal ones the
-// first: no short rows, then fewest rows kept. Where no arc of any tube pays, nothing has to settle. A piece of one tube has no events, so only 0 is tried there. Where nothing can be settled
+// wales come out clearly less even than without short rows, or whose longest wale is long and clearly longer, is no way:
+// what evens most wales may pull a few beside its turns, and those are seen. Of the rest the one of the least settled sum a
+// stitch is taken; of equal ones the first: no short rows, then fewest rows kept. Where no arc of any tube pays, nothing has to settle. A piece of one tube has no events, so only 0 is tried there. Where nothing can be settled
 // ahead, a piece of one tube gets its pairs, and one that branches none: there lag is too often a phantom.
 #pragma once
 
@@ -52,9 +52,11 @@ struct KeptTry {
 
 // A wale that is longer than that is seen, in stitch heights.
 inline constexpr float long_wale = 1.2F;
+// So much longer (times) and less even (coefficient of variation) is seen at all.
+inline constexpr float clearly_longer = 1.03F, clearly_less_even = 0.005F;
 
-// Whether the wales of `with` are as even as those without short rows, and no long one is longer than their longest. What can't
-// be worked is worse than anything that can.
+// Whether the wales of `with` are as even as those without short rows, and no long one is longer than their longest, but for
+// what nobody sees. What can't be worked is worse than anything that can.
 bool never_worse(const KeptTry& with, const KeptTry& without);
 
 // Requires one at least, and that the first is without short rows.
