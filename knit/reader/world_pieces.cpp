@@ -23,6 +23,81 @@ std::optional<std::int64_t> cast_on_count(const Atoms& part, std::size_t from, s
   return std::nullopt;
 }
 
+// "CO 20 sts": where "CO" stands, and what is behind the number.
+struct CastOnWords {
+  std::int64_t stitches = 0;
+  std::size_t at = 0, behind = 0;
+};
+
+std::optional<CastOnWords> cast_on_words(const Atoms& part) {
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const bool on = part[i].is("co") ||
+                    (is_any(part[i], {"cast", "casting"}) && i + 1 < part.size() && part[i + 1].is("on"));
+    if (!on) continue;
+    CastOnWords told{0, i, i + (part[i].is("co") ? 1 : 2)};
+    if (const auto count = cast_on_count(part, told.behind, told.behind)) {
+      told.stitches = *count;
+      return told;
+    }
+  }
+  return std::nullopt;
+}
+
+// "K9, CO 2 sts, k9" is a round.
+bool stands_in_round(const Atoms& part, const CastOnWords& told) {
+  return holds_any(std::span(part).first(told.at), {"k", "p", "knit", "purl", "place"}) ||
+         holds_any(rest_of(part, told.behind), {"k", "knit", "p", "purl"});
+}
+
+// "... counts as rnd 1", "first round"
+bool tells_first_round(const Atoms& line) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if (is_rounds(line[i]) && line[i + 1].is_number() && line[i + 1].value == 1) return true;
+    if (line[i].is("first") && is_rounds(line[i + 1])) return true;
+  }
+  return false;
+}
+
+// "BO all 16 sts", "draw yarn through remaining 6 sts": where it stands.
+struct CloseWords {
+  std::size_t at = 0;
+  bool drawn = false;  // the yarn, through what is left
+};
+
+std::optional<CloseWords> close_words(const Atoms& part) {
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (is_any(part[i], {"thread", "draw", "pull", "run", "pass", "weave"}) &&
+        holds_any(std::span(part).subspan(i), {"through", "thru"}))
+      return CloseWords{i, true};
+    if (part[i].is("bo") ||
+        (is_any(part[i], {"bind", "cast"}) && i + 1 < part.size() && part[i + 1].is("off")))
+      return CloseWords{i, false};
+  }
+  return std::nullopt;
+}
+
+// "K4, BO 4 sts, k to end", "BO 4 sts, k to end": a row.
+bool closes_in_row(const Atoms& part, std::size_t at) {
+  if (at + 1 < part.size() && holds_any(std::span(part).first(at), {"k", "p", "knit", "purl"})) return true;
+  for (std::size_t i = at + 1; i < part.size(); ++i) {
+    if (is_any(part[i], {"k", "p"}) || (is_any(part[i], {"knit", "purl", "work"}) && i + 1 < part.size() &&
+                                        is_any(part[i + 1], {"to", "across"})))
+      return true;
+  }
+  return false;
+}
+
+// "16 sts", "BO 16", "remaining 6"
+std::optional<std::int64_t> closed_stitches(const Atoms& tail) {
+  std::optional<std::int64_t> number = stitches_in(tail);
+  if (number) return number;
+  for (std::size_t i = 1; i < tail.size(); ++i) {
+    if (tail[i].is_number() && is_any(tail[i - 1], {"bo", "off", "all", "remaining", "rem"}))
+      number = tail[i].value;
+  }
+  return number;
+}
+
 }  // namespace
 
 void WorldWorker::begin_piece(std::int64_t stitches) {
@@ -65,32 +140,35 @@ void WorldWorker::end_piece(bool held) {
   any_number_ = true;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
+// Cast on beside those that are there.
+void WorldWorker::add_stitches(std::int64_t stitches) {
+  needle_.right.back() = 0;
+  if (known_) needle_.set(needle_.count() + stitches);
+}
+
+// A piece begins, and its rounds are numbered anew; "CO 6 sts. This is rnd 1."
+void WorldWorker::begin_cast_on(std::int64_t stitches, const Atoms& line) {
+  if (has_needle_ && !history_.empty()) {
+    leave_behind();
+    end_piece(false);
+  }
+  begin_piece(stitches);
+  any_number_ = false;
+  history_.clear();
+  by_number_.clear();
+  pending_.clear();
+  rule_.reset();
+  const bool is_round = tells_first_round(line);
+  next_ = is_round ? 2 : 1;
+  gap_ok_ = !is_round;
+}
+
 bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   if (holds_any(part, {"held", "holder"})) return false;
-  std::size_t at = part.size(), behind = 0;
-  std::optional<std::int64_t> count;
-  for (std::size_t i = 0; i < part.size() && !count; ++i) {
-    const bool on = part[i].is("co") ||
-                    (is_any(part[i], {"cast", "casting"}) && i + 1 < part.size() && part[i + 1].is("on"));
-    if (!on) continue;
-    at = i;
-    behind = at + (part[at].is("co") ? 1 : 2);
-    count = cast_on_count(part, behind, behind);
-  }
-  if (!count) return false;
-  // "K9, CO 2 sts, k9" is a round.
-  if (has_needle_ && at > 0 &&
-      std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at), [](const Atom& a) {
-        return is_any(a, {"k", "p", "knit", "purl", "place"});
-      }))
-    return false;
-  if (has_needle_ &&
-      std::any_of(part.begin() + static_cast<std::ptrdiff_t>(behind), part.end(), [](const Atom& a) {
-        return is_any(a, {"k", "knit", "p", "purl"});
-      }))
-    return false;
-  if (*count < 1 || *count > most_value) {
+  const auto told = cast_on_words(part);
+  if (!told || (has_needle_ && stands_in_round(part, *told))) return false;
+  const std::int64_t stitches = told->stitches;
+  if (stitches < 1 || stitches > most_value) {
     wrong("no stitches are cast on.");
     return true;
   }
@@ -100,41 +178,20 @@ bool WorldWorker::cast_on(const Atoms& part, const Atoms& line) {
   // "RIGHT LEG / Cast on 2 sts. (22 sts)" beside the 20 that are there
   const bool beside = has_needle_ && known_ && stated.total && *stated.total > needle_.count();
   const bool adds = has_needle_ && (!fresh_ || beside);
-  if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != *count && section_.empty() &&
-      made_.empty()) {
-    wrong("casts on " + stitches_text(*count) + ", and " + std::to_string(needle_.count()) +
+  if (has_needle_ && fresh_ && history_.empty() && known_ && needle_.count() != stitches &&
+      section_.empty() && made_.empty()) {
+    wrong("casts on " + stitches_text(stitches) + ", and " + std::to_string(needle_.count()) +
           " are cast on already.");
     return true;
   }
   if (adds && !section_.empty() && !made_.empty() && made_.back().name == section_) return false;
-  if (adds) {
-    needle_.right.back() = 0;
-    if (known_) needle_.set(needle_.count() + *count);
-    worked();
-  } else {
-    if (has_needle_ && !history_.empty()) {
-      leave_behind();
-      end_piece(false);
-    }
-    begin_piece(*count);
-    next_ = 1;
-    any_number_ = false;
-    gap_ok_ = true;
-    history_.clear();
-    by_number_.clear();
-    pending_.clear();
-    rule_.reset();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      if (is_rounds(line[i]) && line[i + 1].is_number() && line[i + 1].value == 1) next_ = 2;
-      if (line[i].is("first") && is_rounds(line[i + 1])) next_ = 2;
-    }
-    if (next_ == 2) gap_ok_ = false;
-    worked();
-  }
+  if (adds)
+    add_stitches(stitches);
+  else
+    begin_cast_on(stitches, line);
+  worked();
   fresh_ = false;
-  Atoms copy = line;
-  const WorldCount told = take_count(copy, lexicon_);
-  if (told.total && told.all.size() == 1) check_after(told);
+  if (stated.total && stated.all.size() == 1) check_after(stated);
   in_round_ = in_round_ ||
               (holds_any(line, {"join"}) && holds_any(line, {"round", "rnd", "joining", "twist", "circle"}));
   return true;
@@ -204,65 +261,36 @@ bool WorldWorker::remove_markers(const Atoms& part) {
   return true;
 }
 
-// "BO all 16 sts", "thread through remaining 6 sts", "fasten off"
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
-bool WorldWorker::close(const Atoms& part) {
-  if (part.empty()) return false;
-  const std::size_t none = part.size();
-  std::size_t at = none;
-  bool drawn = false;
-  for (std::size_t i = 0; i < part.size() && at == none; ++i) {
-    if (part[i].is("bo") ||
-        (is_any(part[i], {"bind", "cast"}) && i + 1 < part.size() && part[i + 1].is("off")))
-      at = i;
-    if (is_any(part[i], {"thread", "draw", "pull", "run", "pass", "weave"}) &&
-        holds_any(std::span(part).subspan(i), {"through", "thru"}))
-      at = i, drawn = true;
-  }
-  if (at == none) return false;
-  if (!drawn && at > 0 && has_needle_ &&
-      std::any_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(at),
-                  [](const Atom& a) {
-                    return is_any(a, {"k", "p", "knit", "purl"});
-                  }) &&
-      at + 1 < part.size()) {
+// "BO 4 sts at the beginning of the next row": the others stay. False: all were to be closed.
+bool WorldWorker::bind_off_some(const Atoms& part, std::int64_t stitches) {
+  if (!holds_any(part, {"at", "next", "beginning", "each"}) || stitches >= needle_.count() ||
+      holds_any(part, {"all", "remaining"}))
     return false;
+  if (holds_any(part, {"each"})) {
+    not_understood("how many are bound off in all is not clear.");
+    known_ = false;
+  } else {
+    needle_.set(needle_.count() - stitches);
+    worked();
   }
-  if (!drawn && has_needle_) {  // "BO 4 sts, k to end": a row
-    for (std::size_t i = at + 1; i < part.size(); ++i) {
-      if (is_any(part[i], {"k", "p"}) || (is_any(part[i], {"knit", "purl", "work"}) && i + 1 < part.size() &&
-                                          is_any(part[i + 1], {"to", "across"})))
-        return false;
-    }
-  }
+  return true;
+}
+
+// "BO all 16 sts", "thread through remaining 6 sts", "fasten off"
+bool WorldWorker::close(const Atoms& part) {
+  const auto words = close_words(part);
+  if (!words || (!words->drawn && has_needle_ && closes_in_row(part, words->at))) return false;
   run_pending(true);
   if (!has_needle_) {
     if (closed_) say(LineVerdict::no_instruction, "");
     return true;
   }
-  Atoms tail(part.begin() + static_cast<std::ptrdiff_t>(at), part.end());
-  std::optional<std::int64_t> number = stitches_in(tail);
-  if (!number) {
-    for (std::size_t i = 0; i < tail.size(); ++i) {
-      if (tail[i].is_number() && i > 0 && is_any(tail[i - 1], {"bo", "off", "all", "remaining", "rem"}))
-        number = tail[i].value;
-    }
-  }
+  const std::span<const Atom> tail = rest_of(part, words->at);
+  const auto stitches = closed_stitches(Atoms(tail.begin(), tail.end()));
   worked();
-  if (number && known_ && !may_have(*number)) {
-    const bool some = holds_any(part, {"at", "next", "beginning", "each"}) && *number < needle_.count() &&
-                      !holds_any(part, {"all", "remaining"});
-    if (some) {
-      if (holds_any(part, {"each"})) {
-        not_understood("how many are bound off in all is not clear.");
-        known_ = false;
-      } else {
-        needle_.set(needle_.count() - *number);
-        worked();
-      }
-      return true;
-    }
-    wrong("closes " + stitches_text(*number) + ", and " + std::to_string(needle_.count()) +
+  if (stitches && known_ && !may_have(*stitches)) {
+    if (bind_off_some(part, *stitches)) return true;
+    wrong("closes " + stitches_text(*stitches) + ", and " + std::to_string(needle_.count()) +
           (needle_.count() == 1 ? " is" : " are") + " on the needles.");
   }
   if (line_ > 0 && out_.lines[line_ - 1].verdict == LineVerdict::holds) out_.lines[line_ - 1].stitches = 0;

@@ -11,6 +11,19 @@ namespace {
 
 std::string rnd(std::int64_t number) { return "Rnd " + std::to_string(number); }
 
+std::int64_t rounds_named(const WorldLabel& label) {
+  std::int64_t rounds = 0;
+  for (const auto& [from, to] : label.numbers) rounds += to - from + 1;
+  return rounds;
+}
+
+// "Rnds 3-6"; of several groups the first round.
+std::string name_of_numbers(const WorldLabel& label) {
+  const auto [first, last] = label.numbers.front();
+  if (label.numbers.size() > 1 || first == last) return rnd(first);
+  return "Rnds " + std::to_string(first) + "-" + std::to_string(last);
+}
+
 }  // namespace
 
 WorldWorker::Index WorldWorker::keep(Atoms atoms, const std::string& name, bool flat) {
@@ -72,20 +85,67 @@ void WorldWorker::finished_round(Index index, std::int64_t number) {
   fresh_ = false;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
+// Its rounds wait for their turn, each with what the line says.
+void WorldWorker::await_turn(const WorldLabel& label, Index index) {
+  for (const auto& [from, to] : label.numbers) {
+    for (std::int64_t number = from; number <= to; ++number)
+      pending_[number] = {index, number == label.numbers.back().second};
+  }
+  if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
+}
+
+// The numbers begin anew with this line: what was told ahead is worked, and a first piece begins with Rnd 1.
+void WorldWorker::begin_numbers(const WorldLabel& label, const std::string& name) {
+  const std::int64_t first = label.numbers.front().first;
+  const std::optional<Rule> rule = rule_;
+  const bool is_new = rule && rule->told_after == history_.size();
+  run_pending(true);
+  if (is_new) rule_ = rule;
+  const bool ahead = (label.every_from || label.numbers.size() > 1) && first > 1 && history_.empty();
+  const bool skipped = !ahead && gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
+  if (skipped) wrong(name + " first, and Rnd 1 is missing; if the cast on is Rnd 1, its line must say so.");
+  if (!ahead) next_ = first;
+}
+
+// Rounds told ahead, or by a rule, fill the gap before this line; what then still lacks is said.
+void WorldWorker::fill_gap(const WorldLabel& label, const std::string& name) {
+  const std::int64_t first = label.numbers.front().first;
+  std::int64_t hole = next_;
+  while (hole < first && (in_rule(hole) || pending_.count(hole) != 0)) ++hole;
+  const bool later = label.numbers.size() > 1 || label.every_from;
+  if (hole == first || later) return;
+  wrong(name + " stands here, and " + rnd(hole) +
+        (first - 1 > hole ? " to " + std::to_string(first - 1) + " are" : " is") + " missing.");
+  run_pending(true);
+  next_ = first;
+}
+
+// Brings `next_` to the first number of the line, in order, anew, or with a complaint.
+void WorldWorker::come_to(const WorldLabel& label, const std::string& name) {
+  const std::int64_t first = label.numbers.front().first;
+  const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
+  if (begins_again && first == 1) by_number_.clear();  // of what was worked before
+  if (begins_again || (gap_ok_ && history_.empty()) || (any_number_ && first != next_)) {
+    begin_numbers(label, name);
+  } else if (first > next_) {
+    fill_gap(label, name);
+  } else if (first < next_) {
+    wrong(name + " stands here, and " + rnd(next_ - 1) + " was read already; " + rnd(next_) + " comes next.");
+    next_ = first;
+  }
+  any_number_ = false;
+  gap_ok_ = false;
+}
+
 void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   const std::int64_t first = label.numbers.front().first;
-  std::int64_t rounds = 0;
-  for (const auto& [from, to] : label.numbers) rounds += to - from + 1;
+  const std::int64_t rounds = rounds_named(label);
   if (rounds > most_rounds_in_line) {
     not_understood("these are more than " + std::to_string(most_rounds_in_line) + " rounds in one line.");
     known_ = false;
     return;
   }
-  const std::string name =
-      label.numbers.size() == 1 && first != label.numbers.front().second
-          ? "Rnds " + std::to_string(first) + "-" + std::to_string(label.numbers.front().second)
-          : rnd(first);
+  const std::string name = name_of_numbers(label);
   run_pending(false);
   if (any_number_ && !pending_.empty() && pending_.begin()->first > next_) {
     next_ = std::min(first, pending_.begin()->first);  // "Rnds 18, 20:" waited for this line
@@ -93,45 +153,8 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
   }
   const bool waits =
       (label.numbers.size() > 1 || label.every_from) && any_number_ && !history_.empty() && first > next_;
-  if (waits) {
-    const Index index = keep(body, name, (rows_ || label.sided) && !in_round_);
-    for (const auto& [from, to] : label.numbers) {
-      for (std::int64_t number = from; number <= to; ++number)
-        pending_[number] = {index, number == label.numbers.back().second};
-    }
-    if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
-    return;
-  }
-  const bool begins_again = first < next_ && (any_number_ || last_was_note_ || closed_ || fresh_);
-  const bool restart = begins_again || (gap_ok_ && history_.empty());
-  if (begins_again && first == 1) by_number_.clear();  // of what was worked before
-  if (restart || (any_number_ && first != next_)) {
-    const std::optional<Rule> rule = rule_;
-    const bool is_new = rule && rule->told_after == history_.size();
-    run_pending(true);
-    if (is_new) rule_ = rule;
-    const bool ahead = (label.every_from || label.numbers.size() > 1) && first > 1 && history_.empty();
-    const bool skipped = !ahead && gap_ok_ && history_.empty() && first > 1 && ever_cast_on_;
-    if (skipped) wrong(name + " first, and Rnd 1 is missing; if the cast on is Rnd 1, its line must say so.");
-    if (!ahead) next_ = first;
-  } else if (first > next_) {
-    // rounds told ahead, or by a rule, fill the gap
-    std::int64_t hole = next_;
-    while (hole < first && (in_rule(hole) || pending_.count(hole) != 0)) ++hole;
-    const bool later = label.numbers.size() > 1 || label.every_from;
-    if (hole < first && !later) {
-      wrong(name + " stands here, and " + rnd(hole) +
-            (first - 1 > hole ? " to " + std::to_string(first - 1) + " are" : " is") + " missing.");
-      run_pending(true);
-      next_ = first;
-    }
-  } else if (first < next_) {
-    wrong(name + " stands here, and " + rnd(next_ - 1) + " was read already; " + rnd(next_) + " comes next.");
-    next_ = first;
-  }
-  any_number_ = false;
-  gap_ok_ = false;
-
+  if (waits) return await_turn(label, keep(body, name, works_flat(label)));
+  come_to(label, name);
   Atoms copy = body;
   const WorldCount count = take_count(copy, lexicon_);
   if (label.numbers.size() == 1) {
@@ -145,13 +168,8 @@ void WorldWorker::number_rounds(const WorldLabel& label, const Atoms& body) {
       return;
     }
   }
-  const bool flat = (rows_ || label.sided) && !in_round_;
-  const Index index = keep(body, name, flat);
-  for (const auto& [from, to] : label.numbers) {
-    for (std::int64_t number = from; number <= to; ++number)
-      pending_[number] = {index, number == label.numbers.back().second};
-  }
-  if (label.every_from) rule_ = Rule{*label.every_from, label.every_step, index, history_.size()};
+  const Index index = keep(body, name, works_flat(label));
+  await_turn(label, index);
   run_pending(false);
   if (!recipes_[index].first.trouble.empty())
     not_understood(recipes_[index].first.trouble, recipes_[index].first.at, recipes_[index].first.length);
@@ -172,7 +190,6 @@ void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
   Atoms copy = body;
   const WorldCount count = take_count(copy, lexicon_);
   const std::string name = "the " + label.name;
-  const bool flat = (rows_ || label.sided) && !in_round_;
   const bool definition = definitions_.count(label.name) != 0;
   any_number_ = any_number_ || !definition;
   if (!definition) {
@@ -181,7 +198,7 @@ void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
     if (told_rounds(copy, count, 0, name)) return;
     if (like_another(label, copy, count)) return;
   }
-  const Index index = keep(body, name, flat);
+  const Index index = keep(body, name, works_flat(label));
   if (label.name != "round" && label.name != "rnd") by_name_[label.name] = index;
   const WorldRound& round = recipes_[index].first;
   if (definition) {
@@ -264,8 +281,7 @@ void WorldWorker::after_trouble(const WorldCount& count) {
 
 // Whether the round's count is the stated one. `why` gets what is wrong.
 bool WorldWorker::settle_count(const std::string& name, std::int64_t before, const WorldCount& count,
-                               std::size_t nth, bool quiet, std::string& why) {
-  (void)quiet;
+                               std::size_t nth, std::string& why) const {
   const std::int64_t made = needle_.count();
   if (count.total) {
     const std::int64_t stated = nth > 0 && nth <= count.all.size() ? count.all[nth - 1] : *count.total;
@@ -314,132 +330,154 @@ void WorldWorker::keep_alternative(Index index, const WorldCount& said) {
   if (work_on(other, round.nodes, recipes_[index].flat, {}, budget_).sound()) alternative_ = other.count();
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): one form of words after the other
+WorldWorker::Standing WorldWorker::standing(bool moves) const {
+  Standing now{needle_, std::nullopt};
+  if (moves) now.holders = holders_;
+  return now;
+}
+
+void WorldWorker::go_back(const Standing& then) {
+  needle_ = then.needle;
+  if (then.holders) holders_ = *then.holders;
+}
+
+// A round whose words are not understood: said on its own line, and what it leaves is known only if it is told.
+bool WorldWorker::work_unread(const WorldRecipe& recipe, const std::string& name, const WorldCount& said) {
+  const WorldRound& round = recipe.first;
+  if (recipe.line == line_)
+    not_understood(name + ": " + round.trouble, round.at, round.length);
+  else
+    say(LineVerdict::not_claimed, "");
+  broken_ = true;
+  after_trouble(said);
+  return false;
+}
+
+// "Knit across the 12 held sts": the round begins on an empty needle.
+void WorldWorker::begin_with_held(const WorldRound& round) {
+  if (has_needle_ || out_.pieces.empty() || holders_.empty()) return;
+  const bool takes = std::any_of(round.nodes.begin(), round.nodes.end(),
+                                 [](const WorldNode& node) { return node.kind == WorldNode::Kind::take; });
+  if (!takes) return;
+  begin_piece(0);
+  out_.pieces.back().rounds.clear();
+}
+
+// Whether there is something to work on, known or not; else it is said.
+bool WorldWorker::has_stitches_for(const WorldRecipe& recipe, const std::string& name,
+                                   const WorldCount* count) {
+  if (closed_ && !has_needle_) {
+    // another part may begin with stitches that no line tells of
+    if (fresh_ || section_.empty()) known_ = false;
+    if (!fresh_) {
+      wrong(name + " comes after the stitches were closed in line " + std::to_string(closed_line_) + ".");
+      return false;
+    }
+  }
+  if (has_needle_ || ever_cast_on_ || !out_.pieces.empty()) return true;
+  wrong(name + " begins and no stitches are cast on; say \"CO 6 sts\" before it.");
+  begin_piece(0);
+  known_ = false;
+  on_unknown(recipe, name, count);
+  return false;
+}
+
+// One way to read the round, worked from where it stood; the needle and the holders are left as they came out.
+WorldWorker::Tried WorldWorker::try_round(const WorldRound& round, const Standing& from,
+                                          const RoundSaid& said) {
+  go_back(from);
+  const std::int64_t there = needle_.count();
+  Tried tried;
+  tried.outcome = work_on(needle_, round.nodes, said.flat, hands(), budget_);
+  if (!tried.outcome.sound()) return tried;
+  if (needle_.count() > most_value / 2) tried.outcome.unknown = "more stitches than can be worked.";
+  tried.done = tried.outcome.sound() && settle_count(said.name, there, said.count, said.nth, tried.why);
+  return tried;
+}
+
+// Where both ways work out on different counts, and nothing says which: the stitches are not known.
+bool WorldWorker::means_two_things(const WorldRecipe& recipe, const Standing& before, const RoundSaid& said) {
+  if (!recipe.first.choice || said.count.total || said.count.change) return false;
+  const Standing kept = standing(before.holders.has_value());
+  const bool both = try_round(recipe.other, before, said).done && needle_.count() != kept.needle.count();
+  go_back(kept);
+  if (!both) return false;
+  not_understood(said.name + ": it can be meant in two ways, and no count says which.");
+  known_ = false;
+  return true;
+}
+
+// No way of reading it came out. `first` is what the first one said, on the needle it left.
+void WorldWorker::tell_failure(const WorldRound& round, const Tried& first, std::size_t held_before,
+                               const RoundSaid& said) {
+  const WorldOutcome& outcome = first.outcome;
+  if (!outcome.unknown.empty()) {
+    not_understood(said.name + ": " + outcome.unknown, outcome.at, outcome.length);
+    return after_trouble(said.count);
+  }
+  if (!outcome.wrong.empty()) {
+    const bool bare = outcome.wrong.starts_with("leaves ");
+    wrong(said.name + (bare ? " " : ": ") + outcome.wrong, outcome.at, outcome.length);
+    if (moves_held(round.nodes)) hold_unreached(round, held_before);
+    return after_trouble(said.count);
+  }
+  wrong(first.why);
+  doubt_holders();
+  if (!said.count.total) return;
+  alternative_ = needle_.count();
+  needle_.set(*said.count.total);
+  if (needle_.count() != *alternative_) needle_.marked = false;
+}
+
+// The round on the needle as it is known: as it is read first, else in its other sense, else on the count that may
+// still be the right one. Each is worked from where the round began.
+bool WorldWorker::work_known(Index index, const RoundSaid& said) {
+  const WorldRecipe& recipe = recipes_[index];
+  // Holders are copied only where a round may change them: there may be as many as lines.
+  const bool moves = moves_held(recipe.first.nodes) || moves_held(recipe.other.nodes);
+  const Standing before = standing(moves);
+  const Tried first = try_round(moves ? with_live_ones(recipe.first) : recipe.first, before, said);
+  const Standing made = standing(moves);
+  bool done = first.done;
+  if (!done && recipe.first.choice) done = try_round(recipe.other, before, said).done;
+  if (!done && alternative_) {
+    Standing from = before;
+    from.needle = WorldNeedle();
+    from.needle.set(*alternative_);
+    done = try_round(recipe.first, from, said).done;
+  }
+  if (done) {
+    if (means_two_things(recipe, before, said)) return false;
+    keep_alternative(index, said.count);
+    worked();
+    if (!out_.pieces.empty()) out_.pieces.back().rounds.push_back({line_, needle_.count()});
+    return true;
+  }
+  go_back(made);
+  tell_failure(recipe.first, first, before.holders ? before.holders->size() : 0, said);
+  return false;
+}
+
+// `count`: what is said of the stitches behind it, or null; `nth`: which of its counts, 0: the last. Whether it came out,
+// as far as anything is known.
 bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldCount* count,
                               std::size_t nth) {
   const WorldCount none;
   const WorldCount& said = count != nullptr ? *count : none;
   trace(index, said, nth);
   budget_ -= steps_of_round;
-  if (!recipes_[index].first.trouble.empty()) {
-    const WorldRound& round = recipes_[index].first;
-    if (recipes_[index].line == line_)
-      not_understood(name + ": " + round.trouble, round.at, round.length);
-    else
-      say(LineVerdict::not_claimed, "");
-    broken_ = true;
-    after_trouble(said);
-    return false;
-  }
-  // "Knit across the 12 held sts": the round begins on an empty needle
-  const bool taken = !has_needle_ && !out_.pieces.empty() && !holders_.empty() &&
-                     std::any_of(recipes_[index].first.nodes.begin(), recipes_[index].first.nodes.end(),
-                                 [](const WorldNode& node) { return node.kind == WorldNode::Kind::take; });
-  if (taken) {
-    begin_piece(0);
-    out_.pieces.back().rounds.clear();
-  }
-  if (closed_ && !has_needle_) {
-    if (fresh_ || section_.empty()) {
-      // another part may begin with stitches that no line tells of
-      known_ = false;
-      const bool again = fresh_;
-      if (!again) {
-        wrong(name + " comes after the stitches were closed in line " + std::to_string(closed_line_) + ".");
-        return false;
-      }
-    } else {
-      wrong(name + " comes after the stitches were closed in line " + std::to_string(closed_line_) + ".");
-      return false;
-    }
-  }
-  if (!has_needle_ && !ever_cast_on_ && out_.pieces.empty()) {
-    wrong(name + " begins and no stitches are cast on; say \"CO 6 sts\" before it.");
-    ever_cast_on_ = true;
-    known_ = false;
-    has_needle_ = true;
-    begin_piece(0);
-    known_ = false;
-    on_unknown(recipes_[index], name, count);
-    return false;
-  }
-  if (!known_) return on_unknown(recipes_[index], name, count);
-  if (markers_lost_ && !needle_.marked && works_to_marker(recipes_[index].first.nodes)) {
+  const WorldRecipe& recipe = recipes_[index];
+  if (!recipe.first.trouble.empty()) return work_unread(recipe, name, said);
+  begin_with_held(recipe.first);
+  if (!has_stitches_for(recipe, name, count)) return false;
+  if (!known_) return on_unknown(recipe, name, count);
+  if (markers_lost_ && !needle_.marked && works_to_marker(recipe.first.nodes)) {
     say(LineVerdict::not_claimed, "");
     broken_ = true;
     after_trouble(said);
     return true;
   }
-  // "Knit. (16 sts)" beside what was held: the needle as it is
-  std::string why;
-  WorldOutcome outcome;
-  const WorldNeedle before = needle_;
-  // Holders are copied only where a round may change them: there may be as many as lines.
-  const bool moves = moves_held(recipes_[index].first.nodes) || moves_held(recipes_[index].other.nodes);
-  const auto holders_now = [&] { return moves ? holders_ : std::vector<WorldHolder>{}; };
-  const std::vector<WorldHolder> held = holders_now();
-  const auto attempt = [&](const WorldRound& round, const WorldNeedle& from) {
-    needle_ = from;
-    if (moves) holders_ = held;
-    const std::int64_t there = needle_.count();
-    outcome = work_on(needle_, round.nodes, recipes_[index].flat, hands(), budget_);
-    if (!outcome.sound()) return false;
-    if (needle_.count() > most_value / 2) outcome.unknown = "more stitches than can be worked.";
-    return outcome.sound() && settle_count(name, there, said, nth, false, why);
-  };
-  const WorldRound worked_round = moves ? with_live_ones(recipes_[index].first) : WorldRound{};
-  bool done = attempt(moves ? worked_round : recipes_[index].first, before);
-  std::string first_why = why;
-  WorldOutcome first = outcome;
-  const WorldNeedle made = needle_;
-  const std::vector<WorldHolder> held_then = holders_now();
-  if (!done && recipes_[index].first.choice) done = attempt(recipes_[index].other, before);
-  if (!done && alternative_) {
-    WorldNeedle from;
-    from.set(*alternative_);
-    done = attempt(recipes_[index].first, from);
-  }
-  if (done && recipes_[index].first.choice && !said.total && !said.change) {
-    // both ways work out, and nothing says which: the stitches are not known
-    const std::int64_t one = needle_.count();
-    const WorldNeedle kept = needle_;
-    const std::vector<WorldHolder> kept_held = holders_now();
-    const bool both = attempt(recipes_[index].other, before) && needle_.count() != one;
-    needle_ = kept;
-    if (moves) holders_ = kept_held;
-    if (both) {
-      not_understood(name + ": it can be meant in two ways, and no count says which.");
-      known_ = false;
-      return false;
-    }
-  }
-  if (done) {
-    keep_alternative(index, said);
-    worked();
-    if (!out_.pieces.empty()) out_.pieces.back().rounds.push_back({line_, needle_.count()});
-    return true;
-  }
-  needle_ = made;
-  if (moves) holders_ = held_then;
-  if (!first.unknown.empty()) {
-    not_understood(name + ": " + first.unknown, first.at, first.length);
-    after_trouble(said);
-    return false;
-  }
-  if (!first.wrong.empty()) {
-    const bool bare = first.wrong.starts_with("leaves ");
-    wrong(name + (bare ? " " : ": ") + first.wrong, first.at, first.length);
-    if (moves) hold_unreached(recipes_[index].first, held.size());
-    after_trouble(said);
-    return false;
-  }
-  wrong(first_why);
-  doubt_holders();
-  const std::int64_t came = made.count();
-  if (said.total) needle_.set(*said.total);
-  if (said.total) alternative_ = came;
-  if (said.total && needle_.count() != came) needle_.marked = false;
-  return false;
+  return work_known(index, {name, said, nth, recipe.flat});
 }
 
 }  // namespace knit

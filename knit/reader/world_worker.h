@@ -84,6 +84,24 @@ class WorldWorker {
     std::int64_t times = 1;
   };
 
+  // Where a round begins, to be gone back to; holders only where it may change them.
+  struct Standing {
+    WorldNeedle needle;
+    std::optional<std::vector<WorldHolder>> holders;
+  };
+  // What a line says of a round that is worked: `nth`: which of its counts, 0: the last.
+  struct RoundSaid {
+    const std::string& name;
+    const WorldCount& count;
+    std::size_t nth = 0;
+    bool flat = false;
+  };
+  struct Tried {
+    WorldOutcome outcome;
+    std::string why;  // what is wrong with its count
+    bool done = false;
+  };
+
   // verdicts
   void say(LineVerdict verdict, std::string sentence, std::size_t at = 0, std::size_t length = 0);
   void say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at,
@@ -105,14 +123,31 @@ class WorldWorker {
   // rounds
   Index keep(Atoms atoms, const std::string& name, bool flat);
   void number_rounds(const WorldLabel& label, const Atoms& body);
+  void await_turn(const WorldLabel& label, Index index);
+  void begin_numbers(const WorldLabel& label, const std::string& name);
+  void fill_gap(const WorldLabel& label, const std::string& name);
+  void come_to(const WorldLabel& label, const std::string& name);
   void run_pending(bool all);
+  [[nodiscard]] bool works_flat(const WorldLabel& label) const {
+    return (rows_ || label.sided) && !in_round_;
+  }
   [[nodiscard]] bool in_rule(std::int64_t number) const;
   void named_round(const WorldLabel& label, const Atoms& body);
   void tell_rule(const WorldLabel& label, const Atoms& body);
   bool work_recipe(Index index, const std::string& name, const WorldCount* count, std::size_t nth);
+  [[nodiscard]] Standing standing(bool moves) const;
+  void go_back(const Standing& then);
+  bool work_unread(const WorldRecipe& recipe, const std::string& name, const WorldCount& said);
+  void begin_with_held(const WorldRound& round);
+  bool has_stitches_for(const WorldRecipe& recipe, const std::string& name, const WorldCount* count);
+  Tried try_round(const WorldRound& round, const Standing& from, const RoundSaid& said);
+  bool means_two_things(const WorldRecipe& recipe, const Standing& before, const RoundSaid& said);
+  void tell_failure(const WorldRound& round, const Tried& first, std::size_t held_before,
+                    const RoundSaid& said);
+  bool work_known(Index index, const RoundSaid& said);
   bool on_unknown(const WorldRecipe& recipe, const std::string& name, const WorldCount* count);
   bool settle_count(const std::string& name, std::int64_t before, const WorldCount& count, std::size_t nth,
-                    bool quiet, std::string& why);
+                    std::string& why) const;
   void after_trouble(const WorldCount& count);
   void keep_alternative(Index index, const WorldCount& said);
   void doubt_holders();
@@ -147,7 +182,10 @@ class WorldWorker {
 
   // pieces
   bool cast_on(const Atoms& part, const Atoms& line);
+  void add_stitches(std::int64_t stitches);
+  void begin_cast_on(std::int64_t stitches, const Atoms& line);
   bool close(const Atoms& part);
+  bool bind_off_some(const Atoms& part, std::int64_t stitches);
   bool hold_all(const Atoms& part, const WorldCount& count);
   bool take_all(const Atoms& part, const WorldCount& count);
   bool take_none(const std::string& name, std::optional<std::int64_t> told, bool held,
