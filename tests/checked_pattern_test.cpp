@@ -105,6 +105,16 @@ TEST_CASE("checked pattern: groups and repeats of rounds") {
   });
 }
 
+TEST_CASE("checked pattern: an increase of one is worked into a stitch or between two, as the count has it") {
+  check_cases({
+      {"CO 6 sts.\nRnd 1: [inc 1] 6 times. (12 sts)\nRnd 2: [K1, inc 1] 6 times. (18 sts)", "+++"},
+      {"CO 10 sts.\nRnd 1: *K1, inc 1; rep from * around. (20 sts)", "++"},
+      {"CO 10 sts.\nRnd 1: *K1, increase 1 st; rep from * around. (15 sts)", "++"},
+      {"CO 10 sts.\nRnd 1: *K1, inc 1; rep from * around. (16 sts)", "+!"},
+      {"CO 10 sts.\nRnd 1: *K1, inc 1; rep from * around.", "+?"},
+  });
+}
+
 TEST_CASE("checked pattern: each size is worked apart") {
   const CheckedPattern checked =
       check_pattern("CO 80 (88, 96) sts.\nRnd 1: [K6, k2tog] 10 (11, 12) times. (70 (77, 83) sts)\n");
@@ -135,6 +145,39 @@ TEST_CASE("checked pattern: pieces, holders and edges") {
        "Knit. (6 sts)",
        "+++.++"},
   });
+}
+
+TEST_CASE("checked pattern: rounds of an earlier piece are worked by its name") {
+  const std::string first =
+      "FIRST LEG\nCO 8 sts.\nRnd 1: Knit.\nRnd 2: [K2, m1] 4 times. (12 sts)\nRnd 3: Knit.\nPlace sts on a "
+      "holder.\nSECOND LEG\nCO 8 sts.\n";
+  const std::string end = "\nRnd 4: K12, k across the 12 held sts of the first leg. (24 sts)\nBO 24 sts.";
+  for (const char* line :
+       {"Rnds 1-3: As rnds 1-3 of first leg. (12 sts)", "Rnds 1-3: Work as for rnds 1-3 of the first leg.",
+        "Work as rnds 1-3 of the first leg. (12 sts)", "Work rnds 1-3 of first leg.",
+        "Repeat rnds 1-3 of first leg once. (12 sts)", "Rnds 1-3: As first leg. (12 sts)",
+        "Rnds 1-3: Work as for first leg. (12 sts)", "Work as for rnds 1 to 3 of first leg. (12 sts)",
+        "Rnds 1-3: Same as rounds 1-3 of the First Leg"}) {
+    CAPTURE(line);
+    CHECK(signs_of(first + line + end) == ".+++++.++++");
+  }
+  const std::string held = "Place sts on a holder.";
+  std::string bound_off = first;
+  bound_off.replace(first.find(held), held.size(), "BO 12 sts.");
+  for (const char* line :
+       {"Rnds 1-3: As rnds 1-3 of first leg. (13 sts)", "Work as rnds 1-3 of the first leg. (13 sts)",
+        "Rnds 1-3: As first leg. (13 sts)"}) {
+    CAPTURE(line);
+    CHECK(signs_of(bound_off + line) == ".+++++.+!");
+  }
+  // No such piece, and no such round of it.
+  for (const char* line :
+       {"Rnds 1-3: As rnds 1-3 of left arm. (12 sts)", "Work as rnds 1-3 of the left arm. (12 sts)",
+        "Rnds 1-4: As rnds 1-4 of first leg. (12 sts)", "Rep rnds 2-7 of first leg.",
+        "Rnds 1-3: As left arm. (12 sts)"}) {
+    CAPTURE(line);
+    CHECK(signs_of(first + line) == ".+++++.+?");
+  }
 }
 
 TEST_CASE("checked pattern: rows are worked to and fro") {

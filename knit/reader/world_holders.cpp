@@ -281,7 +281,8 @@ bool WorldWorker::as_before(const Atoms& part) {
   if (!holds_any(part, {"work", "make", "knit"})) return false;
   std::string name;
   for (std::size_t i = 0; i + 1 < part.size(); ++i) {
-    if (part[i].is("as") && is_any(part[i + 1], {"for", "given", "first"})) {
+    const bool of_rounds = i + 2 < part.size() && is_rounds(part[i + 2]);  // "as for rnds 1-10 of first leg"
+    if (part[i].is("as") && is_any(part[i + 1], {"for", "given", "first"}) && !of_rounds) {
       std::size_t end = i + 2;
       if (part[i + 1].is("first")) end = i + 1;
       std::size_t stop = end;

@@ -1,6 +1,9 @@
 // Rounds worked again, "Repeat rnds 3 and 4 five times more", and plain ones, "Knit 3 rounds".
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "knit/reader/reader_work.h"
 #include "knit/reader/world_worker.h"
@@ -30,6 +33,39 @@ bool take_and_before_number(PhraseCursor& here) {
   if (here.sees({"times", "time", "more", "x"}, 2)) return false;
   here.skip();
   return true;
+}
+
+using Ranges = std::vector<std::pair<std::int64_t, std::int64_t>>;
+
+// Nothing where one of them is not there.
+std::optional<std::vector<std::size_t>> rounds_numbered(const std::map<std::int64_t, std::size_t>& rounds,
+                                                        const Ranges& ranges) {
+  std::vector<std::size_t> found;
+  for (const auto& [first, last] : ranges) {
+    for (std::int64_t number = first; number <= last; ++number) {
+      const auto known = rounds.find(number);
+      if (known == rounds.end()) return std::nullopt;
+      found.push_back(known->second);
+    }
+  }
+  return found;
+}
+
+// "first leg", up to the words that say how often; taken.
+std::string piece_name(PhraseCursor& here) {
+  Atoms words;
+  while (!here.done() && here.peek().is_word() &&
+         !here.sees({"again", "once", "twice", "until", "but", "with", "using", "and", "then", "x", "times",
+                     "more"})) {
+    words.push_back(here.peek());
+    here.skip();
+  }
+  return world_name(words);
+}
+
+// Whether `name` has all words of `part`, in their order.
+bool has_words(const std::string& name, const std::string& part) {
+  return !part.empty() && (" " + name + " ").find(" " + part + " ") != std::string::npos;
 }
 
 // "dec rnd", "second inc round" as "second inc rnd"; empty where no round is named within four words.
@@ -206,19 +242,45 @@ std::optional<std::vector<WorldWorker::Index>> WorldWorker::last_recipes(PhraseC
   return std::vector<Index>(history_.end() - static_cast<std::ptrdiff_t>(count), history_.end());
 }
 
-// "3 and 4", "1 - 6": behind "rnds".
+// The rounds of an earlier piece whose name stands here: the one of just this name, else the only one that has these
+// words, or some of them. Null: there is none, or more than one.
+const WorldWorker::Numbered* WorldWorker::rounds_of_piece(PhraseCursor& here) const {
+  const std::string told = piece_name(here);
+  if (told.empty()) return nullptr;
+  if (const auto same = by_piece_.find(told); same != by_piece_.end()) return &same->second;
+  const Numbered* found = nullptr;
+  for (const auto& [name, rounds] : by_piece_) {
+    if (!has_words(name, told) && !has_words(told, name)) continue;
+    if (found != nullptr) return nullptr;
+    found = &rounds;
+  }
+  return found;
+}
+
+// "3 and 4", "1 - 6", "1-10 of first leg": behind "rnds".
 std::optional<std::vector<WorldWorker::Index>> WorldWorker::numbered_recipes(PhraseCursor& here) const {
-  std::vector<Index> found;
+  Ranges ranges;
   do {
     const auto range = number_range(here);
     if (!range) return std::nullopt;
-    for (std::int64_t number = range->first; number <= range->second; ++number) {
-      const auto known = by_number_.find(number);
-      if (known == by_number_.end()) return std::nullopt;
-      found.push_back(known->second);
-    }
+    ranges.push_back(*range);
   } while (take_and_before_number(here));
-  return found;
+  const Numbered* rounds = &by_number_;
+  if (here.take({"of", "from"})) rounds = rounds_of_piece(here);
+  if (rounds == nullptr) return std::nullopt;
+  return rounds_numbered(*rounds, ranges);
+}
+
+// "Rnds 1-10: as first leg": its rounds of these numbers.
+std::optional<std::vector<WorldWorker::Index>> WorldWorker::recipes_like_piece(const WorldLabel& label,
+                                                                               PhraseCursor& here) const {
+  if (label.numbers.empty()) return std::nullopt;
+  const std::size_t at = here.at();
+  if (const Numbered* rounds = rounds_of_piece(here)) {
+    if (auto found = rounds_numbered(*rounds, label.numbers)) return found;
+  }
+  here.back_to(at);
+  return std::nullopt;
 }
 
 // "dec rnd", "rnd a"

@@ -81,8 +81,13 @@ void WorldWorker::run_pending(bool all) {
 void WorldWorker::finished_round(Index index, std::int64_t number) {
   ++rounds_;
   history_.push_back(index);
-  if (number > 0) by_number_[number] = index;
+  if (number > 0) know_number(number, index);
   fresh_ = false;
+}
+
+void WorldWorker::know_number(std::int64_t number, Index index) {
+  by_number_[number] = index;
+  if (!section_.empty()) by_piece_[section_][number] = index;
 }
 
 // Its rounds wait for their turn, each with what the line says.

@@ -161,7 +161,7 @@ bool WorldWorker::like_but(Index model, const WorldLabel& label, std::span<const
   return true;
 }
 
-// "Rep rnds 3 and 4", "as rnd 1", "as round 1, with k5 for k4", "work dec rnd"
+// "Rep rnds 3 and 4", "as rnd 1", "as round 1, with k5 for k4", "as rnds 1-10 of first leg", "Rnds 1-10: as first leg"
 bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const WorldCount& count) {
   PhraseCursor here(body, lexicon_);
   here.take({"work", "knit"});
@@ -171,10 +171,13 @@ bool WorldWorker::like_another(const WorldLabel& label, const Atoms& body, const
   here.take({"for", "given"});
   if (here.sees({"from", "*", "around", "between"})) return false;
   std::size_t at = here.at();
-  const auto recipes = recipes_in(body, at);
+  auto recipes = recipes_in(body, at);
+  if (recipes)
+    here.back_to(at);
+  else
+    recipes = recipes_like_piece(label, here);
   if (!recipes)
     return unclear("it is not clear which round is meant.", count, here.peek().at, here.peek().length);
-  here.back_to(at);
   while (here.take({",", "."})) {
   }
   if (here.done()) {
@@ -204,7 +207,7 @@ void WorldWorker::repeat_labelled(const WorldLabel& label, const std::vector<Ind
   repeat.recipes = recipes;
   do_repeat(repeat, count, label.numbers.empty() ? static_cast<std::int64_t>(recipes.size()) : rounds);
   for (std::int64_t i = 0; i < rounds; ++i)
-    by_number_[label.numbers.front().first + i] = recipes[static_cast<std::size_t>(i) % recipes.size()];
+    know_number(label.numbers.front().first + i, recipes[static_cast<std::size_t>(i) % recipes.size()]);
 }
 
 }  // namespace knit

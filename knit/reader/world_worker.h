@@ -152,10 +152,14 @@ class WorldWorker {
   void keep_alternative(Index index, const WorldCount& said);
   void doubt_holders();
   void finished_round(Index index, std::int64_t number);
+  void know_number(std::int64_t number, Index index);
+  using Numbered = std::map<std::int64_t, Index>;
+  [[nodiscard]] const Numbered* rounds_of_piece(PhraseCursor& here) const;
   std::optional<WorldRepeat> repeat_in(const Atoms& line, bool& trouble);
   std::optional<std::vector<Index>> recipes_in(const Atoms& line, std::size_t& at);
   std::optional<std::vector<Index>> last_recipes(PhraseCursor& here) const;
   std::optional<std::vector<Index>> numbered_recipes(PhraseCursor& here) const;
+  std::optional<std::vector<Index>> recipes_like_piece(const WorldLabel& label, PhraseCursor& here) const;
   std::optional<std::vector<Index>> named_recipe(PhraseCursor& here) const;
   void do_repeat(const WorldRepeat& repeat, const WorldCount& count, std::int64_t rounds);
   void work_passes(const WorldRepeat& repeat, std::int64_t start, std::int64_t rounds);
@@ -246,7 +250,8 @@ class WorldWorker {
 
   std::vector<WorldRecipe> recipes_;
   std::vector<Index> history_;
-  std::map<std::int64_t, Index> by_number_;
+  Numbered by_number_;                        // of the piece at hand
+  std::map<std::string, Numbered> by_piece_;  // of each piece that has a name, the last that was so numbered
   std::map<std::string, Index> by_name_;
   std::set<std::string> definitions_;
   std::map<std::int64_t, std::pair<Index, bool>> pending_;  // by number; whether it is the last of its line

@@ -16,7 +16,7 @@ constexpr std::array words{
     TradeWord{"ktbl|ptbl|kb|pb|k1b|k-b", 1, 1, false, "knit or purl through the back loop", cyc},
     TradeWord{"mb|make bobble|bobble", 1, 1, false, "bobble, worked back to one stitch", cyc},
     TradeWord{"m1|make 1|m 1 st|m1l|m1r|m1a|m1b|m1t|m1z|m1f|m1k|m1p|m1pl|m1pr|m1lp|m1rp|mk1|make 1 left|make "
-              "1 right|make 1 purlwise|make 1 st|ml|mr|inc 1|increase 1|inc 1 st|increase 1 st",
+              "1 right|make 1 purlwise|make 1 st|ml|mr",
               0, 1, false, "make one between two stitches", cyc},
     TradeWord{"lli|rli|kll|krl|llinc|rlinc|pll|prl|rlpi|llpi", 0, 1, false, "lifted increase beside a stitch",
               cyc},
@@ -31,7 +31,8 @@ constexpr std::array words{
         "kp|k front and back|knit front and back|knit 1 front and back|k1 front and back|k1 in front and "
         "back|k1 into front and back|kllinc",
         1, 2, false, "knit or purl into front and back", cyc},
-    TradeWord{"inc|increase", 1, 2, false, "increase, the way is free", cyc},
+    TradeWord{"inc|increase|inc 1|increase 1|inc 1 st|increase 1 st", 1, 2, false,
+              "increase, the way is free", cyc},
     TradeWord{"kfbf|kyok|kpk|pkp|k1yok1|k1 yo k1|kyk|p1yop1|inc 2|k1p1k1|m2|kfbf", 1, 3, false,
               "three out of one", cyc},
     TradeWord{"kfbfb|kyokyok|inc 4", 1, 5, false, "five out of one", use},
