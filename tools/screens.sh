@@ -61,7 +61,37 @@ figure | --example thesis-sphere --at end | @27,18 @66,468
 animation | --example thesis-sphere --at rows:14 | @27,18 @66,489
 worksheet | --lesson what-it-does --lesson-page 4 | ctrl+p "worksheet" Return
 view-menu | --example thesis-sphere | @238,18
+checker | check PATTERN --window --line 13 |
+checker-next | check PATTERN --window | F4 F4
+checker-typed | --example thesis-sphere | F7 ~1 @300,300 "CO 6 sts." Return "Rnd 1: Kfb around. (12 sts)" Return "Rnd 2: [K1, kfb] 6 times. (19 sts)"
 LIST
+}
+
+# A mitten with a wrong count, and a word that is no stitch.
+pattern() {
+  cat <<'TEXT'
+MITTEN
+Materials: 50 g of worsted yarn, needles of 4 mm. Gauge: 22 sts and 32 rnds to 10 cm.
+Cast on 28 (32, 36) sts. Join in the round, being careful not to twist.
+Rnds 1-8: *K2, p2; rep from * to end. (28 (32, 36) sts)
+Rnd 9: K13 (15, 17), m1, k2, m1, k to end. (30 (34, 38) sts)
+Rnds 10-11: Knit.
+Rnd 12: K13 (15, 17), m1, k4, m1, k to end. (32 (36, 40) sts)
+Rnd 13: K13 (15, 17), place next 6 sts on a holder for thumb, CO 2 sts, k to end. (28 (32, 36) sts)
+Rnds 14-20: Knit.
+Rnd 21: *K2, k2tog; rep from * to end. (21 (24, 27) sts)
+Rnd 22: Knit.
+Rnd 23: *K1, k2tog; rep from * to end. (14 (16, 18) sts)
+Rnd 24: [K2tog] 7 (8, 9) times. (8 (8, 9) sts)
+Break yarn, thread through remaining sts.
+
+THUMB
+Place the 6 held sts of the thumb on the needles. Pick up and knit 2 sts in the gap. (8 sts)
+Rnds 1-5: Knit.
+Rnd 6: [K2tog] 3 times, k2tig.
+Rnd 7: Knit.
+Break yarn, thread through remaining 4 sts.
+TEXT
 }
 
 need() {
@@ -112,6 +142,7 @@ end() {
   rm -rf "$aside"
 }
 trap end EXIT
+pattern >"$aside/mitten.txt"
 
 await() { # tries COMMAND...: a tenth of a second each
   local tries=$1
@@ -161,7 +192,8 @@ hand() { # what
 
 take() { # name, options, hands, theme
   local file=$folder/$1-$4-${wide}x$high.png options=() deeds=()
-  mapfile -t options < <(xargs -n 1 <<<"${2//MESHES/$meshes}")
+  local asked=${2//MESHES/$meshes}
+  mapfile -t options < <(xargs -n 1 <<<"${asked//PATTERN/$aside/mitten.txt}")
   mapfile -t deeds < <(grep -oE '"[^"]*"|[^ ]+' <<<"$3" || true)
   rm -rf "$aside/state" "$aside/config"
   xdotool mousemove $((wide - 3)) $((high - 3))
