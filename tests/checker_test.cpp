@@ -180,7 +180,7 @@ TEST_CASE("what is typed is checked at once without a mesh, and closing keeps it
   CHECK(checker_of(session).up_to_date());
   CHECK(checker_of(session).checked->verdict == CheckVerdict::does_not_add_up);
   CHECK(checker_of(session).shown()->lines.at(1).verdict == knit::LineVerdict::does_not_add_up);
-  CHECK(checker_of(session).framed);
+  CHECK_FALSE(checker_of(session).moved);
   CHECK(checker_of(session).unsaved());
   apply(session, ShowChecker{false});
   CHECK_FALSE(session.view->checking);
@@ -259,6 +259,25 @@ TEST_CASE("the caret goes to mistakes, round at the end, and stays within the te
   apply(session, SetCheckedText{good});
   apply(session, ToMistake{1});
   CHECK(session.outbox->notices.back().text == "No line has a mistake.");
+}
+
+TEST_CASE("the preview shows all of a shape that grows while one types, unless it was moved by hand") {
+  Session session;
+  apply(session, ShowChecker{});
+  std::string text = "CO 6 sts.\n";
+  apply(session, SetCheckedText{text});
+  const double small = checker_of(session).camera.distance;
+  text += "Rnd 1: Kfb around. (12 sts)\nRnd 2: Kfb around. (24 sts)\nRnds 3-20: Knit. (24 sts)\n";
+  apply(session, SetCheckedText{text});
+  const Camera grown = checker_of(session).camera;
+  CHECK(grown.distance > 2.0 * small);
+  apply(session, Zoom{0.5, {0.0, 0.0}});
+  const Camera near = checker_of(session).camera;
+  apply(session, SetCheckedText{text + "Rnds 21-40: Knit. (24 sts)\n"});
+  CHECK(checker_of(session).camera == near);
+  apply(session, FrameAll{});
+  apply(session, SetCheckedText{text});
+  CHECK(checker_of(session).camera == grown);
 }
 
 TEST_CASE("the preview turns by itself, and opening a mesh shows the mesh") {

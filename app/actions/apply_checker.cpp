@@ -37,16 +37,16 @@ void frame_shape(Checker& checker, double aspect) {
   const CheckedShape shape = shape_of(*size, checker.gauge);
   if (shape.pieces.empty()) return;
   checker.camera.frame(shape.bounds, aspect);
-  checker.framed = true;
+  checker.moved = false;
 }
 
-// The size that was looked at stays, and so does the view, once there was something to see.
+// The size that was looked at stays, and so does the view where it was moved; else it has all of the shape as this grows.
 void show_checked(const Session& session, Checker& checker,
                   std::shared_ptr<const knit::CheckedPattern> checked, SharedText text) {
   checker.checked = std::move(checked);
   checker.checked_text = std::move(text);
   checker.size = std::min(checker.size, std::max<std::size_t>(1, checker.checked->sizes.size()) - 1);
-  if (!checker.framed) frame_shape(checker, session.view->aspect);
+  if (!checker.moved) frame_shape(checker, session.view->aspect);
 }
 
 std::shared_ptr<const knit::CheckedPattern> checked_now(const std::string& text) {
@@ -71,7 +71,7 @@ void replace_text(Session& session, Checker& checker, SharedText text) {
   checker.text = std::move(text);
   checker.caret = {};
   checker.size = 0;
-  checker.framed = false;
+  checker.moved = false;
   check(session, checker);
 }
 
@@ -219,8 +219,10 @@ bool turn_checker(Session& session, const Action& action) {
     checker.camera.orbit(orbit->yaw, orbit->pitch);
   } else if (const auto* pan = action.get_if<Pan>()) {
     checker.camera.pan(pan->move, aspect);
+    checker.moved = true;
   } else if (const auto* zoom = action.get_if<Zoom>()) {
     if (zoom->factor > 0.0) checker.camera.zoom(zoom->factor, zoom->cursor, aspect);
+    checker.moved = true;
   } else if (action.is<FrameAll>()) {
     frame_shape(checker, aspect);
   } else {

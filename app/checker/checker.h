@@ -51,7 +51,7 @@ struct Checker {
   TextCaret caret;
   CheckedGauge gauge;
   Camera camera{glm::dvec3(0.0), 4.0, 0.15, look_down};  // of the preview
-  bool framed = false;                                   // the camera was set to what there is
+  bool moved = false;  // the view, by hand: it stays as it is while one types, else all of the shape is in it
 
   [[nodiscard]] bool up_to_date() const { return checked != nullptr && checked_text == text; }
   [[nodiscard]] bool unsaved() const { return *saved != *text; }
