@@ -6,6 +6,7 @@
 //   build/dev/benchmark --sweep         (only 200 values of epsilon on the thesis sphere, against single runs)
 //   build/dev/benchmark --frames        (whole frames, with drawing)
 //   build/dev/benchmark --large [TRIANGLES]   (whether a large mesh leaves a window responsive; a million)
+//   build/dev/benchmark --checking      (a megabyte of written pattern, and a key typed into a long one)
 //   build/dev/benchmark --sizes         (timings and contour rows on spheres up to a million triangles: minutes)
 //   build/dev/benchmark --branching [MESH.obj]  (a shape that branches; without a mesh: a bear of cubes)
 //   build/dev/benchmark --suite [MESH.obj]      (what docs/performance.md says: minutes; the mesh: one that branches)
@@ -26,6 +27,7 @@
 #include "knit/run/timeline.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/branching.h"
+#include "tests/benchmark/checking.h"
 #include "tests/benchmark/frames.h"
 #include "tests/benchmark/large.h"
 #include "tests/benchmark/pipeline.h"
@@ -68,6 +70,7 @@ Json measure_mesh(const app::Loaded& loaded, const std::string& text) {
 // None: it is no such option.
 std::optional<Json> measure_asked(std::string_view option, int count, char** words, const fs::path& assets) {
   if (option == "--sizes") return benchmark::measure_sizes();
+  if (option == "--checking") return benchmark::measure_checking(assets);
   if (option == "--travel") return measure_travel(assets);
   if (option == "--tuning") return benchmark::measure_tuning_to_picture(assets);
   if (option == "--large")

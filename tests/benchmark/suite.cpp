@@ -9,6 +9,7 @@
 #include "knit/model/stitch_size.h"
 #include "tests/benchmark/ball_file.h"
 #include "tests/benchmark/branching.h"
+#include "tests/benchmark/checking.h"
 #include "tests/benchmark/cost.h"
 #include "tests/benchmark/large.h"
 #include "tests/benchmark/pipeline.h"
@@ -140,6 +141,8 @@ Json measure_suite(const fs::path& assets, const fs::path& branching) {
   say("a shape that branches");
   json["branching"] = measure_branching(assets, branching);
   json["growth"] = measure_growth();
+  say("checking a written pattern");
+  json["checking"] = measure_checking(assets);
   say("from a changed parameter to the picture");
   json["tune_to_picture"] = measure_tuning_to_picture(assets);
   say("scrubbing a million steps");

@@ -65,6 +65,23 @@ std::string goals(const Json& suite) {
   }
   text += goal("growth of the run with size, slope on log-log", suite["growth"]["run_slope"], 1.1, "");
   text += goal("growth of opening with size, slope on log-log", suite["growth"]["open_slope"], 1.1, "");
+  const Json& checking = suite["checking"];
+  text += goal("checking a megabyte of written pattern", checking["check_ms"], 1000.0, " ms");
+  text += goal("the same with 40 sizes, each worked", checking["sizes_ms"], 1000.0, " ms");
+  text += goal("a key typed into a pattern of 1,000 lines, 99th percentile", checking["key"]["key_ms"]["p99"],
+               1000.0 / 60.0, " ms");
+  return text + "\n";
+}
+
+std::string checks(const Json& suite) {
+  const Json& checking = suite["checking"];
+  std::string text = cells({"Checking a written pattern", "measured"}) + "|---|---|\n";
+  text += cells({"a megabyte over parsing as much of a mesh's text", number(checking["over_parse"])});
+  text +=
+      cells({"a megabyte that tells 40 sizes over one that tells none", number(checking["sizes_over_one"])});
+  text += cells(
+      {"the frame of a key typed into " + grouped(checking["key"]["lines"]) + " lines over one without it",
+       number(checking["key"]["key_over_still"])});
   return text + "\n";
 }
 
@@ -194,7 +211,7 @@ std::optional<std::string> write_table(const std::filesystem::path& suite_file,
     return page_file.string() + " has no lines \"" + begin_mark + "\" and after it its end; write them in.";
   const std::string threads = std::to_string(suite["threads"].get<unsigned>());
   const std::string text = "Measured on " + threads + " threads of one machine in one run.\n\n" +
-                           goals(suite) + stages(suite) + branches(suite) + growth(suite) +
+                           goals(suite) + stages(suite) + branches(suite) + growth(suite) + checks(suite) +
                            travelling(suite) + windows(suite);
   return app::write_file(page_file, page.substr(0, begin) + begin_mark + text + page.substr(end));
 }
