@@ -433,3 +433,11 @@ TEST_CASE("checked pattern: a round that is told by another is work whatever its
     CHECK(signs_of(text + "\nBO 19 sts.") == "++++!");
   }
 }
+
+// Each round walks through all segments between markers: thousands of them are more than anybody works.
+TEST_CASE("checked pattern: markers that pile up round after round come to an end") {
+  CHECK(signs_of("CO 64 sts.\nRnds 1-30: K16, pm, k to end of rnd.\nBO 64 sts.") == "+++");
+  const CheckedPattern checked = check_pattern("CO 64 sts.\nRnds 1-9999: K16, pm, k to end of rnd.");
+  CHECK(checked.verdict == PatternVerdict::not_understood);
+  CHECK(checked.sizes.front().lines.at(1).sentence.find("longer than can be worked") != std::string::npos);
+}

@@ -219,7 +219,8 @@ void WorldWorker::named_round(const WorldLabel& label, const Atoms& body) {
 
 namespace {
 
-constexpr std::int64_t steps_of_round = 50;  // what a round costs by itself, beside its stitches
+// What a round costs beside its stitches: by itself, and for each segment between markers.
+constexpr std::int64_t steps_of_round = 50, steps_of_segment = 8;
 
 bool works_to_marker(const std::vector<WorldNode>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(), [](const WorldNode& node) {
@@ -470,7 +471,9 @@ bool WorldWorker::work_recipe(Index index, const std::string& name, const WorldC
   const WorldCount none;
   const WorldCount& said = count != nullptr ? *count : none;
   trace(index, said, nth);
-  budget_ -= steps_of_round;
+  // All segments between markers are walked through, and nobody has thousands.
+  budget_ -= steps_of_round +
+             steps_of_segment * static_cast<std::int64_t>(needle_.left.size() + needle_.right.size());
   const WorldRecipe& recipe = recipes_[index];
   if (!recipe.first.trouble.empty()) return work_unread(recipe, name, said);
   begin_with_held(recipe.first);
