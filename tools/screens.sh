@@ -61,6 +61,7 @@ figure | --example thesis-sphere --at end | @27,18 @66,468
 animation | --example thesis-sphere --at rows:14 | @27,18 @66,489
 worksheet | --lesson what-it-does --lesson-page 4 | ctrl+p "worksheet" Return
 view-menu | --example thesis-sphere | @238,18
+short-rows | --example heel --at end | =203,600
 checker | check PATTERN --window --line 13 |
 checker-next | check PATTERN --window | F4 F4
 checker-typed | --example thesis-sphere | F7 ~1 @300,300 "CO 6 sts." Return "Rnd 1: Kfb around. (12 sts)" Return "Rnd 2: [K1, kfb] 6 times. (19 sts)"
