@@ -145,7 +145,7 @@ constexpr std::array table{
                   "makes no tube. auto: where there is more than one tube.",
                   "Tubes", Stage::tubes, choice<&Settings::tubes, &TubeSettings::smoothing>(smoothing_names),
                   is_of_contours},
-    ParameterInfo{"smoothing-length", "Smoothing length", "stitch heights",
+    ParameterInfo{"smoothing-length", "Smooth over", "stitch heights",
                   "Over how many stitch heights the time is smoothed.", "Tubes", Stage::tubes,
                   Number{field<&Settings::tubes, &TubeSettings::smoothing_length>(), 0.0, 10.0},
                   is_of_contours},
@@ -199,7 +199,7 @@ constexpr std::array table{
                   "shape and takes more rhythms.",
                   "Rhythm", Stage::cast_on,
                   Number{field<&Settings::rhythm, &RhythmSettings::tolerance>(), 0.0, 50.0}, is_in_rhythm},
-    ParameterInfo{"rhythm-changes", "Changes in a round", "stitches",
+    ParameterInfo{"rhythm-changes", "Changes a round", "stitches",
                   "How many stitches a shaping round adds or takes away. auto: whatever reads best.",
                   "Rhythm", Stage::cast_on,
                   Count{field<&Settings::rhythm, &RhythmSettings::changes>(), 2, 60, true}, is_in_rhythm},
@@ -231,7 +231,7 @@ constexpr std::array table{
         "Short rows", Stage::cast_on, choice<&Settings::short_rows, &ShortRowSettings::rows>(short_row_names),
         is_of_contours},
     ParameterInfo{
-        "short-rows-kept", "Rows kept at events", "",
+        "short-rows-kept", "Rows kept", "",
         "How many rows a tube keeps as they are where loops part or meet; the rest may get short rows. auto: "
         "0, 1, 2 and no short rows at all are settled, and what settles best is taken.",
         "Short rows", Stage::cast_on, choice<&Settings::short_rows, &ShortRowSettings::kept>(kept_names),
@@ -246,8 +246,8 @@ constexpr std::array table{
         "turn-step", "Turns apart", "stitches",
         "How many stitches the turns of neighbouring short rows stay apart.", "Short rows", Stage::cast_on,
         Number{field<&Settings::short_rows, &ShortRowSettings::turn_step>(), 1.0, 20.0}, has_short_rows},
-    ParameterInfo{"short-row-min", "Shortest short row", "stitches",
-                  "No short row has fewer stitches than this.", "Short rows", Stage::cast_on,
+    ParameterInfo{"short-row-min", "Shortest", "stitches", "No short row has fewer stitches than this.",
+                  "Short rows", Stage::cast_on,
                   Count{field<&Settings::short_rows, &ShortRowSettings::shortest>(), 3, 1000},
                   has_short_rows},
     ParameterInfo{
@@ -262,7 +262,7 @@ constexpr std::array table{
         "Rows", Stage::rows, Number{{epsilon}, 0.0, no_limit}, is_of_rings, Tie::width,
         "half the stitch width"},
     ParameterInfo{
-        "on-stall", "When nothing is in the band", "",
+        "on-stall", "On a stall", "",
         "continue: take the vertex nearest to the stitch width, and log it. stop: end the run there.", "Rows",
         Stage::rows, choice<&Settings::rows, &RowsSettings::on_stall>(stall_names), is_of_rings},
     ParameterInfo{
