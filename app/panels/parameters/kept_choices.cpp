@@ -46,7 +46,7 @@ void take(std::int32_t kept, knit::Parameters& parameters) {
 // A piece of one tube has no events: there is with or without.
 std::string name_of(std::int32_t kept, bool events) {
   if (kept == knit::no_short_rows) return "none";
-  return events ? std::to_string(kept) + " kept" : "short rows";
+  return events ? std::to_string(kept) + " kept" : "pairs";
 }
 
 std::string help_of(const knit::KeptTry& way, bool events) {
