@@ -262,7 +262,7 @@ constexpr std::array table{
         "Rows", Stage::rows, Number{{epsilon}, 0.0, no_limit}, is_of_rings, Tie::width,
         "half the stitch width"},
     ParameterInfo{
-        "on-stall", "On a stall", "",
+        "on-stall", "When nothing is in the band", "",
         "continue: take the vertex nearest to the stitch width, and log it. stop: end the run there.", "Rows",
         Stage::rows, choice<&Settings::rows, &RowsSettings::on_stall>(stall_names), is_of_rings},
     ParameterInfo{
