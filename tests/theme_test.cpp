@@ -41,6 +41,13 @@ Colour over(const Colour& c, int alpha, const Colour& ground) {
   return {mixed(c.r, ground.r), mixed(c.g, ground.g), mixed(c.b, ground.b)};
 }
 
+// In degrees, red 0, green 120, blue 240.
+double hue(const Colour& c) {
+  const double r = c.r, g = c.g, b = c.b;
+  const double degrees = std::atan2(std::sqrt(3.0) * (g - b), 2.0 * r - g - b) * 57.29577951308232;
+  return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
 struct Named {
   std::string name;
   Colour colour;
@@ -130,6 +137,22 @@ TEST_CASE("marks and controls of both themes stand out from what they stand on")
     }
     for (const Colour& colour : {theme.selected, theme.anchor, theme.ring, theme.stitch, theme.accepted})
       CHECK(ratio(colour, theme.background) >= 3.0);
+  }
+}
+
+TEST_CASE("the pinned run's line in a plot is seen and is no shade of the present run's") {
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    const Theme& theme = theme_of(kind);
+    INFO(theme_keys[static_cast<std::size_t>(kind)]);
+    CHECK(ratio(theme.pinned, theme.background) >= 3.0);
+    CHECK(ratio(theme.accent, theme.background) >= 3.0);
+    // The numbers of the pinned run are written in it.
+    for (const Named& ground : grounds(theme)) CHECK(ratio(theme.pinned, ground.colour) >= 4.5);
+    // Of the hue circle's 360 degrees.
+    const double apart = std::abs(hue(theme.pinned) - hue(theme.accent));
+    CHECK(std::min(apart, 360.0 - apart) >= 60.0);
+    const double from_ideal = std::abs(hue(theme.pinned) - hue(theme.anchor));
+    CHECK(std::min(from_ideal, 360.0 - from_ideal) >= 60.0);
   }
 }
 

@@ -38,6 +38,7 @@ struct Theme {
   Colour symbol{24, 26, 30};
   Colour pale_symbol{255, 255, 255};
   Colour ghost{150, 176, 214, 150};  // the pinned run behind the current one
+  Colour pinned{240, 150, 206};      // its line in a plot, beside the current one's in accent
   Colour problem{240, 104, 84};
   Colour break_hit{186, 156, 255};
   Colour one_side{255, 148, 56};  // of a split or a join, and the other
@@ -135,6 +136,7 @@ constexpr Theme make_light_theme() {
   theme.row_edge = {84, 80, 72};
   theme.column_edge = {60, 62, 68};
   theme.ghost = {62, 92, 140, 150};
+  theme.pinned = {164, 28, 116};
   theme.problem = {190, 44, 28};
   theme.break_hit = {110, 70, 190};
   theme.one_side = {184, 62, 0};

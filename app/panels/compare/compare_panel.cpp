@@ -19,12 +19,12 @@ namespace {
 
 constexpr RunNames pinned_and_now{"the pinned run", "this run"};
 
-Colour pinned_colour() { return opaque(theme().ghost); }
+Colour pinned_colour() { return theme().pinned; }
 
 void draw_nothing_pinned(PanelFrame& frame) {
   wrapped_text(
-      "Pin the current run, then turn any knob: the pinned run stays as a pale ghost in the view and in the "
-      "plots, and here is what differs.",
+      "Pin the current run, then turn any knob: the pinned run stays as a pale ghost in the view and as a "
+      "dashed line in the plots, and here is what differs.",
       theme().faint_text);
   ImGui::Dummy(ImVec2(0.0f, frame.units(2.0f)));
   if (ImGui::Button("Pin this run", ImVec2(frame.units(130.0f), 0.0f))) frame.wish(PinRun{});

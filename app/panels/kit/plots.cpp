@@ -18,6 +18,15 @@ void fill(const Stand& stand, float x0, float y0, float x1, float y1, ImU32 colo
   if (x1 > x0 && y1 > y0) stand.list.AddRectFilled(ImVec2(x0, y0), ImVec2(x1, y1), colour);
 }
 
+void fill_dashed(const PanelFrame& frame, const Stand& stand, float x0, float y0, float x1, float y1,
+                 ImU32 colour) {
+  const float dash = std::max(2.0f, whole(frame.units(4.0f)));
+  const float period = dash + std::max(1.0f, whole(frame.units(2.0f)));
+  for (float x = stand.ground.x + period * std::floor((x0 - stand.ground.x) / period); x < x1; x += period) {
+    fill(stand, std::max(x0, x), y0, std::min(x1, x + dash), y1, colour);
+  }
+}
+
 Stand begin_stand(PanelFrame& frame, const std::string& name, const std::string& title, ImVec2 size,
                   float gutter) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -91,7 +100,14 @@ float draw_key(const PanelFrame& frame, const Stand& stand, const std::string& t
             key.words);
     const float thick = std::max(2.0f, whole(frame.units(2.0f)));
     const float y = whole(foot - 0.5f * size.y);
-    fill(stand, whole(left), y, whole(left + line), y + thick, style::packed(key.colour));
+    const ImU32 colour = style::packed(key.colour);
+    const float middle = whole(left + 0.4f * line);
+    if (key.dashed) {
+      fill(stand, whole(left), y, middle, y + thick, colour);
+      fill(stand, whole(left + 0.6f * line), y, whole(left + line), y + thick, colour);
+    } else {
+      fill(stand, whole(left), y, whole(left + line), y + thick, colour);
+    }
   }
   pop_font();
   return fits ? left - frame.units(10.0f) : right;

@@ -92,6 +92,9 @@ void draw_missing(const PanelFrame& frame, const Stand& stand, const std::string
 // Whole units, so that thin lines are as wide everywhere.
 float whole(float x);
 void fill(const Stand& stand, float x0, float y0, float x1, float y1, ImU32 colour);
+// The same, level and in dashes counted from the ground's left edge.
+void fill_dashed(const PanelFrame& frame, const Stand& stand, float x0, float y0, float x1, float y1,
+                 ImU32 colour);
 
 // Words below the axis. Those given first are drawn first, and what would touch them is left out.
 struct AxisWord {
@@ -108,6 +111,7 @@ struct PlotKey {
   std::string words;
   Colour colour;
   bool line;
+  bool dashed = false;
 };
 // Gives where they begin, so that the next stand before them. Left out where they would touch the title.
 float draw_key(const PanelFrame& frame, const Stand& stand, const std::string& title, float right,

@@ -14,7 +14,7 @@ namespace {
 using namespace plot_parts;
 
 Colour ideal_line() { return theme().anchor; }
-Colour ghost_line() { return opaque(theme().ghost); }
+Colour ghost_line() { return theme().pinned; }
 
 // From rows and values to the screen.
 struct RowScale {
@@ -103,11 +103,12 @@ void draw_values(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
                          ImDrawFlags_None, frame.units(1.6f));
 }
 
-// Steps like the values', thin, with nothing below.
+// Steps like the values', thin, with nothing below; dashed, so that the two are told apart without their hues as well.
+// Dashes lie where the plot has them, not where a row begins: rows may be narrower than one.
 void draw_ghosts(const PanelFrame& frame, const RowPlot& plot, const Stand& stand, const RowScale& scale) {
   const float thick = whole(std::max(1.0f, frame.units(1.0f)));
   const std::size_t count = plot.ghosts.size();
-  const ImU32 colour = style::packed(ghost_line(), 200);
+  const ImU32 colour = style::packed(ghost_line());
   std::optional<float> before;
   for (std::size_t i = 0; i < count; i += scale.stride()) {
     const float x0 = whole(scale.x_of(i));
@@ -115,7 +116,7 @@ void draw_ghosts(const PanelFrame& frame, const RowPlot& plot, const Stand& stan
     const float y = whole(scale.y_of(plot.ghosts[i]));
     const float from = before.value_or(y);
     fill(stand, x0, std::min(from, y), x0 + thick, std::max(from, y) + thick, colour);
-    fill(stand, x0, y, x1, y + thick, colour);
+    fill_dashed(frame, stand, x0, y, x1, y + thick, colour);
     before = y;
   }
 }
@@ -165,7 +166,7 @@ void draw_keys(const PanelFrame& frame, const RowPlot& plot, const Stand& stand)
   if (!plot.ideals.empty())
     left = draw_key(frame, stand, plot.title, left, {plot.ideal_words, ideal_line(), true});
   const float next = draw_key(frame, stand, plot.title, left, {plot.value_words, bar(), true});
-  if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line(), true});
+  if (!plot.ghosts.empty()) draw_key(frame, stand, plot.title, next, {"pinned", ghost_line(), true, true});
 }
 
 std::string row_words(const RowPlot& plot, std::size_t row) {
