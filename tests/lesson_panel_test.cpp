@@ -1,6 +1,7 @@
 // The strip of a lesson and the card that asks for a guess: what is clicked becomes answers.
 #include "app/actions/navigate.h"
 #include "app/lessons/predict.h"
+#include "app/panels/dialogs/file_dialogs.h"
 #include "app/scene/scene.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
@@ -188,4 +189,17 @@ TEST_CASE("the card below the view asks for a guess") {
   apply(desk.session, Guess{knit::Verdict::too_near});
   desk.settle();
   CHECK(desk.ui.controls.count("predict/told") == 1);
+}
+
+TEST_CASE("a worksheet is saved under its own lesson's number and name") {
+  Desk desk;
+  for (const auto& [key, name] : {std::pair("what-it-does", "lesson-1-what-it-does.html"),
+                                  {"picking-a-row", "lesson-3-picking-a-row.html"}}) {
+    lay_out(desk, key, 1);
+    desk.click("lesson/worksheet");
+    desk.settle();
+    CHECK(desk.ui.own<SaveDialog>().path.text() == name);
+    desk.act(desk.press(Chord{Key::Escape, {}, 0}));
+    desk.settle();
+  }
 }

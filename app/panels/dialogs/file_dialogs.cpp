@@ -7,11 +7,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "app/files/session_file.h"
+#include "app/lessons/lesson.h"
 #include "app/panels/kit/widgets.h"
 #include "app/session/document.h"
+#include "app/session/learning.h"
+#include "app/session/program.h"
 #include "app/session/view.h"
 
 namespace app {
@@ -189,7 +194,23 @@ void draw_open_dialog(PanelFrame& frame) {
 
 namespace {
 
+// "lesson-3-picking-a-row.html": the number as the lessons' list counts, none for one that is not of the list. Its own, whatever
+// mesh the page shows, so that no lesson's sheet lies in wait for another's.
+std::string worksheet_name(const PanelFrame& frame, const Lesson& lesson) {
+  const std::vector<LessonEntry> listed = list_lessons(frame.session.program->assets);
+  const auto found = std::find_if(listed.begin(), listed.end(),
+                                  [&](const LessonEntry& entry) { return entry.key == lesson.key; });
+  std::string name = "lesson-";
+  if (found != listed.end()) name += std::to_string(found - listed.begin() + 1) + "-";
+  for (const char c : lesson.key) {
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';  // no folder, no hidden sign
+  }
+  return name + ".html";
+}
+
 std::string suggestion(const PanelFrame& frame, const ExportInfo& kind) {
+  const auto& run = frame.session.learning->lesson;
+  if (kind.key == "worksheet" && run) return worksheet_name(frame, *run->lesson);
   const std::string name = frame.timeline() != nullptr ? frame.timeline()->input().mesh.name : "";
   return (name.empty() ? "mesh" : name) + std::string(kind.ending);
 }

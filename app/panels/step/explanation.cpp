@@ -89,11 +89,11 @@ std::string counted(const char* name, std::size_t count) {
   return std::string(name) + (count > 0 ? " " + with_commas(count) : "") + "###" + name;
 }
 
-// "Problems 3", "Problems 0 + 5": what the list tells besides.
+// "Problems 3", "Problems 0, remarks 5": what the list tells besides.
 std::string problems_tab(std::size_t problems, std::size_t remarks) {
   std::string name = "Problems";
   if (problems > 0 || remarks > 0) name += " " + with_commas(problems);
-  if (remarks > 0) name += " + " + with_commas(remarks);
+  if (remarks > 0) name += ", remarks " + with_commas(remarks);
   return name + "###Problems";
 }
 
@@ -125,6 +125,10 @@ void draw_lists(PanelFrame& frame) {
   const int clicked = segmented("list", shown, static_cast<int>(frame.session.view->list), 0.0f);
   ImGui::EndGroup();
   frame.mark("list");
+  if (frame.session.view->list == RunList::problems)
+    tooltip(frame,
+            "Problems are where the knit mesh goes wrong; remarks are what to know of the mesh and the "
+            "finished piece.");
   if (clicked >= 0 && clicked != static_cast<int>(frame.session.view->list))
     frame.wish(ShowList{static_cast<RunList>(clicked)});
   switch (frame.session.view->list) {
