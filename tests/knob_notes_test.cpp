@@ -72,3 +72,32 @@ TEST_CASE("rounds that hardly go with the stitches of a gauge are remarked at on
   const knit::Parameters taken = only<Tune>(desk.click("knob-swatch/take")).parameters;
   CHECK(taken.stitch.gauge == knit::Gauge{18, 25});
 }
+
+TEST_CASE("the name of a number stands beside its field and not on a line of its own") {
+  // As wide as at 1280 x 720, and so high that all knobs are seen.
+  Desk desk(1280, 2400, 1, KNIT_ASSETS_DIR "/fonts");
+  desk.open();
+  knit::Parameters parameters = desk.session.document->timeline.parameters();
+  for (const auto& [key, value] :
+       {std::pair("rows", "contours"), {"counts", "rhythm"}, {"short-rows", "auto"}, {"settle", "on"}}) {
+    INFO(key);
+    REQUIRE_FALSE(knit::set_value(info_of_key(key), parameters, value));
+  }
+  apply(desk.session, Tune{parameters});
+  desk.settle();
+  std::size_t numbers = 0;
+  for (const knit::ParameterInfo& info : knit::parameter_table()) {
+    const auto name = desk.ui.controls.find("knob-label/" + std::string(info.key));
+    const auto field = desk.ui.controls.find("knob/" + std::string(info.key));
+    if (name == desk.ui.controls.end() || field == desk.ui.controls.end()) continue;
+    if (!std::holds_alternative<knit::Number>(info.kind) && !std::holds_alternative<knit::Count>(info.kind))
+      continue;
+    ++numbers;
+    INFO(info.label << ", field " << field->second.width << " wide");
+    CHECK(name->second.y < field->second.y + field->second.height);
+    CHECK(field->second.y < name->second.y + name->second.height);
+    CHECK(name->second.right() <= field->second.x);
+    CHECK(field->second.width >= 72.0f);
+  }
+  CHECK(numbers >= 10);
+}

@@ -97,7 +97,7 @@ std::vector<FigureLine> figure_lines(const RunEnd& a, const RunEnd& b) {
       count("stitches", "Stitches", &RunFigures::stitches),
       count("increases", "Increases", &RunFigures::increases),
       count("decreases", "Decreases", &RunFigures::decreases),
-      count("most", "Most shaping in a row", &RunFigures::most_in_a_row),
+      count("most", "Most shaping a row", &RunFigures::most_in_a_row),
       count_line("problems", "Problems", static_cast<double>(fa.problems.total()),
                  static_cast<double>(fb.problems.total())),
       spread_line("course-mean", "Course / w", fa.course, fb.course, &knit::LengthFigures::mean, 3,

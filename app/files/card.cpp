@@ -240,7 +240,7 @@ CardLine decreases_line(const knit::Quality& quality) {
 CardLine most_line(const knit::Quality& quality) {
   const std::string steady = std::to_string(quality.steady_shaping);
   CardLine line{"most",
-                "Most shaping in a row",
+                "Most shaping a row",
                 "(steady: " + steady + ")",
                 "Most increases or decreases in one row; steady is how many a flat disc takes in every row.",
                 {},

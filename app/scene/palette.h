@@ -38,7 +38,6 @@ struct Theme {
   Colour symbol{24, 26, 30};
   Colour pale_symbol{255, 255, 255};
   Colour ghost{150, 176, 214, 150};  // the pinned run behind the current one
-  Colour pinned{240, 150, 206};      // its line in a plot, beside the current one's in accent
   Colour problem{240, 104, 84};
   Colour break_hit{186, 156, 255};
   Colour one_side{255, 148, 56};  // of a split or a join, and the other
@@ -99,6 +98,8 @@ struct Theme {
                                 {200, 180, 110},
                                 {140, 150, 160},
                                 {96, 102, 112}}};
+  // The pinned run's line in a plot, beside the current one's in accent, and its numbers.
+  Colour pinned{240, 150, 206};
 
   [[nodiscard]] constexpr Colour of(knit::Label label) const {
     return labels[static_cast<std::size_t>(label)];

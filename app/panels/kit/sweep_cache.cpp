@@ -116,7 +116,7 @@ SweepAxis usual_axis(const knit::ParameterInfo& info, const knit::Parameters& pa
 std::string_view name_of(SweepFigure figure) {
   constexpr std::array<std::string_view, sweep_figures> names{
       "Problems", "Stalls",    "Rows resampled",  "Gaps left open", "Times clamped",
-      "Stitches", "Course CV", "Wale CV",         "Rows",           "Most shaping in a row",
+      "Stitches", "Course CV", "Wale CV",         "Rows",           "Most shaping a row",
       "Tubes",    "Yarns",     "Holders at once", "Left out",       "Uncovered, %"};
   return names.at(static_cast<std::size_t>(figure));
 }

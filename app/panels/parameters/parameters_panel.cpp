@@ -316,14 +316,25 @@ void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parame
   tooltip(frame, "Back to " + default_words(frame, info) + ".");
 }
 
+// Of the control at the right: a little more than half. A field of one number gives way to a long name beside it, as far as
+// a number of five digits stays whole; buttons and fields of several numbers need their room.
+float control_width(const PanelFrame& frame, const knit::ParameterInfo& info, const std::string& label,
+                    float whole) {
+  const float usual = frame.units(126.0f) + 0.5f * std::max(0.0f, whole - frame.units(240.0f));
+  if (!std::holds_alternative<knit::Number>(info.kind) && !std::holds_alternative<knit::Count>(info.kind))
+    return usual;
+  const float beside = std::floor(whole - ImGui::CalcTextSize(label.c_str()).x - frame.units(6.0f));
+  return beside >= frame.units(72.0f) ? std::min(usual, beside) : usual;
+}
+
 }  // namespace
 
 void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters) {
   ImGui::PushID(info.key.data(), info.key.data() + info.key.size());
   const float left = ImGui::GetCursorPosX();
   const float whole = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - frame.units(4.0f);
-  const float control = frame.units(126.0f) + 0.5f * std::max(0.0f, whole - frame.units(240.0f));
   const std::string label(info.label);
+  const float control = control_width(frame, info, label, whole);
   // A long name has the line for itself; its tip leaves the field below free.
   const bool alone = ImGui::CalcTextSize(label.c_str()).x >= whole - control - frame.units(4.0f);
   ImGui::AlignTextToFramePadding();
