@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "knit/mesh/surface_area.h"
 #include "knit/mesh/triangle_tree.h"
 #include "knit/quality/knit_surface.h"
 #include "knit/quality/measures.h"
@@ -69,14 +70,6 @@ Distances distances_to(const TriangleTree& tree, const std::vector<glm::dvec3>& 
   return distances;
 }
 
-double area_of(const std::vector<glm::dvec3>& positions, const std::vector<Triangle>& triangles) {
-  double area = 0.0;
-  for (const auto& [a, b, c] : triangles) {
-    area += glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) / 2.0;
-  }
-  return area;
-}
-
 }  // namespace
 
 std::optional<Closeness> measure_closeness(const Input& input, const State& state) {
@@ -88,8 +81,8 @@ std::optional<Closeness> measure_closeness(const Input& input, const State& stat
       distances_to(TriangleTree(mesh.positions, mesh.triangles), knit_samples(state, knit.positions));
   closeness.mesh_to_knit = distances_to(TriangleTree(knit.positions, knit.triangles), mesh_samples(input));
   closeness.diagonal = input.bounds.diagonal();
-  closeness.knit_area = area_of(knit.positions, knit.triangles);
-  closeness.mesh_area = area_of(mesh.positions, mesh.triangles);
+  closeness.knit_area = surface_area(knit.positions, knit.triangles);
+  closeness.mesh_area = surface_area(mesh.positions, mesh.triangles);
   return closeness;
 }
 

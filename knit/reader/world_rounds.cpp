@@ -442,7 +442,8 @@ bool WorldWorker::work_known(Index index, const RoundSaid& said) {
   // Holders are copied only where a round may change them: there may be as many as lines.
   const bool moves = moves_held(recipe.first.nodes) || moves_held(recipe.other.nodes);
   const Standing before = standing(moves);
-  const Tried first = try_round(moves ? with_live_ones(recipe.first) : recipe.first, before, said);
+  const WorldRound live = moves ? with_live_ones(recipe.first) : WorldRound{};
+  const Tried first = try_round(moves ? live : recipe.first, before, said);
   const Standing made = standing(moves);
   bool done = first.done;
   if (!done && recipe.first.choice) done = try_round(recipe.other, before, said).done;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "knit/mesh/surface_area.h"
 #include "knit/mesh/triangle_tree.h"
 
 namespace knit {
@@ -36,18 +37,10 @@ std::vector<glm::dvec3> middles_around(const SettleGraph& graph, std::span<const
   return middles;
 }
 
-double area_of(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const glm::dvec3& from = mesh.positions[a];
-    sum += glm::length(glm::cross(mesh.positions[b] - from, mesh.positions[c] - from)) / 2.0;
-  }
-  return sum;
-}
-
 // A width that is far from what was knitted, as after an edit half way, asks for no more places than the fabric can tell apart.
 double size_of_cubes(const Input& input, const PlacedFabric& placed) {
-  const double of_a_stitch = area_of(input.mesh) / static_cast<double>(placed.graph.stitches);
+  const double all = surface_area(input.mesh.positions, input.mesh.triangles);
+  const double of_a_stitch = all / static_cast<double>(placed.graph.stitches);
   return std::max(finest * placed.width, finest_of * std::sqrt(of_a_stitch));
 }
 

@@ -1,21 +1,10 @@
 #include "knit/tubes/low_limbs.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+
+#include "knit/mesh/surface_area.h"
 
 namespace knit {
-
-namespace {
-
-double area_of(const MorseSurface& surface) {
-  double area = 0.0;
-  const auto& p = surface.positions;
-  for (const auto& [a, b, c] : surface.triangles)
-    area += 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
-  return area;
-}
-
-}  // namespace
 
 bool is_low(const TubePlan& plan, const LeftOut& left_out) {
   return !left_out.handle && left_out.height < low_limb * plan.stitch_height;
@@ -30,7 +19,8 @@ LowLimbs low_limbs(const TubeGraph& graph, const TubePlan& plan) {
     swept += left_out.height * left_out.girth;
     if (low.highest == nullptr || left_out.height > low.highest->height) low.highest = &left_out;
   }
-  if (low.count > 0) low.share = std::min(1.0, swept / area_of(graph.surface));
+  if (low.count > 0)
+    low.share = std::min(1.0, swept / surface_area(graph.surface.positions, graph.surface.triangles));
   return low;
 }
 
