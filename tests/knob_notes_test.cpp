@@ -1,6 +1,9 @@
 // Under a knob: what follows its change, and a gauge that is hardly one fabric.
 #include "app/panels/parameters/knob_notes.h"
 
+#include <map>
+#include <string>
+
 #include "knit/insight/as_asked.h"
 #include "knit/model/stitch_size.h"
 #include "tests/support/catch.h"
@@ -73,7 +76,7 @@ TEST_CASE("rounds that hardly go with the stitches of a gauge are remarked at on
   CHECK(taken.stitch.gauge == knit::Gauge{18, 25});
 }
 
-TEST_CASE("the name of a number stands beside its field and not on a line of its own") {
+TEST_CASE("the name of a parameter stands beside its field and not on a line of its own") {
   // As wide as at 1280 x 720, and so high that all knobs are seen.
   Desk desk(1280, 2400, 1, KNIT_ASSETS_DIR "/fonts");
   desk.open();
@@ -85,19 +88,41 @@ TEST_CASE("the name of a number stands beside its field and not on a line of its
   }
   apply(desk.session, Tune{parameters});
   desk.settle();
-  std::size_t numbers = 0;
+  std::size_t names = 0;
   for (const knit::ParameterInfo& info : knit::parameter_table()) {
     const auto name = desk.ui.controls.find("knob-label/" + std::string(info.key));
     const auto field = desk.ui.controls.find("knob/" + std::string(info.key));
     if (name == desk.ui.controls.end() || field == desk.ui.controls.end()) continue;
-    if (!std::holds_alternative<knit::Number>(info.kind) && !std::holds_alternative<knit::Count>(info.kind))
-      continue;
-    ++numbers;
+    ++names;
     INFO(info.label << ", field " << field->second.width << " wide");
     CHECK(name->second.y < field->second.y + field->second.height);
     CHECK(field->second.y < name->second.y + name->second.height);
     CHECK(name->second.right() <= field->second.x);
     CHECK(field->second.width >= 72.0f);
   }
-  CHECK(numbers >= 10);
+  CHECK(names >= 10);
+}
+
+TEST_CASE("knobs keep their places when the panel's scrollbar comes or goes") {
+  std::map<std::string, Box> first;
+  for (const float height : {720.0f, 2400.0f}) {
+    Desk desk(1280, height, 1, KNIT_ASSETS_DIR "/fonts");
+    desk.open();
+    knit::Parameters parameters = desk.session.document->timeline.parameters();
+    parameters.rows.source = knit::RowSource::contours;
+    apply(desk.session, Tune{parameters});
+    desk.settle();
+    for (const auto& [name, box] : desk.ui.controls) {
+      if (name.rfind("knob", 0) != 0) continue;
+      if (height < 1000.0f) {
+        first[name] = box;
+      } else if (const auto before = first.find(name); before != first.end()) {
+        INFO(name);
+        CHECK(box.x == before->second.x);
+        CHECK(box.y == before->second.y);
+        CHECK(box.width == before->second.width);
+      }
+    }
+  }
+  CHECK(first.size() >= 20);
 }

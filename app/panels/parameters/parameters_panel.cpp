@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -33,6 +34,14 @@ namespace app {
 void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters);
 
 namespace {
+
+// Of names side by side, as a control shows them where they fit.
+float width_side_by_side(const PanelFrame& frame, const knit::Choice& choice) {
+  float words = 0.0f;
+  for (const std::string_view name : choice.names)
+    words += ImGui::CalcTextSize(name.data(), name.data() + name.size()).x + frame.units(8.0f);
+  return words;
+}
 
 // One overload a kind of parameter: a control of the given width that sets values through the table's own
 // check.
@@ -142,11 +151,9 @@ struct Control {
 
   void operator()(const knit::Choice& choice) const {
     const int chosen = choice.get(parameters);
-    float words = 0.0f;
-    for (const std::string_view name : choice.names)
-      words += ImGui::CalcTextSize(name.data(), name.data() + name.size()).x + frame.units(8.0f);
-    const int clicked =
-        words <= width ? segmented("choice", choice.names, chosen, width) : dropdown(choice.names, chosen);
+    const int clicked = width_side_by_side(frame, choice) <= width
+                            ? segmented("choice", choice.names, chosen, width)
+                            : dropdown(choice.names, chosen);
     if (clicked >= 0) choice.set(parameters, clicked);
   }
 
@@ -316,15 +323,34 @@ void draw_reset(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parame
   tooltip(frame, "Back to " + default_words(frame, info) + ".");
 }
 
-// Of the control at the right: a little more than half. A field of one number gives way to a long name beside it, as far as
-// a number of five digits stays whole; buttons and fields of several numbers need their room.
+// What there is from here to the right, as if the scrollbar stood there always: rows must not move under the pointer when
+// a remark makes it come or go.
+float steady_room() {
+  // Whether the bar is there is not asked: the answer changes a frame before or after the room does.
+  return ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - ImGui::GetStyle().ScrollbarSize;
+}
+
+// What a control needs at least so that nothing in it is cut; none: all that it usually has.
+std::optional<float> least_width(const PanelFrame& frame, const knit::ParameterInfo& info, float usual) {
+  if (std::holds_alternative<knit::Number>(info.kind) || std::holds_alternative<knit::Count>(info.kind))
+    return frame.units(72.0f);  // a number of five digits
+  const auto* choice = std::get_if<knit::Choice>(&info.kind);
+  if (choice == nullptr) return std::nullopt;
+  if (const float side_by_side = width_side_by_side(frame, *choice); side_by_side <= usual)
+    return std::ceil(side_by_side);
+  float longest = 0.0f;  // of a list, beside its arrow
+  for (const std::string_view name : choice->names)
+    longest = std::max(longest, ImGui::CalcTextSize(name.data(), name.data() + name.size()).x);
+  return std::ceil(longest + ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().FramePadding.x);
+}
+
+// Of the control at the right: a little more than half. It gives way to a long name beside it as far as it can.
 float control_width(const PanelFrame& frame, const knit::ParameterInfo& info, const std::string& label,
                     float whole) {
   const float usual = frame.units(126.0f) + 0.5f * std::max(0.0f, whole - frame.units(240.0f));
-  if (!std::holds_alternative<knit::Number>(info.kind) && !std::holds_alternative<knit::Count>(info.kind))
-    return usual;
   const float beside = std::floor(whole - ImGui::CalcTextSize(label.c_str()).x - frame.units(6.0f));
-  return beside >= frame.units(72.0f) ? std::min(usual, beside) : usual;
+  const auto least = least_width(frame, info, usual);
+  return least && beside >= *least ? std::min(usual, beside) : usual;
 }
 
 }  // namespace
@@ -332,7 +358,7 @@ float control_width(const PanelFrame& frame, const knit::ParameterInfo& info, co
 void draw_knob(PanelFrame& frame, const knit::ParameterInfo& info, knit::Parameters& parameters) {
   ImGui::PushID(info.key.data(), info.key.data() + info.key.size());
   const float left = ImGui::GetCursorPosX();
-  const float whole = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - frame.units(4.0f);
+  const float whole = steady_room() - ImGui::GetFrameHeight() - frame.units(4.0f);
   const std::string label(info.label);
   const float control = control_width(frame, info, label, whole);
   // A long name has the line for itself; its tip leaves the field below free.
@@ -514,7 +540,10 @@ void draw_foot(PanelFrame& frame, const knit::Timeline& timeline) {
 }  // namespace
 
 void draw_parameters(PanelFrame& frame) {
-  begin_panel("Parameters", frame.layout.parameters);
+  // Only the knobs scroll. The foot's height is known a frame late: a bar of the panel's own would come for that frame and
+  // move the knobs from under the pointer.
+  begin_panel("Parameters", frame.layout.parameters,
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_cross(frame, Panel::parameters);
   if (const knit::Timeline* timeline = frame.timeline()) {
     draw_mode(frame);
