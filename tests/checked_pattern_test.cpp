@@ -441,3 +441,24 @@ TEST_CASE("checked pattern: markers that pile up round after round come to an en
   CHECK(checked.verdict == PatternVerdict::not_understood);
   CHECK(checked.sizes.front().lines.at(1).sentence.find("longer than can be worked") != std::string::npos);
 }
+
+TEST_CASE("checked pattern: a line that does not add up tells what it makes") {
+  const auto made = [](const std::string& text) {
+    const CheckedPattern checked = check_pattern(text);
+    const CheckedLine& line = checked.sizes.front().lines.back();
+    CHECK(line.verdict == LineVerdict::does_not_add_up);
+    return line.stitches.value_or(-1);
+  };
+  CHECK(made("CO 20 sts.\nRnd 1: [k1, k2tog] 6 times, k2. (13 sts)") == 14);
+  CHECK(made("CO 20 sts.\nRnd 1: Inc 4 sts evenly. (25 sts)") == 24);
+  CHECK(made("CO 20 sts.\nRnd 1: K2tog, k to end.\nRepeat rnd 1 three times more. (15 sts)") == 16);
+  CHECK(made("CO 20 sts.\nRnd 1: [k1, k2tog] 6 times, k2. (14 sts) Rnd 2: Knit. (13 sts)") == 14);
+  CHECK(made("CO 20 sts.\nKnit 3 rnds. (19 sts)") == 20);
+  CHECK(made("Rnd 3: [k1, k2tog] 6 times. (13 sts)") == 12);
+  CHECK(made("CO 20 sts.\nRnd 1: K22.") == -1);  // it cannot be worked
+  // What follows goes on with what the line says.
+  CHECK(check_pattern("CO 20 sts.\nRnd 1: [k1, k2tog] 6 times, k2. (13 sts)\nRnd 2: Knit.")
+            .sizes.front()
+            .lines.back()
+            .stitches == 13);
+}

@@ -30,7 +30,7 @@ struct CheckedLine {
   std::size_t number = 1;
   LineVerdict verdict = LineVerdict::no_instruction;
   std::optional<std::int64_t>
-      stitches;          // on the needles after it, of the size at hand; none: not known, or no work
+      stitches;  // on the needles after it, of the size at hand, as worked whatever it says; none: not known, or no work
   std::string sentence;  // what is wrong or unknown: "line 12: Rnd 7 makes 29 stitches, the line says 30."
   std::size_t word_at = 0,
               word_length = 0;  // the place in the line that the sentence is about; length 0: all of it

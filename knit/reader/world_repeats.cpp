@@ -428,6 +428,7 @@ void WorldWorker::do_repeat(const WorldRepeat& repeat, const WorldCount& count, 
 // `made`: what the needle has, in words. It goes on with what the line says.
 void WorldWorker::wrong_but_told(const std::string& made, std::int64_t told) {
   wrong(made + ", the line says " + std::to_string(told) + ".");
+  tell_made(needle_.count());
   alternative_ = needle_.count();
   needle_.set(told);
 }

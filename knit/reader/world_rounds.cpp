@@ -316,6 +316,7 @@ bool WorldWorker::on_unknown(const WorldRecipe& recipe, const std::string& name,
   }
   if (fixed.takes > 0 && stated >= 0 && stated != fixed.makes) {
     wrong(name + " makes " + stitches_text(fixed.makes) + ", the line says " + std::to_string(stated) + ".");
+    tell_made(fixed.makes);
     return false;
   }
   say(LineVerdict::not_claimed, "");
@@ -428,6 +429,7 @@ void WorldWorker::tell_failure(const WorldRound& round, const Tried& first, std:
     return after_trouble(said.count);
   }
   wrong(first.why);
+  tell_made(needle_.count());
   doubt_holders();
   if (!said.count.total) return;
   alternative_ = needle_.count();

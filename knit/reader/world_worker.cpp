@@ -71,9 +71,12 @@ void WorldWorker::not_understood(const std::string& sentence, std::size_t at, st
   say(LineVerdict::not_understood, sentence, at, length);
   broken_ = true;
 }
+void WorldWorker::tell_made(std::int64_t stitches) {
+  if (line_ > 0) out_.lines[line_ - 1].stitches = stitches;
+}
 void WorldWorker::worked() {
   say(known_ || !has_needle_ ? LineVerdict::holds : LineVerdict::not_claimed, "");
-  if (known_ && has_needle_ && line_ > 0) out_.lines[line_ - 1].stitches = needle_.count();
+  if (known_ && has_needle_ && !line_is_wrong()) tell_made(needle_.count());
 }
 
 CheckedSize WorldWorker::run(const std::vector<TextLine>& lines, const std::vector<Atoms>& atoms,
@@ -442,6 +445,7 @@ void WorldWorker::check_after(const WorldCount& count) {
   wrong(stitches_text(needle_.count()) + (needle_.count() == 1 ? " is" : " are") +
         " on the needle, the line says " + std::to_string(*count.total) +
         forgotten(*count.total - needle_.count()) + ".");
+  tell_made(needle_.count());
   alternative_ = needle_.count();
   needle_.set(*count.total);
 }

@@ -107,6 +107,7 @@ class WorldWorker {
   void say_at(std::size_t line, LineVerdict verdict, std::string sentence, std::size_t at,
               std::size_t length);
   void wrong(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
+  void tell_made(std::int64_t stitches);  // what the line at hand has on the needles
   void not_understood(const std::string& sentence, std::size_t at = 0, std::size_t length = 0);
   void worked();
 
