@@ -3,8 +3,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/insight/as_asked.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
+#include "knit/pattern/passes.h"
+#include "knit/pattern/rounds.h"
 #include "knit/quality/measures.h"
 #include "knit/quality/quality.h"
 #include "knit/run/machine.h"
@@ -219,4 +222,40 @@ TEST_CASE("a run with short rows is gone through in every way", "[short-rows]") 
   const std::vector<std::uint64_t> hashes = test_support::hashes_forward(timeline);
   test_support::check_backward(timeline, hashes);
   test_support::check_at_random(timeline, hashes, test_support::repeated(40));
+}
+
+// The rounds above a pair are shaped where the pair was told they would be: else its turns stand beside a decrease.
+TEST_CASE("short rows: an edit of how stitches are placed leaves their turns plain", "[short-rows]") {
+  const auto input = bent_ellipsoid(1.8);
+  Timeline timeline(input, parameters_of(*input, ShortRows::automatic));
+  timeline.extend_to_end();
+  REQUIRE(short_rows_in(timeline.furthest()) > 0);
+  const std::vector<Step> steps(timeline.steps().begin(), timeline.steps().end());
+  const auto first_in = [&](Stage stage) {
+    return static_cast<std::size_t>(
+        std::find_if(steps.begin(), steps.end(),
+                     [&](const Step& step) { return step.place.stage == stage; }) -
+        steps.begin());
+  };
+  const auto worked = std::find_if(steps.begin(), steps.end(),
+                                   [](const Step& step) { return get_if<ShortRowWorked>(step) != nullptr; });
+  const auto first_pair = static_cast<std::size_t>(worked - steps.begin());
+  for (const std::size_t at :
+       {first_in(Stage::rows), first_pair, first_pair + 1, first_in(Stage::stitches)}) {
+    for (const PlacementPolicy placement :
+         {PlacementPolicy::thesis, PlacementPolicy::even, PlacementPolicy::nearest}) {
+      Timeline edited = timeline;
+      edited.seek(at);
+      Parameters changed = timeline.parameters();
+      changed.stitches.placement = placement;
+      edited.edit_from_here(changed);
+      edited.extend_to_end();
+      CAPTURE(at, static_cast<int>(placement));
+      const State& state = edited.furthest();
+      REQUIRE(state.finished());
+      for (const Round& round : rounds_of(state).rounds) CHECK(can_be_worked(round));
+      const bool late = at > first_pair && placement != timeline.parameters().stitches.placement;
+      CHECK(remark_on_placement(state, edited.parameters_of_stop()).has_value() == late);
+    }
+  }
 }

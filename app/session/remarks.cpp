@@ -84,6 +84,7 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
   add(knit::remark_on_size(size_knitted(state, parameters.stitch.gauge), knit::size_asked(state, parameters),
                            parameters));
   add(knit::remark_on_swatch(parameters));
+  add(knit::remark_on_placement(state, timeline.parameters_of_stop()));
   if (coverage == nullptr) return remarks;
   std::vector<knit::Remark> of_rows = knit::remarks_on(*coverage, parameters);
   std::move(of_rows.begin(), of_rows.end(), std::back_inserter(remarks));

@@ -70,4 +70,16 @@ std::optional<Remark> remark_on_swatch(const Parameters& parameters) {
                                         : fabric + " Stitch height auto makes it 0.72."};
 }
 
+std::optional<Remark> remark_on_placement(const State& state, const Parameters& wished) {
+  const std::optional<PlacedBy>& by = state.short_rows.foreseen_by;
+  if (!by || !by->for_good) return std::nullopt;
+  StitchSettings stitches = wished.stitches;
+  if (stitches.placement == PlacementPolicy::by_itself) stitches.placement = by->stitches.placement;
+  if (stitches == by->stitches && wished.rows.round_start == by->round_start) return std::nullopt;
+  return Remark{
+      RemarkKind::placement,
+      "Stitches are placed as before the change: short rows turn beside the shaping that this gave. "
+      "Applied from the start, the change holds everywhere."};
+}
+
 }  // namespace knit

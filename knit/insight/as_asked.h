@@ -30,6 +30,8 @@ PieceSize size_asked(const State& state, const Parameters& parameters);
 std::optional<Remark> remark_on_size(const PieceSize& knitted, const PieceSize& asked,
                                      const Parameters& parameters);
 std::optional<Remark> remark_on_swatch(const Parameters& parameters);
+// Where an edit of how stitches are placed came when pairs of short rows stood already. `wished`: with what is on auto.
+std::optional<Remark> remark_on_placement(const State& state, const Parameters& wished);
 // Where stitches and rounds are hardly those of one fabric: the rounds that go with the stitches, a whole number.
 std::optional<double> rounds_that_go_with(const Gauge& gauge);
 

@@ -45,9 +45,9 @@ class ProblemRanking {
 };
 
 // What a remark is about, and by index what scripts call it.
-enum class RemarkKind : std::uint8_t { size, swatch, uncovered, turned, stretched };
-inline constexpr std::array<std::string_view, 5> remark_keys{"size", "swatch", "uncovered", "turned",
-                                                             "stretched"};
+enum class RemarkKind : std::uint8_t { size, swatch, uncovered, turned, stretched, placement };
+inline constexpr std::array<std::string_view, 6> remark_keys{"size",   "swatch",    "uncovered",
+                                                             "turned", "stretched", "placement"};
 
 // A result that is not what was asked for: the size, a swatch that is hardly knitted fabric, what rows leave uncovered, faces that are turned over, rows whose wales are stretched. One of the two
 // places is set, or none where it is about all of the piece.

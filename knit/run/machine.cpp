@@ -35,6 +35,8 @@ TimingSettings timing_as_chosen(const Parameters& parameters, const State& state
 }
 
 StitchSettings stitches_as_chosen(StitchSettings stitches, const State& state) {
+  if (state.short_rows.foreseen_by && state.short_rows.foreseen_by->for_good)
+    return state.short_rows.foreseen_by->stitches;
   if (stitches.placement != PlacementPolicy::by_itself) return stitches;
   if (state.rows_from == RowSource::rings) stitches.placement = PlacementPolicy::thesis;
   if (state.rows_from == RowSource::contours) stitches.placement = PlacementPolicy::nearest;
@@ -135,10 +137,19 @@ Taken take_contours(const Input& input, const Parameters& parameters, State& sta
   return taken;
 }
 
+// How stitches are placed from here on.
+PlacedBy placing(const Parameters& parameters, const State& state) {
+  const std::optional<PlacedBy>& foreseen_by = state.short_rows.foreseen_by;
+  if (foreseen_by && foreseen_by->for_good) return *foreseen_by;
+  return {stitches_as_chosen(parameters.stitches, state), parameters.stitch.width,
+          parameters.rows.round_start, false};
+}
+
 // The join that a row will get; of the fabric's rows, or of the next one.
 Join join_to_come(const Parameters& parameters, const State& state, const Fabric& fabric, const Row& row) {
   const JoinGround ground = ground_of(fabric, row);
-  const bool follows = parameters.rows.round_start == RoundStart::follow;
+  const PlacedBy by = placing(parameters, state);
+  const bool follows = by.round_start == RoundStart::follow;
   const JoinAt at{row.id,
                   ground.from,
                   ground.below,
@@ -152,13 +163,19 @@ Join join_to_come(const Parameters& parameters, const State& state, const Fabric
                       : repeated_round(state, {row.tube, row.level, row.on.size(), size_of(row), row.id}),
                   false,
                   ground.marked};
-  Join join = plan_row_join(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at);
+  StitchSize stitch = parameters.stitch;
+  stitch.width = by.stitch_width;
+  Join join = plan_row_join(by.stitches, stitch, at);
   join.from = ground.from;
   return join;
 }
 
 // How the round to come will hang: it is worked ahead, on a copy.
 std::vector<std::uint8_t> plain_to_come(const Input& input, const Parameters& parameters, State& state) {
+  if (const PlacedBy by = placing(parameters, state); state.short_rows.foreseen_by != by) {
+    state.short_rows.foreseen.clear();
+    state.short_rows.foreseen_by = by;
+  }
   State ahead = state;
   auto& work = std::get<ContourWork>(ahead.work);
   while (ahead.fabric.row_count() == state.fabric.row_count())
@@ -210,6 +227,7 @@ Taken take_gap(const Input& input, const Parameters& parameters, State& state) {
   }
   std::optional<Row> row;
   Taken taken = advance_gap(pairs, state.fabric, below, gap, row);
+  if (row) state.short_rows.foreseen_by->for_good = true;
   keep(state.fabric, std::move(row));
   return taken;
 }
@@ -264,7 +282,8 @@ Taken take_join(const Parameters& parameters, State& state) {
   if (!planned && row != nullptr) ground = ground_of(fabric, *row);
   if (!planned && row == nullptr) ground.below = fabric.row(1).stitches;
   const bool round = row != nullptr && !is_short(*row);
-  const bool follows = state.tubes && parameters.rows.round_start == RoundStart::follow;
+  const PlacedBy by = placing(parameters, state);
+  const bool follows = state.tubes && by.round_start == RoundStart::follow;
   const JoinAt at{id,
                   ground.from,
                   ground.below,
@@ -278,9 +297,10 @@ Taken take_join(const Parameters& parameters, State& state) {
                       : std::nullopt,
                   fabric.next_worked(id) == 0,
                   ground.marked};
+  StitchSize stitch = parameters.stitch;
+  stitch.width = by.stitch_width;
   Shared<Join> join;
-  Taken taken =
-      advance_index(stitches_as_chosen(parameters.stitches, state), parameters.stitch, at, work, join);
+  Taken taken = advance_index(by.stitches, stitch, at, work, join);
   keep(state.fabric, std::move(join));
   return taken;
 }

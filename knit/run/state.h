@@ -27,6 +27,19 @@
 
 namespace knit {
 
+// What places the stitches where pairs of short rows were: they turn beside the shaping that it gives.
+struct PlacedBy {
+  StitchSettings stitches;
+  double stitch_width = 0.0;
+  RoundStart round_start = RoundStart::follow;
+  bool for_good = false;  // a pair is worked: an edit comes too late
+  [[nodiscard]] auto fields() const {
+    return std::tie(stitches.placement, stitches.stacking_penalty, stitches.follow_mains, stitch_width,
+                    round_start, for_good);
+  }
+  friend bool operator==(const PlacedBy&, const PlacedBy&) = default;
+};
+
 // Short rows, while rows are made: the tube that is planned, those that are, and the gap that is filled.
 struct ShortRowsMade {
   ChosenFor chosen_for;  // what the tries and the choice are of
@@ -38,8 +51,9 @@ struct ShortRowsMade {
   std::vector<Shared<PlannedPairs>> tubes;
   GapWork gap;
   std::vector<Shared<Join>> foreseen;  // into the first rows, as they will be joined
+  std::optional<PlacedBy> foreseen_by;
   [[nodiscard]] auto fields() const {
-    return std::tie(chosen_for, tries, kept, ahead, planning, tubes, gap, foreseen);
+    return std::tie(chosen_for, tries, kept, ahead, planning, tubes, gap, foreseen, foreseen_by);
   }
   friend bool operator==(const ShortRowsMade&, const ShortRowsMade&) = default;
 };
