@@ -55,9 +55,8 @@ struct InTheAir {
 InTheAir in_the_air(const Knitted& made, const RelaxSettings& settings = {}) {
   InTheAir air;
   begin_relaxing(made.state.fabric, made.stitch, settings, air.work);
-  RelaxIteration told;
-  while (!air.work.done) told = advance_relaxing(settings, air.work);
-  air.relaxed = finish_relaxing(air.work, told);
+  while (!air.work.done) advance_relaxing(settings, air.work);
+  air.relaxed = finish_relaxing(air.work);
   air.figures = knitted_figures(made.state.fabric, *air.work.plan, air.relaxed, {0.0, 1.0, 0.0});
   return air;
 }

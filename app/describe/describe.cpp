@@ -69,13 +69,13 @@ void Describer::take_look(const Session& session, const Theme& theme) {
   strips_.clear();
 }
 
-// As it is shown. Where stitches were placed, each asking would make other rows, which a renderer has not yet.
+// As it is shown. Where that is elsewhere than the fabric has them, each asking would make other rows, which a renderer has not yet.
 const knit::Fabric& Describer::fabric_of(const Session& session) {
   const knit::State& state = session.document->timeline.state();
-  if (session.view->positions == Positions::settled || !state.placed) return state.fabric;
-  const auto placed = state.placed.pointer();
-  if (placed_as_ != placed) placed_ = shown_fabric(session);
-  placed_as_ = placed;
+  const auto places = places_shown(session);
+  if (!places) return state.fabric;
+  if (placed_as_ != places) placed_ = shown_fabric(session);
+  placed_as_ = places;
   return placed_;
 }
 
@@ -92,7 +92,7 @@ void Describer::add_rows(const Session& session, Scene& scene) {
     if (kept.row != row || kept.colour != colour) {
       const Colour edge = colour == scene.theme->stitch ? scene.theme->row_edge : colour;
       std::vector<Line> edges = edges_of(*row, edge);
-      if (stretch_) colour_by_stretch(*scene.theme, stretch_->width, edges);
+      if (stretch_) colour_by_stretch(*scene.theme, stretch_->width, stretch_->full, edges);
       kept = {
           row, colour, std::make_shared<const std::vector<Line>>(std::move(edges)),
           stretch_ ? stitches_of(*row, scene.theme->stretch_even, 2.4F) : stitches_of(*row, colour, 3.2F)};
@@ -116,7 +116,7 @@ void Describer::add_strips(const Session& session, Scene& scene) {
       std::vector<Line> columns = columns_of(*scene.theme, *strip, strip->column_edges.size(), path);
       if (stretch_) {
         make_plain(*scene.theme, faces);
-        colour_by_stretch(*scene.theme, stretch_->height, columns);
+        colour_by_stretch(*scene.theme, stretch_->height, stretch_->full, columns);
       }
       kept = {strip, std::move(about), std::make_shared<const FaceShape>(std::move(faces)),
               std::make_shared<const std::vector<Line>>(std::move(columns))};

@@ -34,7 +34,7 @@ std::shared_ptr<const std::vector<Line>> edges_of(const Theme& theme, const knit
         {place_of(row.stitches, from, cells), place_of(row.stitches, to, cells), theme.row_edge, 1.0F});
   }
   const double merged = static_cast<double>(row.stitches.size()) / static_cast<double>(cells);
-  if (look.stretch) colour_by_stretch(theme, merged * look.stretch->width, lines);
+  if (look.stretch) colour_by_stretch(theme, merged * look.stretch->width, look.stretch->full, lines);
   return std::make_shared<const std::vector<Line>>(std::move(lines));
 }
 

@@ -97,7 +97,10 @@ void Ghost::refresh(const Session& session, const Theme& theme, const Pin& pin) 
   end_ = end;
   if (same_run) return;
   rows_.clear();
-  const knit::Fabric fabric = positions == Positions::placed ? knit::placed_fabric(pin.end) : pin.end.fabric;
+  const auto in_the_air = positions == Positions::relaxed ? knit::relaxed_places(pin.end) : nullptr;
+  const knit::Fabric fabric = in_the_air                       ? pin.end.fabric.moved_to(*in_the_air)
+                              : positions == Positions::placed ? knit::placed_fabric(pin.end)
+                                                               : pin.end.fabric;
   const knit::KnittingPath path(fabric);
   for (const auto& row : fabric.rows()) {
     const knit::Strip* strip = fabric.strip_into(row->id);

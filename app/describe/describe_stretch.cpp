@@ -19,9 +19,9 @@ constexpr float move_px = 1.2F;
 constexpr double least_move = 0.03;  // in w
 
 // -1 as short as is told, 0 at ease, 1 as long.
-double strain_of(double stretch) {
+double strain_of(double stretch, double full) {
   if (!(stretch > 0.0)) return -1.0;
-  return std::clamp(std::log(stretch) / std::log(full_stretch), -1.0, 1.0);
+  return std::clamp(std::log(stretch) / std::log(full), -1.0, 1.0);
 }
 
 std::uint8_t between(std::uint8_t from, std::uint8_t to, double share) {
@@ -36,34 +36,39 @@ Colour strain_colour(const Theme& theme, double strain) {
   return mixed(theme.stretch_even, strain < 0.0 ? theme.stretch_short : theme.stretch_long, std::abs(strain));
 }
 
-// Whether the place shown is within the stage settle; its last step is, too.
-bool settles_here(const Session& session) {
-  const knit::State& state = session.document->timeline.state();
-  if (!state.placed) return false;
+// Whether the place shown is within the stage that moves what is shown; its last step is, too.
+bool is_within(const Session& session, knit::Stage stage) {
   const knit::Step* step = last_step(session);
-  return state.stage() == knit::Stage::settle ||
-         (step != nullptr && step->place.stage == knit::Stage::settle);
+  return session.document->timeline.state().stage() == stage ||
+         (step != nullptr && step->place.stage == stage);
 }
 
+bool in_the_air(const Session& session) { return positions_shown(session) == Positions::relaxed; }
+
 bool may_show(const Session& session) {
-  return has_settled(session) && (settles_here(session) || !session.view->shows(Layer::faces));
+  const bool air = in_the_air(session);
+  if (!air && !has_settled(session)) return false;
+  return is_within(session, air ? knit::Stage::relax : knit::Stage::settle) ||
+         !session.view->shows(Layer::faces);
 }
 
 }  // namespace
 
-Colour stretch_colour(const Theme& theme, double stretch) { return strain_colour(theme, strain_of(stretch)); }
+Colour stretch_colour(const Theme& theme, double stretch, double full) {
+  return strain_colour(theme, strain_of(stretch, full));
+}
 
 std::optional<StretchScale> stretch_shown(const Session& session) {
   if (!session.view->shows(Layer::stretch) || !may_show(session)) return std::nullopt;
   const knit::StitchSize& stitch = session.document->timeline.parameters().stitch;
-  return StretchScale{stitch.width, stitch.height};
+  return StretchScale{stitch.width, stitch.height, in_the_air(session) ? full_in_the_air : full_stretch};
 }
 
 bool moves_shown(const Session& session) { return session.view->shows(Layer::moves) && may_show(session); }
 
-void colour_by_stretch(const Theme& theme, double length, std::vector<Line>& lines) {
+void colour_by_stretch(const Theme& theme, double length, double full, std::vector<Line>& lines) {
   for (Line& line : lines) {
-    const double strain = strain_of(static_cast<double>(glm::distance(line.from, line.to)) / length);
+    const double strain = strain_of(static_cast<double>(glm::distance(line.from, line.to)) / length, full);
     line.colour = strain_colour(theme, strain);
     line.width_px = even_px + stretched_px * static_cast<float>(std::abs(strain));
   }
@@ -76,8 +81,10 @@ void make_plain(const Theme& theme, FaceShape& shape) {
 void describe_moves(const Session& session, Scene& scene) {
   if (!moves_shown(session)) return;
   const knit::State& state = session.document->timeline.state();
-  const std::vector<glm::dvec3>& from = *state.placed;
-  const std::vector<glm::dvec3> to = knit::knitting_path(state.fabric);
+  const std::vector<glm::dvec3> settled = knit::knitting_path(state.fabric);
+  const auto relaxed = in_the_air(session) ? knit::relaxed_places(state) : nullptr;
+  const std::vector<glm::dvec3>& from = relaxed ? settled : *state.placed;
+  const std::vector<glm::dvec3>& to = relaxed ? *relaxed : settled;
   const double least = least_move * session.document->timeline.parameters().stitch.width;
   const auto every = static_cast<std::size_t>(scene.coarse);
   const Colour colour = scene.theme->accepted;

@@ -1,4 +1,4 @@
-// How fabric is stretched while it settles: its edges in colours, and the way of each stitch from where it was placed.
+// How fabric is stretched while it settles, or relaxes in the air: its edges in colours, and the way of each stitch from where it was placed.
 //
 // The stretch of an edge is its length over what it should be, h for a wale and w for a course; 1 is at ease. Colours go
 // by its logarithm, so that half as long is as far from 1 as twice as long: blue too short, orange too long, and both
@@ -13,14 +13,16 @@
 
 namespace app {
 
-inline constexpr double full_stretch = 1.5;  // from there on, and from its inverse down, colours are full
+inline constexpr double full_stretch = 1.5;      // from there on, and from its inverse down, colours are full
+inline constexpr double full_in_the_air = 1.15;  // where stuffing stretches fabric by some hundredths
 
 // Of a stretch above 0.
-Colour stretch_colour(const Theme& theme, double stretch);
+Colour stretch_colour(const Theme& theme, double stretch, double full = full_stretch);
 
 // What edges should measure, in mesh units.
 struct StretchScale {
   double width = 1.0, height = 1.0;
+  double full = full_stretch;
   friend bool operator==(const StretchScale&, const StretchScale&) = default;
 };
 
@@ -29,12 +31,12 @@ struct StretchScale {
 std::optional<StretchScale> stretch_shown(const Session& session);
 bool moves_shown(const Session& session);
 
-// The same lines in the colours of their stretch, `length` being at ease.
-void colour_by_stretch(const Theme& theme, double length, std::vector<Line>& lines);
+// The same lines in the colours of their stretch, `length` being at ease and `full` where colours are.
+void colour_by_stretch(const Theme& theme, double length, double full, std::vector<Line>& lines);
 // Faces that say nothing.
 void make_plain(const Theme& theme, FaceShape& shape);
 
-// A thin line for each stitch that has moved, from where it was placed; of many only some (Scene::coarse).
+// A thin line for each stitch that has moved, from where it was placed, or in the air from the mesh; of many only some (Scene::coarse).
 void describe_moves(const Session& session, Scene& scene);
 
 }  // namespace app

@@ -144,7 +144,7 @@ void add_bridge(const Session& session, const knit::Fabric& fabric, const knit::
     for (const auto& [from, to] : edges_added(deal))
       edges.push_back(
           {glm::vec3(fabric.position(from)), glm::vec3(fabric.position(to)), scene.theme->row_edge, 1.8F});
-    if (stretch) colour_by_stretch(*scene.theme, stretch->width, edges);
+    if (stretch) colour_by_stretch(*scene.theme, stretch->width, stretch->full, edges);
     scene.lines.insert(scene.lines.end(), edges.begin(), edges.end());
   }
   if (!session.view->shows(Layer::stitches)) return;
@@ -162,7 +162,7 @@ void add_seam(const Session& session, const knit::Deal& deal, const knit::Knitti
   }
   if (!session.view->shows(Layer::column_edges)) return;
   std::vector<Line> columns = columns_of(*scene.theme, strip, strip.column_edges.size(), path);
-  if (stretch) colour_by_stretch(*scene.theme, stretch->height, columns);
+  if (stretch) colour_by_stretch(*scene.theme, stretch->height, stretch->full, columns);
   scene.lines.insert(scene.lines.end(), columns.begin(), columns.end());
 }
 

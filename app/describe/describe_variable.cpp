@@ -469,7 +469,8 @@ void describe_variable(const Session& session, Scene& scene) {
     case knit::Stage::pattern:
     case knit::Stage::done:
       return light.strip();
-    case knit::Stage::settle:  // of all stitches at once, which are shown anyway
+    case knit::Stage::settle:
+    case knit::Stage::relax:  // of all stitches at once, which are shown anyway
       return;
   }
 }

@@ -13,7 +13,7 @@ namespace app {
 class StateShown {
  public:
   explicit StateShown(const Session& session) : state_(&session.document->timeline.state()) {
-    if (session.view->positions == Positions::settled || !state_->placed) return;
+    if (!places_shown(session)) return;
     placed_ = shown_state(session);
     state_ = &*placed_;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/session/document.h"
+#include "knit/relax/relax_code.h"
 #include "knit/rows/row_code.h"
 #include "knit/settle/settle_code.h"
 #include "knit/short_rows/short_row_code.h"
@@ -20,7 +21,7 @@ constexpr std::array all_listings{
     &knit::timing_choice_code, &knit::rows_choice_code,  &knit::tubes_code,        &knit::cast_on_code,
     &knit::ring_code,          &knit::contour_code,      &knit::thesis_index_code, &knit::even_index_code,
     &knit::nearest_index_code, &knit::repeat_index_code, &knit::faces_code,        &knit::settle_code,
-    &knit::pattern_code,       &knit::short_rows_code};
+    &knit::relax_code,         &knit::pattern_code,      &knit::short_rows_code};
 
 constexpr std::array<std::string_view, 6> keywords{"for", "each", "if", "else", "not", "write"};
 

@@ -382,6 +382,13 @@ bool is_outside(Judged figure, double value) {
                      [&](const Bound& bound) { return bound.figure == figure && value > bound.most; });
 }
 
+const knit::Closeness* closeness_shown(const knit::Closeness* closeness, Positions positions) {
+  if (closeness == nullptr) return nullptr;
+  if (positions == Positions::placed && closeness->placed) return closeness->placed.get();
+  if (positions == Positions::relaxed && closeness->relaxed) return closeness->relaxed.get();
+  return closeness;
+}
+
 std::optional<SettledFigures> settled_figures(const knit::Timeline& timeline) {
   const auto moves = knit::measure_moves(timeline.state());
   if (!moves) return std::nullopt;
@@ -401,9 +408,7 @@ std::optional<SettledFigures> settled_figures(const knit::Timeline& timeline) {
 std::vector<CardGroup> card_groups(const CardFigures& known) {
   const knit::Quality none;
   const knit::Quality& q = known.quality != nullptr ? *known.quality : none;
-  const bool as_placed =
-      known.shown == Positions::placed && known.closeness != nullptr && known.closeness->placed;
-  const knit::Closeness* closeness = as_placed ? known.closeness->placed.get() : known.closeness;
+  const knit::Closeness* closeness = closeness_shown(known.closeness, known.shown);
   const bool settled = known.both != nullptr && known.shown == Positions::settled;
   const knit::Closeness unmeasured;
   const knit::Closeness& c = closeness != nullptr ? *closeness : unmeasured;

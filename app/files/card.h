@@ -88,6 +88,9 @@ struct CardGroup {
   CardHeads heads = card_heads;
 };
 
+// That of the positions that are wished, where it has them; null where nothing is measured.
+const knit::Closeness* closeness_shown(const knit::Closeness* closeness, Positions positions);
+
 // Both figures of stitches that have settled (knit/settle): where they were placed, and where they are.
 struct SettledFigures {
   knit::Quality placed, settled;

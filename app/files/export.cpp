@@ -89,7 +89,9 @@ std::string mesh_text_of(const knit::Fabric& fabric, std::string_view remark) {
 
 std::string mesh_text(const Session& session) {
   std::string_view remark;
-  if (has_settled(session))
+  if (positions_shown(session) == Positions::relaxed)
+    remark = "# Stitches where they come to lie in the air.\n";
+  else if (has_settled(session))
     remark = session.view->positions == Positions::placed ? "# Stitches as they were placed.\n"
                                                           : "# Stitches where they settled.\n";
   return mesh_text_of(shown_fabric(session), remark);

@@ -1,6 +1,7 @@
 // How the piece comes off the needles and is stuffed [knit/relax], as figures for the report and as OBJ.
 //
-// Worked out anew by each call, from the positions that are shown: some hundredths of a second for three thousand stitches.
+// What the stage relax made, where it ran; else worked out anew by each call, from the positions that are shown: some tenths
+// of a second for three thousand stitches.
 #pragma once
 
 #include <nlohmann/json.hpp>

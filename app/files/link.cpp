@@ -121,7 +121,9 @@ std::optional<std::string> link_by_options(const Session& session) {
     const std::string& piece = session.view->gaze.chart_piece;
     link.add("--centre", piece.empty() ? "chart" : "chart:" + piece);
   }
-  if (session.view->positions == Positions::placed) link.add("--positions", "placed");
+  if (session.view->positions != Positions::settled)
+    link.add("--positions",
+             std::string(positions_keys.at(static_cast<std::size_t>(session.view->positions))));
   if (session.view->gaze.knit_along)
     link.add("--knit-along", round_words(timeline.furthest().fabric, *session.view->gaze.knit_along));
   add_pattern(link, session.view->pattern, session.document->pieces);

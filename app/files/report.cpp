@@ -579,8 +579,7 @@ Json report_json(const Session& session) {
   report["short_rows"] = short_rows_json(state);
   const knit::Parameters& parameters = timeline.parameters();
   const auto closeness = closeness_now(*session.document);
-  const bool as_placed = session.view->positions == Positions::placed && closeness && closeness->placed;
-  const knit::Closeness* shown = as_placed ? closeness->placed.get() : closeness.get();
+  const knit::Closeness* shown = closeness_shown(closeness.get(), session.view->positions);
   report["positions"] = positions_keys.at(static_cast<std::size_t>(session.view->positions));
   report["quality"] = quality_json(
       knit::measure_quality(timeline.input(), state, parameters.stitch.width, parameters.stitch.height),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "knit/insight/knitted_remarks.h"
 #include "knit/limbs/limb_plan.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/rounds.h"
@@ -85,6 +86,10 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
                            parameters));
   add(knit::remark_on_swatch(parameters));
   add(knit::remark_on_placement(state, timeline.parameters_of_stop()));
+  if (state.relaxed) {
+    std::vector<knit::Remark> of_piece = knit::remarks_on(state.fabric, *state.relaxed, parameters);
+    std::move(of_piece.begin(), of_piece.end(), std::back_inserter(remarks));
+  }
   if (coverage == nullptr) return remarks;
   std::vector<knit::Remark> of_rows = knit::remarks_on(*coverage, parameters);
   std::move(of_rows.begin(), of_rows.end(), std::back_inserter(remarks));

@@ -15,7 +15,7 @@ namespace app {
 // As the pattern's counts make it, of a finished run.
 knit::PieceSize size_knitted(const knit::State& state, const knit::Gauge& gauge);
 
-// Size and swatch first, then what `coverage` shows; null: not measured. Empty before the run has finished.
+// Size and swatch first, then what comes off the needles, where the stage relax ran, then what `coverage` shows; null: not measured. Empty before the run has finished.
 std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit::Coverage* coverage);
 
 // For the pattern's notes: the first of each kind.

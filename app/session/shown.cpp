@@ -1,33 +1,58 @@
 #include "app/session/shown.h"
 
 #include "app/session/document.h"
-#include "app/session/view.h"
 
 namespace app {
-
-namespace {
-
-bool as_placed(const Session& session) {
-  return session.view->positions == Positions::placed && has_settled(session);
-}
-
-}  // namespace
 
 bool has_settled(const Session& session) {
   return session.document && static_cast<bool>(session.document->timeline.state().placed);
 }
 
+bool has_relaxed(const Session& session) {
+  return session.document && knit::relaxed_places(session.document->timeline.state()) != nullptr;
+}
+
+Positions positions_shown(const Session& session) {
+  const Positions wished = session.view->positions;
+  const bool there = wished == Positions::placed ? has_settled(session) : has_relaxed(session);
+  return there ? wished : Positions::settled;
+}
+
+std::shared_ptr<const std::vector<glm::dvec3>> places_shown(const Session& session) {
+  const knit::State& state = session.document->timeline.state();
+  switch (session.view->positions) {
+    case Positions::placed:
+      return state.placed.pointer();
+    case Positions::relaxed:
+      return knit::relaxed_places(state);
+    case Positions::settled:
+      break;
+  }
+  return nullptr;
+}
+
 knit::Fabric shown_fabric(const Session& session) {
   const knit::State& state = session.document->timeline.state();
-  return as_placed(session) ? knit::placed_fabric(state) : state.fabric;
+  const auto places = places_shown(session);
+  return places ? state.fabric.moved_to(*places) : state.fabric;
 }
 
 knit::State shown_state(const Session& session) {
   knit::State state = session.document->timeline.state();
-  if (as_placed(session)) state.fabric = knit::placed_fabric(state);
+  if (const auto places = places_shown(session)) state.fabric = state.fabric.moved_to(*places);
   return state;
 }
 
-std::string_view shown_words(const Session& session) { return as_placed(session) ? " as placed" : ""; }
+std::string_view shown_words(const Session& session) {
+  switch (positions_shown(session)) {
+    case Positions::placed:
+      return " as placed";
+    case Positions::relaxed:
+      return " as relaxed";
+    case Positions::settled:
+      break;
+  }
+  return "";
+}
 
 }  // namespace app

@@ -63,11 +63,12 @@ struct RoundSpan {
   friend bool operator==(const RoundSpan&, const RoundSpan&) = default;
 };
 
-// Of stitches that have settled (knit/settle): where they are now, or where they were placed.
-enum class Positions : std::uint8_t { settled, placed };
+// Of stitches: where they have settled (knit/settle), where they were placed, or where they come to lie in the air
+// (knit/relax).
+enum class Positions : std::uint8_t { settled, placed, relaxed };
 
 // By index: what scripts and session files call them.
-inline constexpr std::array<std::string_view, 2> positions_keys{"settled", "placed"};
+inline constexpr std::array<std::string_view, 3> positions_keys{"settled", "placed", "relaxed"};
 
 // Which list stands below the step.
 enum class RunList : std::uint8_t { rows, candidates, problems, breaks };

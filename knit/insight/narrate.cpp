@@ -27,6 +27,7 @@ std::string narrate(const Step& step, const Parameters& parameters) {
 std::string_view work_ahead(const State& state) {
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return work_ahead(*tubes);
   if (std::holds_alternative<SettleWork>(state.work)) return "settling the stitches";
+  if (std::holds_alternative<RelaxWork>(state.work)) return "relaxing the piece";
   const auto* timing = std::get_if<TimingWork>(&state.work);
   return timing != nullptr ? work_ahead(*timing) : "working";
 }

@@ -11,7 +11,10 @@ namespace knit {
 inline constexpr double stuffing_soft = 0.02, stuffing_usual = 0.03, stuffing_firm = 0.05,
                         stuffing_hard = 0.1;
 
+enum class Relaxing : std::uint8_t { off, on };
+
 struct RelaxSettings {
+  Relaxing relaxing = Relaxing::off;
   double stuffing = stuffing_usual;  // 0: none
   int most_iterations = 1500;
   friend bool operator==(const RelaxSettings&, const RelaxSettings&) = default;

@@ -10,6 +10,7 @@
 
 #include "knit/mesh/mesh.h"
 #include "knit/model/placement_policy.h"
+#include "knit/model/relax_settings.h"
 #include "knit/model/rhythm_settings.h"
 
 namespace knit {
@@ -169,6 +170,7 @@ struct Settings {
   ShortRowSettings short_rows;
   StitchSettings stitches;
   SettleSettings settle;
+  RelaxSettings relax;
   PatternSettings pattern;
   friend bool operator==(const Settings&, const Settings&) = default;
 };

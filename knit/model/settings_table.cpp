@@ -49,6 +49,8 @@ constexpr Number settle_weight() {
   return {field<&Settings::settle, Field>(), 0.0, 100.0, Zero::allowed};
 }
 
+bool is_relaxed(const Parameters& p) { return p.relax.relaxing == Relaxing::on; }
+
 // The views of the stitch size, and what goes with it.
 constexpr Access<double> stitch_width{[](const Parameters& p) { return p.stitch.width; }, give_width};
 constexpr Access<double> stitch_height{
@@ -69,6 +71,10 @@ constexpr std::array<std::string_view, 2> switch_names{"on", "off"};
 constexpr std::array<std::string_view, 3> closing_names{"none", "thesis", "arc"};
 constexpr std::array<std::string_view, 2> off_on_names{"off", "on"};
 constexpr std::array<std::string_view, 3> settling_names{"off", "on", "auto"};
+
+constexpr std::array stuffing_names{NamedNumber{"none", 0.0}, NamedNumber{"soft", stuffing_soft},
+                                    NamedNumber{"usual", stuffing_usual}, NamedNumber{"firm", stuffing_firm},
+                                    NamedNumber{"hard", stuffing_hard}};
 
 constexpr std::array<std::string_view, 2> count_names{"whole", "rhythm"};
 constexpr std::array<std::string_view, 2> short_row_names{"off", "auto"};
@@ -316,6 +322,23 @@ constexpr std::array table{
     ParameterInfo{"settle-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
                   "Settling", Stage::settle,
                   Count{field<&Settings::settle, &SettleSettings::most_iterations>(), 1, 500}, is_settled},
+    ParameterInfo{
+        keys::relax, "Relax", "",
+        "Whether the piece is taken off the needles and stuffed, once all faces are made: its stitches "
+        "leave the mesh and come to lie where equal stitches pull them. That tells its size and shape "
+        "before it is knitted. No word of the pattern changes.",
+        "Relaxing", Stage::faces,  // the last step before leads there or past it
+        choice<&Settings::relax, &RelaxSettings::relaxing>(off_on_names)},
+    ParameterInfo{
+        "stuffing", "Stuffing", "",
+        "How firmly it is stuffed: about the share by which stuffing stretches the fabric. none, soft "
+        "(0.02), usual (0.03), firm (0.05), hard (0.1), or a number.",
+        "Relaxing", Stage::relax,
+        Number{field<&Settings::relax, &RelaxSettings::stuffing>(), 0.0, 0.5, Zero::allowed, stuffing_names},
+        is_relaxed},
+    ParameterInfo{"relax-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
+                  "Relaxing", Stage::relax,
+                  Count{field<&Settings::relax, &RelaxSettings::most_iterations>(), 1, 10000}, is_relaxed},
     ParameterInfo{
         "graft", "Seams by", "",
         "How two rims of live stitches become one seam, as at the top of a ring. kitchener: grafted, a seam "

@@ -28,9 +28,14 @@ inline constexpr double no_limit = 1e12;  // a Number as high as this has no upp
 // What 0 is where `low` is 0. `follows` and `chosen` are both auto: it follows from the other settings, as the stitch's height
 // does, and no other yet; or only the run can say.
 enum class Zero : std::uint8_t { refused, allowed, follows, chosen };
+struct NamedNumber {
+  std::string_view name;
+  double value;
+};
 struct Number : Access<double> {
   double low, high;  // both are allowed, but a `low` of 0 as `zero` says
   Zero zero = Zero::refused;
+  std::span<const NamedNumber> names = {};  // read as numbers, and written where a number has one
 };
 struct Count : Access<int> {
   int low, high;
@@ -78,6 +83,7 @@ inline constexpr std::string_view gauge = "gauge";
 inline constexpr std::string_view rows = "rows";
 inline constexpr std::string_view metric = "metric";
 inline constexpr std::string_view epsilon = "epsilon";
+inline constexpr std::string_view relax = "relax";
 }  // namespace keys
 
 std::span<const ParameterInfo> parameter_table();  // in the order of the pipeline

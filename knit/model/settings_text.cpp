@@ -52,6 +52,11 @@ std::string refused(const ParameterInfo& info, std::string_view text) {
 }
 
 bool set_from(const Number& number, Parameters& p, std::string_view text) {
+  for (const NamedNumber& named : number.names) {
+    if (named.name != text) continue;
+    number.set(p, named.value);
+    return true;
+  }
   if (may_be_auto(number) && text == "auto") {
     number.set(p, 0.0);
     return true;
@@ -163,7 +168,12 @@ const ParameterInfo* find_parameter(std::string_view key) {
 std::string value_text(const ParameterInfo& info, const Parameters& p) {
   struct Text {
     const Parameters& p;
-    std::string operator()(const Number& n) const { return is_auto(n, p) ? "auto" : number_text(n.get(p)); }
+    std::string operator()(const Number& n) const {
+      for (const NamedNumber& named : n.names) {
+        if (named.value == n.get(p)) return std::string(named.name);
+      }
+      return is_auto(n, p) ? "auto" : number_text(n.get(p));
+    }
     std::string operator()(const Count& c) const {
       return c.zero_means_auto && c.get(p) == 0 ? "auto" : std::to_string(c.get(p));
     }
@@ -216,7 +226,9 @@ std::string range_text(const ParameterInfo& info) {
     std::string operator()(const Number& n) const {
       const bool from_low = n.low != 0.0 || n.zero == Zero::allowed;
       const std::string low = from_low ? "a number from " + number_text(n.low) : "a number above 0";
-      const std::string range = n.high >= no_limit ? low : low + " up to " + number_text(n.high);
+      std::string range = n.high >= no_limit ? low : low + " up to " + number_text(n.high);
+      for (const NamedNumber& named : n.names)
+        range += (&named == &n.names.back() ? " or " : ", ") + std::string(named.name);
       return may_be_auto(n) ? range + ", or auto" : range;
     }
     std::string operator()(const Count& c) const {
@@ -365,7 +377,12 @@ Stage first_stage_to_read(const ParameterInfo& info, const Parameters& parameter
   const bool settles_ahead =
       info.first_reader == Stage::settle && parameters.rows.source != RowSource::rings &&
       short_rows.rows == ShortRows::automatic && short_rows.kept == KeptBeside::by_itself;
-  return orders_tubes || settles_ahead ? Stage::tubes : info.first_reader;
+  if (orders_tubes || settles_ahead) return Stage::tubes;
+  // What follows the last step of settling is read by that, where it is known that there is one.
+  const bool settles =
+      parameters.settle.settling == Settling::on ||
+      (parameters.settle.settling == Settling::by_itself && parameters.rows.source == RowSource::contours);
+  return info.key == keys::relax && settles ? Stage::settle : info.first_reader;
 }
 
 Stage first_reader_of_change(const Parameters& a, const Parameters& b) {

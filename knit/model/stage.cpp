@@ -3,8 +3,9 @@
 namespace knit {
 
 namespace {
-constexpr std::array<std::string_view, 10> stage_names{"import",   "timing", "tubes",  "cast-on", "rows",
-                                                       "stitches", "faces",  "settle", "pattern", "done"};
+constexpr std::array<std::string_view, 11> stage_names{"import", "timing",   "tubes", "cast-on",
+                                                       "rows",   "stitches", "faces", "settle",
+                                                       "relax",  "pattern",  "done"};
 }
 
 std::string_view name_of(Stage stage) { return stage_names.at(static_cast<std::size_t>(stage)); }

@@ -19,12 +19,14 @@ enum class Stage : std::uint8_t {
   stitches,
   faces,
   settle,
+  relax,
   pattern,
   done
 };
 
-inline constexpr std::array machine_stages{Stage::timing,   Stage::tubes, Stage::cast_on, Stage::rows,
-                                           Stage::stitches, Stage::faces, Stage::settle,  Stage::pattern};
+inline constexpr std::array machine_stages{Stage::timing, Stage::tubes,    Stage::cast_on,
+                                           Stage::rows,   Stage::stitches, Stage::faces,
+                                           Stage::settle, Stage::relax,    Stage::pattern};
 
 std::string_view name_of(Stage stage);  // "cast-on"
 std::optional<Stage> stage_named(std::string_view name);

@@ -56,6 +56,12 @@ std::string_view name_of(Rule rule) {
   return "";
 }
 
+std::string fixed_number(double value, int decimals) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  return buffer.data();
+}
+
 std::string short_number(double value) {
   std::array<char, 32> buffer{};
   const bool plain = value == 0.0 || (std::abs(value) >= 1e-4 && std::abs(value) < 1e6);

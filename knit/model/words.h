@@ -15,6 +15,7 @@ std::string_view name_of(Rule rule);    // "remainder last (R4)"
 
 // Three significant digits are enough for a sentence: "0.0483".
 std::string short_number(double value);
+std::string fixed_number(double value, int decimals);  // "14.4"
 
 std::string plural(std::int64_t count, std::string_view one, std::string_view many);  // "3 stitches"
 std::string percent_text(double share);                                               // "18 %", "0.4 %"

@@ -91,6 +91,15 @@ std::optional<Closeness> measure_closeness(const Input& input, const State& stat
   std::optional<Closeness> closeness = measure_closeness(input, state);
   if (!closeness) return closeness;
   closeness->coverage = measure_coverage(input, state, stitch_width, stitch_height);
+  if (state.relaxed) {
+    State relaxed = state;
+    relaxed.fabric = state.fabric.moved_to(state.relaxed->relaxed.positions);
+    auto measured = measure_closeness(input, relaxed);
+    if (measured) {
+      measured->coverage = closeness->coverage;  // of the mesh, which it has left
+      closeness->relaxed = std::make_shared<const Closeness>(std::move(*measured));
+    }
+  }
   if (!state.placed) return closeness;
   if (auto placed = measure_closeness(input, placed_state(state), stitch_width, stitch_height))
     closeness->placed = std::make_shared<const Closeness>(std::move(*placed));

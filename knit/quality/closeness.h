@@ -25,13 +25,15 @@ struct Closeness {
   Distances knit_to_mesh, mesh_to_knit;  // the ends of the tube stay open, which mesh_to_knit shows
   double diagonal = 0.0;                 // of the mesh's bounding box
   double knit_area = 0.0, mesh_area = 0.0;
-  std::optional<Coverage> coverage;         // once all faces are there, and where a stitch's size was given
-  std::shared_ptr<const Closeness> placed;  // likewise: as stitches were placed. Null: nothing has settled
+  std::optional<Coverage> coverage;          // once all faces are there, and where a stitch's size was given
+  std::shared_ptr<const Closeness> placed;   // likewise: as stitches were placed. Null: nothing has settled
+  std::shared_ptr<const Closeness> relaxed;  // likewise: in the air. Null: it has not been relaxed
 };
 
 // Nothing while there are no faces. Takes about a second a million triangles; meant for a worker.
 std::optional<Closeness> measure_closeness(const Input& input, const State& state);
-// With the coverage, which takes about as long again; and all of it as placed, where stitches have settled.
+// With the coverage, which takes about as long again; and all of it as placed, where stitches have settled, and the
+// distances in the air, where the piece has been relaxed.
 std::optional<Closeness> measure_closeness(const Input& input, const State& state, double stitch_width,
                                            double stitch_height);
 

@@ -23,6 +23,8 @@ namespace knit {
 
 struct Extent {
   double height = 0.0, width = 0.0;
+  [[nodiscard]] auto fields() const { return std::tie(height, width); }
+  friend bool operator==(const Extent&, const Extent&) = default;
 };
 // Requires positions along the knitting path. `along`: the direction of knitting, of any length but zero.
 Extent extent_of(const Fabric& fabric, std::span<const glm::dvec3> at, const glm::dvec3& along);
@@ -31,12 +33,16 @@ Extent extent_of(const Fabric& fabric, std::span<const glm::dvec3> at, const glm
 struct RowShare {
   RowId row = 0;
   double share = 1.0;
+  [[nodiscard]] auto fields() const { return std::tie(row, share); }
+  friend bool operator==(const RowShare&, const RowShare&) = default;
 };
 // A tube whose line from its first row's middle to its last one's leans away from where it was placed.
 struct TurnedTube {
   TubeId tube = 0;
   RowId row = 0;  // its first
   double degrees = 0.0;
+  [[nodiscard]] auto fields() const { return std::tie(tube, row, degrees); }
+  friend bool operator==(const TurnedTube&, const TurnedTube&) = default;
 };
 
 struct KnittedFigures {
@@ -54,10 +60,23 @@ struct KnittedFigures {
   double volume_share = 1.0;                   // inside all faces, of what it was as placed
   glm::dvec3 extent_share{1.0};                // along x, y and z, of what it was as placed
   std::vector<std::array<RowId, 2>> touching;  // rows, each pair once, rising
+  [[nodiscard]] auto fields() const {
+    return std::tie(knitted, placed, sunk, out_of_round, out_of_round_median, least, greatest, stretched,
+                    turned, bend_placed, bend_knitted, volume_share, extent_share, touching);
+  }
+  friend bool operator==(const KnittedFigures&, const KnittedFigures&) = default;
 };
 inline constexpr double turned_from = 20.0;  // degrees
 
 KnittedFigures knitted_figures(const Fabric& fabric, const RelaxPlan& plan, const Relaxed& relaxed,
                                const glm::dvec3& along);
+
+// What the stage relax makes.
+struct KnittedPiece {
+  Relaxed relaxed;
+  KnittedFigures figures;
+  [[nodiscard]] auto fields() const { return std::tie(relaxed, figures); }
+  friend bool operator==(const KnittedPiece&, const KnittedPiece&) = default;
+};
 
 }  // namespace knit

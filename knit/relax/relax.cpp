@@ -19,7 +19,6 @@ namespace {
 constexpr double over = 1.2;     // L's stiffness, of the springs'
 constexpr double little = 1e-6;  // on L's diagonal
 constexpr double most_momentum = 0.9;
-constexpr std::int32_t contact_every = 40;
 constexpr double contact_near = 1.8, contact_rest = 1.0;      // in w
 constexpr int contact_apart = 5;                              // steps of fabric
 constexpr double next_to_nothing = 1e-3;                      // moved in an iteration, in w
@@ -131,7 +130,7 @@ class Iteration {
       m_.joined.emplace(plan_.net);
     }
     ++work_.iteration;
-    if ((work_.iteration - 1) % contact_every == 0) find_touching();
+    if (finds_touching(work_.iteration)) find_touching();
     if (!m_.factor || m_.touching != work_.touching.pointer()) make_factor();
     look_ahead();
     pull();
@@ -238,18 +237,19 @@ RelaxIteration advance_relaxing(const RelaxSettings& settings, RelaxWork& work, 
   std::unique_ptr<RelaxMemory> memory = work.memory.take();
   RelaxWork next = work;
   const RelaxIteration told = Iteration(next, heard, *memory).run();
+  next.last_move = told.greatest_move;
   next.done = next.still >= still_enough || next.iteration >= settings.most_iterations;
   work = std::move(next);
   if (!work.done) work.memory.give_back(std::move(memory));
   return told;
 }
 
-Relaxed finish_relaxing(const RelaxWork& work, const RelaxIteration& told) {
+Relaxed finish_relaxing(const RelaxWork& work) {
   const RelaxPlan& plan = *work.plan;
   Relaxed made;
   made.positions = laid_onto(work.places->at, plan.start);
   made.iterations = work.iteration;
-  made.last_move = told.greatest_move;
+  made.last_move = work.last_move;
   made.settled = work.still >= still_enough;
   for (const auto& [a, b] : *work.touching) {
     const glm::dvec3 way = work.places->at[a] - work.places->at[b];
@@ -263,12 +263,11 @@ Relaxed relax(const Fabric& fabric, const StitchSize& stitch, const RelaxSetting
               const Heard& heard) {
   RelaxWork work;
   begin_relaxing(fabric, stitch, settings, work, part_of(heard, 0.0, 0.1));
-  RelaxIteration told;
   while (!work.done) {
     hear(heard, 0.1 + 0.9 * static_cast<double>(work.iteration) / settings.most_iterations);
-    told = advance_relaxing(settings, work);
+    advance_relaxing(settings, work);
   }
-  return finish_relaxing(work, told);
+  return finish_relaxing(work);
 }
 
 }  // namespace knit

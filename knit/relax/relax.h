@@ -62,10 +62,14 @@ struct RelaxWork {
   std::int32_t iteration = 0;
   std::int32_t still = 0;         // iterations in a row in which next to nothing moved
   std::int32_t unsettled_at = 0;  // the last restart or new factor
+  double last_move = 0.0;         // in w, the greatest of the last iteration
   bool done = false;
   KeptMemory<RelaxMemory> memory;
   [[nodiscard]] auto fields() const {
-    return std::tie(plan, places, touching, t, momentum, iteration, still, unsettled_at, done);
+    return std::tie(plan, places, touching, t, momentum, iteration, still, unsettled_at, last_move, done);
+  }
+  [[nodiscard]] std::size_t copy_bytes() const {
+    return places ? 2 * places->at.size() * sizeof(glm::dvec3) : 0;
   }
   friend bool operator==(const RelaxWork&, const RelaxWork&) = default;
 };
@@ -87,6 +91,10 @@ void begin_relaxing(const Fabric& fabric, const StitchSize& stitch, const RelaxS
 // Requires a plan, and that it is not done.
 RelaxIteration advance_relaxing(const RelaxSettings& settings, RelaxWork& work, const Heard& heard = {});
 
+// Whether an iteration looks for pairs, and may factor anew.
+inline constexpr std::int32_t contact_every = 40;
+inline bool finds_touching(std::int32_t iteration) { return (iteration - 1) % contact_every == 0; }
+
 // Where all stitches come to lie, by number along the knitting path, turned and moved back as near to the start as can be.
 struct Relaxed {
   std::vector<glm::dvec3> positions;
@@ -98,8 +106,8 @@ struct Relaxed {
   friend bool operator==(const Relaxed&, const Relaxed&) = default;
 };
 
-// Requires that it is done. `told`: of the last iteration.
-Relaxed finish_relaxing(const RelaxWork& work, const RelaxIteration& told);
+// Requires that it is done.
+Relaxed finish_relaxing(const RelaxWork& work);
 
 // All of it at once.
 Relaxed relax(const Fabric& fabric, const StitchSize& stitch, const RelaxSettings& settings,

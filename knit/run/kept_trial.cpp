@@ -85,6 +85,7 @@ Parameters parameters_for(Parameters parameters, std::int32_t way) {
     parameters.short_rows.kept = kept[static_cast<std::size_t>(way)];
   }
   parameters.settle.settling = Settling::on;
+  parameters.relax.relaxing = Relaxing::off;
   return parameters;
 }
 

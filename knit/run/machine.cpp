@@ -5,6 +5,8 @@
 
 #include "knit/model/bug.h"
 #include "knit/model/settings_table.h"
+#include "knit/model/stitch_size.h"
+#include "knit/relax/relax_stage.h"
 #include "knit/rhythm/rhythm_plan.h"
 #include "knit/rhythm/segment_search.h"
 #include "knit/run/kept_trial.h"
@@ -322,6 +324,15 @@ Taken take_settling(const Input& input, const Parameters& parameters, State& sta
   return taken;
 }
 
+Taken take_relaxing(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
+  const glm::dvec3 along = knitting_direction(parameters.timing, input.mesh);
+  std::optional<KnittedPiece> piece;
+  Taken taken = advance_relax({state.fabric, parameters.stitch, along}, parameters.relax,
+                              std::get<RelaxWork>(state.work), piece, heard);
+  if (piece) state.relaxed = Shared(std::move(*piece));
+  return taken;
+}
+
 Taken take_line(State& state) {
   const RowId row = state.next.row;
   const LineAt at{row, size_of(state.fabric.row(row)), state.fabric.join_into(row), state.next.item > 0,
@@ -367,6 +378,8 @@ Taken take(const Input& input, const Parameters& parameters, State& state, const
       return take_strip(state);
     case Stage::settle:
       return take_settling(input, parameters, state, heard);
+    case Stage::relax:
+      return take_relaxing(input, parameters, state, heard);
     case Stage::pattern:
       return take_line(state);
     case Stage::import:
@@ -381,6 +394,12 @@ Taken take(const Input& input, const Parameters& parameters, State& state, const
 void begin(State& state, Stage stage, std::int32_t row, Work work) {
   state.work = std::move(work);
   state.next = {stage, row, 0};
+}
+
+// What comes once all stitches are where they stay on the mesh.
+void begin_in_the_air(const Parameters& parameters, State& state) {
+  if (parameters.relax.relaxing == Relaxing::on) return begin(state, Stage::relax, 0, RelaxWork{});
+  begin(state, Stage::pattern, 1, PatternWork{});
 }
 
 RowId first_worked(const State& state) { return std::max(state.fabric.next_worked(0), 2); }
@@ -413,8 +432,10 @@ void begin_next_stage(const Parameters& parameters, State& state) {
     case Stage::faces:
       if (settling_as_chosen(parameters.settle.settling, state) == Settling::on)
         return begin(state, Stage::settle, 0, SettleWork{});
-      return begin(state, Stage::pattern, 1, PatternWork{});
+      return begin_in_the_air(parameters, state);
     case Stage::settle:
+      return begin_in_the_air(parameters, state);
+    case Stage::relax:
       return begin(state, Stage::pattern, 1, PatternWork{});
     case Stage::pattern:
     case Stage::import:
@@ -456,7 +477,8 @@ Step advance(const Input& input, const Parameters& parameters, State& state, con
 namespace {
 
 constexpr std::size_t many_triangles = 20000;
-constexpr std::size_t many_settled = 50;  // stitches: all iterations together take some milliseconds
+constexpr std::size_t many_settled = 50;    // stitches: all iterations together take some milliseconds
+constexpr std::size_t many_relaxed = 8000;  // stitches: one iteration takes some milliseconds
 // Microseconds.
 constexpr double of_a_triangle = 1.0, of_a_stitch = 2.0;
 constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0;
@@ -465,6 +487,7 @@ constexpr double part_of_a_frame = 2000.0, a_frame = 16000.0, a_blink = 100000.0
 
 bool step_sweeps(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return true;
+  if (const auto* relax = std::get_if<RelaxWork>(&state.work)) return relaxing_sweeps(*relax);
   const ShortRowsDue due = short_rows_due(parameters, state);
   if (due == ShortRowsDue::choice || (due == ShortRowsDue::plan && !state.short_rows.planning)) return true;
   if (const auto* tubes = std::get_if<TubesWork>(&state.work)) return next_sweeps_surface(*tubes);
@@ -490,6 +513,10 @@ bool plans_long(const Input& input, const Parameters& parameters, const State& s
 
 bool step_is_long(const Input& input, const Parameters& parameters, const State& state) {
   if (std::holds_alternative<SettleWork>(state.work)) return state.fabric.stitch_count() >= many_settled;
+  if (const auto* relax = std::get_if<RelaxWork>(&state.work)) {
+    const std::size_t stitches = state.fabric.stitch_count();
+    return stitches >= many_relaxed || (next_factors(*relax) && stitches >= many_relaxed / 8);
+  }
   if (short_rows_due(parameters, state) == ShortRowsDue::choice) return true;
   const auto* tubes = std::get_if<TubesWork>(&state.work);
   if (tubes != nullptr && tubes->phase == TubesPhase::plan && !tubes->plan &&
@@ -522,6 +549,18 @@ Parameters as_chosen(Parameters parameters, const State& state) {
 
 Fabric placed_fabric(const State& state) {
   return state.placed ? state.fabric.moved_to(*state.placed) : state.fabric;
+}
+
+std::shared_ptr<const std::vector<glm::dvec3>> relaxed_places(const State& state) {
+  using Aliased = std::shared_ptr<const std::vector<glm::dvec3>>;
+  if (state.relaxed) {
+    const auto piece = state.relaxed.pointer();
+    return Aliased(piece, &piece->relaxed.positions);
+  }
+  const auto* work = std::get_if<RelaxWork>(&state.work);
+  if (work == nullptr || !work->places) return nullptr;
+  const auto places = work->places.pointer();
+  return Aliased(places, &places->at);
 }
 
 const Join* planned_join(const State& state, RowId into) {

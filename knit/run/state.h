@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <variant>
@@ -12,6 +13,8 @@
 #include "knit/fabric/fabric.h"
 #include "knit/model/products.h"
 #include "knit/model/stage.h"
+#include "knit/relax/knitted.h"
+#include "knit/relax/relax.h"
 #include "knit/rhythm/tube_rhythm.h"
 #include "knit/rows/cast_on_stage.h"
 #include "knit/rows/contour_stage.h"
@@ -64,7 +67,7 @@ struct Finished {
 };
 
 using Work = std::variant<TimingWork, TubesWork, CastOnWork, RowWork, ContourWork, IndexWork, FacesWork,
-                          SettleWork, PatternWork, Finished>;
+                          SettleWork, RelaxWork, PatternWork, Finished>;
 
 struct State {
   Place next{Stage::timing, 0, 0};  // the place of the step to come
@@ -78,6 +81,8 @@ struct State {
   Fabric fabric;
   // Where stitches were placed, along the path, once they settle; the fabric has them where they settled to.
   Shared<std::vector<glm::dvec3>> placed;
+  // What comes off the needles, once it has come to rest in the air; the fabric stays on the mesh.
+  Shared<KnittedPiece> relaxed;
   std::vector<Shared<CountedLine>> lines;
   Work work;
 
@@ -85,7 +90,7 @@ struct State {
   [[nodiscard]] bool finished() const { return std::holds_alternative<Finished>(work); }
   [[nodiscard]] auto fields() const {
     return std::tie(next.stage, next.row, next.item, timing, rows_from, graph, tubes, rhythms, short_rows,
-                    last_level, fabric, lines, work);
+                    last_level, fabric, relaxed, lines, work);
   }
   friend bool operator==(const State&, const State&) = default;
 };
@@ -94,6 +99,9 @@ inline std::uint64_t hash_of(const State& state) { return content_hash_of(state)
 
 // The fabric as its stitches were placed, whether they have settled or not.
 Fabric placed_fabric(const State& state);
+
+// Where its stitches lie in the air, along the path, as far as they have come; null before the stage relax.
+std::shared_ptr<const std::vector<glm::dvec3>> relaxed_places(const State& state);
 
 // Finished or in progress; null until it is planned.
 const Join* planned_join(const State& state, RowId into);

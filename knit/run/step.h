@@ -11,6 +11,7 @@
 
 #include "knit/model/stage.h"
 #include "knit/model/stopped.h"
+#include "knit/relax/relax_events.h"
 #include "knit/rows/cast_on_events.h"
 #include "knit/rows/choice.h"
 #include "knit/rows/contour_events.h"
@@ -25,8 +26,9 @@
 
 namespace knit {
 
-using Event = std::variant<TimingEvent, ChoiceEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent,
-                           ShortRowEvent, IndexEvent, FacesEvent, SettleEvent, PatternEvent, Stopped>;
+using Event =
+    std::variant<TimingEvent, ChoiceEvent, TubesEvent, CastOnEvent, RingEvent, ContourEvent, ShortRowEvent,
+                 IndexEvent, FacesEvent, SettleEvent, RelaxEvent, PatternEvent, Stopped>;
 
 struct Step {
   Place place;

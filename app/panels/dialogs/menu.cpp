@@ -276,6 +276,10 @@ void draw_view_menu(PanelFrame& frame) {
   if (check_item(frame, "Stitches as placed", nullptr, placed))
     frame.wish(SetPositions{placed ? Positions::settled : Positions::placed});
   tooltip(frame, "Stitches that have settled are shown, measured and saved where they were placed.");
+  const bool relaxed = frame.session.view->positions == Positions::relaxed;
+  if (check_item(frame, "Stitches in the air", nullptr, relaxed))
+    frame.wish(SetPositions{relaxed ? Positions::settled : Positions::relaxed});
+  tooltip(frame, "A piece that has been relaxed is shown, measured and saved as it comes off the needles.");
   ImGui::Separator();
   command_item(frame, Command::frame_all);
   command_item(frame, Command::side);

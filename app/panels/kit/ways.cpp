@@ -12,8 +12,8 @@ std::int32_t current_row(const PanelFrame& frame) {
 void wish_row(PanelFrame& frame, std::int32_t number) {
   const knit::Stage at = frame.timeline()->state().stage();
   const knit::Stage stage = at == knit::Stage::done ? knit::Stage::pattern : at;
-  const bool by_rows =
-      stage >= knit::Stage::rows && stage <= knit::Stage::pattern && stage != knit::Stage::settle;
+  const bool by_rows = stage >= knit::Stage::rows && stage <= knit::Stage::pattern &&
+                       stage != knit::Stage::settle && stage != knit::Stage::relax;
   frame.wish(SeekPlace{{by_rows && number > 1 ? stage : knit::Stage::rows, number, INT32_MAX}});
 }
 

@@ -21,8 +21,8 @@ CardCache::Key CardCache::key_of(const knit::Timeline& timeline) {
   add(state.fabric.joins());
   add(state.fabric.strips());
   const knit::Parameters& parameters = timeline.parameters();
-  return {timeline.input_pointer(), parameters.stitch.width, parameters.stitch.height,
-          static_cast<bool>(state.placed), products.value()};
+  return {timeline.input_pointer(),        parameters.stitch.width,      parameters.stitch.height,
+          static_cast<bool>(state.placed), state.relaxed.content_hash(), products.value()};
 }
 
 void CardCache::refresh(const knit::Timeline& timeline) {
@@ -46,6 +46,12 @@ void CardCache::measure(const knit::Timeline& timeline) {
   quality_ =
       both_ ? both_->settled
             : knit::measure_quality(timeline.input(), timeline.state(), measured_.width, measured_.height);
+  relaxed_.reset();
+  if (const knit::State& state = timeline.state(); state.relaxed) {
+    knit::State in_the_air = state;
+    in_the_air.fabric = state.fabric.moved_to(state.relaxed->relaxed.positions);
+    relaxed_ = knit::measure_quality(timeline.input(), in_the_air, measured_.width, measured_.height);
+  }
   owed_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   ++times_measured_;
 }

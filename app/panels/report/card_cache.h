@@ -26,6 +26,8 @@ class CardCache {
   [[nodiscard]] const knit::Quality* quality() const { return quality_ ? &*quality_ : nullptr; }
   // Of where they were placed, too; null while nothing has settled.
   [[nodiscard]] const SettledFigures* both() const { return quality_ && both_ ? &*both_ : nullptr; }
+  // Of where they come to lie in the air; null before the piece has been relaxed.
+  [[nodiscard]] const knit::Quality* relaxed() const { return quality_ && relaxed_ ? &*relaxed_ : nullptr; }
   [[nodiscard]] std::size_t times_measured() const { return times_measured_; }
 
  private:
@@ -33,6 +35,7 @@ class CardCache {
     std::shared_ptr<const knit::Input> input;
     double width = 0.0, height = 0.0;
     bool settled = false;        // or settling
+    std::uint64_t relaxed = 0;   // its content
     std::uint64_t products = 0;  // what is finished of the run, by content: replayed steps make new pointers
     friend bool operator==(const Key&, const Key&) = default;
   };
@@ -42,6 +45,7 @@ class CardCache {
   double budget_ms_ = 2.0;  // what measuring may take a frame
   std::optional<knit::Quality> quality_;
   std::optional<SettledFigures> both_;
+  std::optional<knit::Quality> relaxed_;
   Key measured_, seen_;   // of quality_; of the last frame
   double owed_ms_ = 0.0;  // of the last measuring, not yet paid off by frames
   std::size_t times_measured_ = 0;

@@ -175,19 +175,31 @@ void draw_singles(PanelFrame& frame, const std::vector<CardLine>& lines, const G
   }
 }
 
-// Once stitches have settled: which of their two positions figures, plots, view and what is saved are of.
+// Once stitches have settled or relaxed: which of their positions figures, plots, view and what is saved are of.
 void draw_positions_switch(PanelFrame& frame) {
-  constexpr std::array<std::string_view, 2> names{"as settled", "as placed"};
+  struct Way {
+    Positions positions;
+    std::string_view name;
+  };
+  std::vector<Way> ways{{Positions::settled, "as settled"}};
+  if (has_settled(frame.session)) ways.push_back({Positions::placed, "as placed"});
+  if (has_relaxed(frame.session)) ways.push_back({Positions::relaxed, "in the air"});
+  std::vector<std::string_view> names;
+  int shown = 0;
+  for (const Way& way : ways) {
+    if (way.positions == positions_shown(frame.session)) shown = static_cast<int>(names.size());
+    names.push_back(way.name);
+  }
   ImGui::BeginGroup();
-  const int clicked = segmented("positions", names, static_cast<int>(frame.session.view->positions),
-                                ImGui::GetContentRegionAvail().x);
+  const int clicked = segmented("positions", names, shown, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  if (clicked >= 0) frame.wish(SetPositions{static_cast<Positions>(clicked)});
+  if (clicked >= 0) frame.wish(SetPositions{ways[static_cast<std::size_t>(clicked)].positions});
   frame.mark("positions");
-  tooltip(
-      frame,
-      "Where stitches are shown: where they are at ease, or where rows were placed. Figures, plots, the view "
-      "and what is saved follow; the pattern has the same words at both.");
+  tooltip(frame,
+          "Where stitches are shown: where they are at ease on the mesh, where rows were placed, or where "
+          "they lie off "
+          "the needles. Figures, plots, the view "
+          "and what is saved follow; the pattern has the same words at both.");
 }
 
 void draw_figures(PanelFrame& frame, const knit::Quality* quality) {
@@ -457,8 +469,9 @@ void draw_plots(PanelFrame& frame, const knit::Quality& quality) {
 const knit::Quality* shown_quality(const PanelFrame& frame) {
   if (frame.timeline() == nullptr) return nullptr;
   const CardCache& cache = frame.own<CardCache>();
-  const bool placed = frame.session.view->positions == Positions::placed && cache.both() != nullptr;
-  return placed ? &cache.both()->placed : cache.quality();
+  const Positions shown = positions_shown(frame.session);
+  if (shown == Positions::relaxed && cache.relaxed() != nullptr) return cache.relaxed();
+  return shown == Positions::placed && cache.both() != nullptr ? &cache.both()->placed : cache.quality();
 }
 
 }  // namespace
@@ -467,7 +480,7 @@ template <>
 void draw_side<SidePanel::report>(PanelFrame& frame) {
   if (frame.timeline() != nullptr) frame.own<CardCache>().refresh(*frame.timeline());
   const knit::Quality* quality = shown_quality(frame);
-  if (has_settled(frame.session)) draw_positions_switch(frame);
+  if (has_settled(frame.session) || has_relaxed(frame.session)) draw_positions_switch(frame);
   draw_figures(frame, quality);
   draw_tubes(frame, quality);
   const knit::Quality none;

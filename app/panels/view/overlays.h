@@ -16,7 +16,7 @@ void draw_stop_card(PanelFrame& frame);
 void draw_rescue(PanelFrame& frame);
 // What would make a mesh fit that is not.
 void draw_repair_offer(PanelFrame& frame);
-// Whether stitches are shown as placed or as settled, where there are both.
+// Whether stitches are shown as placed, as settled or in the air, where there are several.
 void draw_positions(PanelFrame& frame);
 // What the colours say, in the lower right corner: the time's ramp, or the labels once there are any. Inside the
 // view's window.

@@ -1,4 +1,4 @@
-// Where stitches that have settled are shown: a switch at the right of the view, while it matters.
+// Where stitches that have settled or relaxed are shown: a switch at the right of the view, while it matters.
 #include <algorithm>
 #include <array>
 
@@ -21,15 +21,23 @@ struct PositionsChoice {
 constexpr std::array positions_choices{
     PositionsChoice{Positions::placed, "As placed", "Each stitch where its row was placed, on a level set."},
     PositionsChoice{Positions::settled, "As settled",
-                    "Each stitch where it is at ease, as far as it has settled."}};
+                    "Each stitch where it is at ease on the mesh, as far as it has settled."},
+    PositionsChoice{Positions::relaxed, "In the air",
+                    "Each stitch where it comes to lie off the needles, as far as it has relaxed."}};
+
+bool is_there(const PanelFrame& frame, Positions positions) {
+  if (positions == Positions::placed) return has_settled(frame.session);
+  return positions == Positions::settled || has_relaxed(frame.session);
+}
 
 }  // namespace
 
 // Never hidden where another than the usual is shown.
 void draw_positions(PanelFrame& frame) {
-  const bool placed = frame.session.view->positions == Positions::placed;
-  if (!has_settled(frame.session)) return;
-  if (!placed && !stretch_shown(frame.session) && !moves_shown(frame.session)) return;
+  const bool settled = positions_shown(frame.session) == Positions::settled;
+  const bool relaxed = has_relaxed(frame.session);
+  if (!has_settled(frame.session) && !relaxed) return;
+  if (settled && !relaxed && !stretch_shown(frame.session) && !moves_shown(frame.session)) return;
   const Box& view = frame.layout.view;
   float bottom = view.bottom() - frame.units(above_legend);
   const auto legend = frame.memory.controls.find("legend-box");
@@ -44,7 +52,8 @@ void draw_positions(PanelFrame& frame) {
   pop_raised_look();
   faint_text("Stitches");
   for (const PositionsChoice& choice : positions_choices) {
-    const bool on = frame.session.view->positions == choice.positions;
+    if (!is_there(frame, choice.positions)) continue;
+    const bool on = positions_shown(frame.session) == choice.positions;
     if (ImGui::RadioButton(choice.words, on) && !on) frame.wish(SetPositions{choice.positions});
     frame.mark("positions/" + std::string(positions_keys.at(static_cast<std::size_t>(choice.positions))));
     tooltip(frame, choice.about);

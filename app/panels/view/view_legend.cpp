@@ -97,7 +97,7 @@ void draw_labels(PanelFrame& frame) {
 }
 
 // How long edges are, beside what they should be; the same colours as in the view.
-void draw_stretch_ramp(PanelFrame& frame) {
+void draw_stretch_ramp(PanelFrame& frame, double full) {
   constexpr int parts = 24;
   const Box& view = frame.layout.view;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -112,20 +112,22 @@ void draw_stretch_ramp(PanelFrame& frame) {
               {low.x - edge, top - edge, width + 2.0f * edge, low.y + height + line - top + 2.0f * edge});
   text_at(ImVec2(low.x, top), 0.0f, theme().text, "Length of an edge");
   text_at(ImVec2(low.x, top + line), 0.0f, theme().faint_text, "wale in h, course in w");
-  const auto stretch_at = [](float share) {
-    return std::pow(full_stretch, 2.0 * static_cast<double>(share) - 1.0);
+  const auto stretch_at = [full](float share) {
+    return std::pow(full, 2.0 * static_cast<double>(share) - 1.0);
   };
   for (int i = 0; i < parts; ++i) {
     const float from = low.x + width * static_cast<float>(i) / parts;
     const float to = low.x + width * static_cast<float>(i + 1) / parts;
-    const Colour colour = stretch_colour(theme(), stretch_at((static_cast<float>(i) + 0.5f) / parts));
+    const Colour colour = stretch_colour(theme(), stretch_at((static_cast<float>(i) + 0.5f) / parts), full);
     list.AddRectFilled(ImVec2(from, low.y), ImVec2(to, low.y + height), style::packed(colour));
   }
   struct Tick {
     const char* words;
     float share;
   };
-  for (const Tick& tick : {Tick{"2/3", 0.0f}, Tick{"1", 0.5f}, Tick{"3/2", 1.0f}}) {
+  const bool narrow = full < full_stretch;
+  for (const Tick& tick : {Tick{narrow ? "0.87" : "2/3", 0.0f}, Tick{"1", 0.5f},
+                           Tick{narrow ? "1.15" : "3/2", 1.0f}}) {
     const float wide = ImGui::CalcTextSize(tick.words).x;
     text_at(ImVec2(low.x + tick.share * (width - wide), low.y + height + frame.units(1.0f)), 0.0f,
             theme().faint_text, tick.words);
@@ -153,7 +155,7 @@ void draw_view_legend(PanelFrame& frame) {
   draw_coarse_note(frame);
   const knit::Timeline* timeline = frame.timeline();
   if (timeline == nullptr || frame.session.view->gaze.knit_along) return;
-  if (stretch_shown(frame.session)) return draw_stretch_ramp(frame);
+  if (const auto scale = stretch_shown(frame.session)) return draw_stretch_ramp(frame, scale->full);
   const bool labelled = !timeline->state().fabric.joins().empty();
   const bool seen = frame.session.view->shows(Layer::faces) || frame.session.view->shows(Layer::stitches);
   if (labelled && seen) return draw_labels(frame);

@@ -1,0 +1,17 @@
+// What a maker must be told of a piece as it comes off the needles [knit/relax/knitted.h], each with the row to look at.
+#pragma once
+
+#include <vector>
+
+#include "knit/insight/problems.h"
+#include "knit/relax/knitted.h"
+
+namespace knit {
+
+// "Knitted and stuffed, this comes out 14.4 cm high and 10.5 cm wide".
+std::string comes_out_text(const KnittedFigures& figures, const Parameters& parameters);
+
+// Where size, ends, rounds, lengths, bends or limbs are off; sheets that touch; a piece that did not come to rest. All of it first.
+std::vector<Remark> remarks_on(const Fabric& fabric, const KnittedPiece& piece, const Parameters& parameters);
+
+}  // namespace knit
