@@ -90,7 +90,7 @@ TEST_CASE("stretch is drawn while stitches settle, over plain faces, and afterwa
 
 TEST_CASE("stretch of an edge is by what it should measure, and a stretched one is wider") {
   std::vector<Line> lines{{{0, 0, 0}, {2, 0, 0}, {}}, {{0, 0, 0}, {0, 4, 0}, {}}, {{0, 0, 0}, {0, 0, 1}, {}}};
-  colour_by_stretch(dark_theme, 2.0, lines);
+  colour_by_stretch(dark_theme, 2.0, full_stretch, lines);
   CHECK(lines[0].colour == dark_theme.stretch_even);
   CHECK(lines[1].colour == dark_theme.stretch_long);
   CHECK(lines[2].colour == dark_theme.stretch_short);

@@ -38,7 +38,7 @@ TEST_CASE("places rise from step to step, and every stage is met in order") {
     if (i > 0) CHECK(timeline.step(i - 1).place < timeline.step(i).place);
     stages.insert(timeline.step(i).place.stage);
   }
-  CHECK(stages.size() + 2 == machine_stages.size());  // rings make no tubes
+  CHECK(stages.size() + 3 == machine_stages.size());  // rings make no tubes, and stay on the mesh
 }
 
 TEST_CASE("every kind of step is met, and each has a sentence, a name and numbers") {
@@ -64,8 +64,10 @@ TEST_CASE("every kind of step is met, and each has a sentence, a name and number
   contours.rows.source = RowSource::contours;
   contours.stitches.placement = PlacementPolicy::nearest;
   contours.settle.settling = Settling::on;
+  contours.relax.relaxing = Relaxing::on;
   collect(run(small_sphere(), contours), contours);
   contours.settle.settling = Settling::off;
+  contours.relax.relaxing = Relaxing::off;
   Parameters rhythm = contours;
   rhythm.rhythm.counts = CountPlanning::rhythm;
   collect(run(small_sphere(), rhythm), rhythm);

@@ -101,6 +101,17 @@ TEST_CASE("with contours all that makes stitches is read where tubes get their o
     p = base;
     p.settle.settling = Settling::on;
     CHECK(first_reader_of_change(base, p) == Stage::faces);
+    p = base;
+    p.relax.stuffing = stuffing_firm;
+    CHECK(first_reader_of_change(base, p) == Stage::done);  // nobody stuffs it
+    p.relax.relaxing = Relaxing::on;
+    CHECK(first_reader_of_change(base, p) == Stage::faces);
+    Parameters firm = p, settled = base;
+    firm.relax.stuffing = stuffing_hard;
+    CHECK(first_reader_of_change(p, firm) == Stage::relax);
+    settled.settle.settling = Settling::on;
+    p.settle.settling = Settling::on;
+    CHECK(first_reader_of_change(settled, p) == Stage::settle);
   }
   // Only `nearest` reads it, and so does nothing here.
   Parameters base;
@@ -292,7 +303,8 @@ TEST_CASE("what nothing reads is known: the rings' knobs with contours, those of
         const bool of_short_rows = info.key.substr(0, 5) == "turn-" ||
                                    info.key.substr(0, 10) == "short-row-" || info.key == "short-rows-kept" ||
                                    (info.key == "short-rows" && rows == RowSource::rings);
-        const bool idle = of_settling || of_short_rows || info.key.substr(0, 7) == "rhythm-" ||
+        const bool of_relaxing = info.key == "stuffing" || info.key == "relax-iterations";  // likewise
+        const bool idle = of_settling || of_relaxing || of_short_rows || info.key.substr(0, 7) == "rhythm-" ||
                           (among(of_rings, info.key) && rows == RowSource::contours) ||
                           (among(of_contours, info.key) && rows == RowSource::rings) ||
                           (among(of_nearest, info.key) && placement != PlacementPolicy::nearest &&

@@ -103,6 +103,7 @@ std::vector<Session> all_ways() {
   add([](Parameters& p) {
     p.rows.source = knit::RowSource::contours, p.settle.settling = knit::Settling::on;
   });
+  add([](Parameters& p) { p.relax.relaxing = knit::Relaxing::on; });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, p.rows.cast_on = 4; });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 0.7); });
   add([](Parameters& p) { p.rows.source = knit::RowSource::contours, knit::give_height(p, 1e-7); });

@@ -216,6 +216,12 @@ constexpr std::array terms{
          "The skeleton of a shape: each loop of the level sets shrunk to a point. It forks where a level set "
          "parts.",
          "Morse function, saddle", "the thesis, 2.4"},
+    Term{"relax", "relaxing, in the air",
+         "To take the piece off the needles, before it is knitted: its stitches leave the mesh, are pulled "
+         "by their "
+         "neighbours and pushed by stuffing, until they come to rest. That is its size and shape as it will "
+         "be.",
+         "settle, stitch, stage", "docs/algorithm.md, Relaxing"},
     Term{"resampling", "resample, resampled",
          "To spread a row evenly along its ring with another number of stitches, because the number that was "
          "picked could "

@@ -130,9 +130,9 @@ void declare_looking(CLI::App& app, Words& words) {
   app.add_option("--row-columns", words.row_columns,
                  "what the list of rows says of each, as A,B: " + one_of(row_column_keys) + "; or none");
   app.add_option("--centre", words.centre, "what the centre shows: view, chart, or chart:B, of a piece");
-  app.add_option(
-      "--positions", words.positions,
-      "where stitches that have settled are shown, measured and written: " + one_of(positions_keys));
+  app.add_option("--positions", words.positions,
+                 "where stitches that have settled or relaxed are shown, measured and written: " +
+                     one_of(positions_keys));
   app.add_flag("--present", words.presenting,
                "for a class: the view, the step's sentence in large words, a thin timeline");
   app.add_option("--beside", words.beside,
