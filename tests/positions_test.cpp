@@ -213,7 +213,7 @@ TEST_CASE("positions: a script chooses, a session keeps, and a link says them") 
   old.erase("positions");
   CHECK(std::get<SavedSession>(read_saved(old.dump())).positions == Positions::settled);
   const auto wrong = parse_command_line({"--positions", "both"}, KNIT_ASSETS_DIR);
-  CHECK(std::get<Answer>(wrong).error == "--positions cannot be \"both\"; give settled or placed.");
+  CHECK(std::get<Answer>(wrong).error == "--positions cannot be \"both\"; give settled, placed or relaxed.");
 }
 
 TEST_CASE("positions: presets of contours settle, the thesis's and its sphere do not") {
