@@ -223,6 +223,13 @@ TEST_CASE("relax stage: the piece in the air is shown and saved and reported as 
   CHECK(report["positions"] == "relaxed");
   CHECK(report["knitted"]["iterations"] == timeline.state().relaxed->relaxed.iterations);
   CHECK(report["wale"]["max"] != nullptr);
+  const std::vector<std::string> notes = app::pattern_notes(timeline, nullptr);
+  CHECK(std::count_if(notes.begin(), notes.end(), [](const std::string& note) {
+          return note.starts_with("Knitted and stuffed, about ");
+        }) == 1);
+  CHECK(std::none_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.starts_with("Not as asked: Knitted and stuffed");
+  }));
   // Before the stage there is nothing in the air.
   apply(session, app::SeekPlace{{Stage::faces, 4, 0}});
   CHECK(app::positions_shown(session) == app::Positions::settled);

@@ -113,7 +113,16 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
   std::vector<std::string> notes = pieces != nullptr
                                        ? rhythm_notes(state, *pieces)
                                        : rhythm_sentences_of(state, timeline.parameters().stitch.gauge);
-  std::vector<std::string> not_as_asked = notes_of(remarks_of(timeline, coverage));
+  std::vector<knit::Remark> remarks = remarks_of(timeline, coverage);
+  if (state.relaxed) {
+    notes.push_back(
+        knit::about_size_text(state.relaxed->figures, knit::as_chosen(timeline.parameters_of_stop(), state)));
+    // Said already.
+    std::erase_if(remarks, [](const knit::Remark& remark) {
+      return remark.kind == knit::RemarkKind::knitted && remark.words.starts_with("Knitted");
+    });
+  }
+  std::vector<std::string> not_as_asked = notes_of(remarks);
   std::move(not_as_asked.begin(), not_as_asked.end(), std::back_inserter(notes));
   return notes;
 }

@@ -20,7 +20,7 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
 
 // For the pattern's notes: the first of each kind.
 std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks);
-// All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked. Of a pattern in pieces
+// All that the pattern's notes say of how the run came out: its rhythm, the size as it comes off the needles, then what is not as asked. Of a pattern in pieces
 // (`pieces`) each rhythm in one sentence, with all pieces that have it: "Rhythm of Limb A and Limb B: ..."
 std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage,
                                        const PlannedPieces* pieces = nullptr);

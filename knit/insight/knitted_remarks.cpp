@@ -118,6 +118,15 @@ std::string comes_out_text(const KnittedFigures& figures, const Parameters& para
          fixed_number(figures.knitted.width * cm, 1) + " cm wide";
 }
 
+std::string about_size_text(const KnittedFigures& figures, const Parameters& parameters) {
+  const auto about = [&](double length) {
+    const double cm = length * parameters.stitch.centimetres_per_unit, step = cm < 5.0 ? 0.1 : 0.5;
+    return short_number(std::round(cm / step) * step) + " cm";
+  };
+  return std::string(parameters.relax.stuffing > 0.0 ? "Knitted and stuffed" : "Knitted") + ", about " +
+         about(figures.knitted.height) + " high and " + about(figures.knitted.width) + " wide.";
+}
+
 std::vector<Remark> remarks_on(const Fabric& fabric, const KnittedPiece& piece,
                                const Parameters& parameters) {
   return KnittedTold(fabric, piece, parameters).told();

@@ -181,7 +181,7 @@ void draw_positions_switch(PanelFrame& frame) {
     Positions positions;
     std::string_view name;
   };
-  std::vector<Way> ways{{Positions::settled, "as settled"}};
+  std::vector<Way> ways{{Positions::settled, has_settled(frame.session) ? "as settled" : "on the mesh"}};
   if (has_settled(frame.session)) ways.push_back({Positions::placed, "as placed"});
   if (has_relaxed(frame.session)) ways.push_back({Positions::relaxed, "in the air"});
   std::vector<std::string_view> names;

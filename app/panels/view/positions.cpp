@@ -54,7 +54,9 @@ void draw_positions(PanelFrame& frame) {
   for (const PositionsChoice& choice : positions_choices) {
     if (!is_there(frame, choice.positions)) continue;
     const bool on = positions_shown(frame.session) == choice.positions;
-    if (ImGui::RadioButton(choice.words, on) && !on) frame.wish(SetPositions{choice.positions});
+    const bool settled_here = choice.positions != Positions::settled || has_settled(frame.session);
+    if (ImGui::RadioButton(settled_here ? choice.words : "On the mesh", on) && !on)
+      frame.wish(SetPositions{choice.positions});
     frame.mark("positions/" + std::string(positions_keys.at(static_cast<std::size_t>(choice.positions))));
     tooltip(frame, choice.about);
   }
