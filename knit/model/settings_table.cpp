@@ -336,8 +336,8 @@ constexpr std::array table{
         "Relaxing", Stage::relax,
         Number{field<&Settings::relax, &RelaxSettings::stuffing>(), 0.0, 0.5, Zero::allowed, stuffing_names},
         is_relaxed},
-    ParameterInfo{"relax-iterations", "Iterations", "", "After how many iterations it ends at the latest.",
-                  "Relaxing", Stage::relax,
+    ParameterInfo{"relax-iterations", "Most iterations", "",
+                  "After how many iterations it ends at the latest.", "Relaxing", Stage::relax,
                   Count{field<&Settings::relax, &RelaxSettings::most_iterations>(), 1, 10000}, is_relaxed},
     ParameterInfo{
         "graft", "Seams by", "",

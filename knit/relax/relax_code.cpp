@@ -52,7 +52,7 @@ constexpr std::array lines{
     CodeLine{"  if it went uphill: no momentum",
              {},
              &var::restarted,
-             "It begins anew from where it is.",
+             "It starts again from where it is.",
              source,
              [](const AnyEvent& event) {
                const auto* relaxed = event.get_if<StitchesRelaxed>();

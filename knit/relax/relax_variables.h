@@ -21,7 +21,7 @@ inline constexpr CodeVariable touching{"touching", "pairs",
                                        "How many pairs of stitches keep each other from passing through."};
 inline constexpr CodeVariable volume{"volume", "V", "The room inside, in cubic mesh units."};
 inline constexpr CodeVariable restarted{"restarted", "restart",
-                                        "Whether the momentum led uphill, so that it begins anew."};
+                                        "Whether the momentum led uphill, so that it starts again."};
 inline constexpr CodeVariable relax_move{"relax_move", "move",
                                          "How far the stitch moved that moved most, in w."};
 inline constexpr CodeVariable knitted_height{"knitted_height", "height", "How high it comes out."};

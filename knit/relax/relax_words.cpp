@@ -32,7 +32,7 @@ std::string StitchesRelaxed::sentence(const Telling& /*at*/) const {
                       short_number(double{greatest_move}) + " w; it holds " + short_number(volume) +
                       " cubic units.";
   if (touching > 0) words += " " + plural(touching, "pair is", "pairs are") + " kept apart.";
-  if (restarted) words += " Its momentum led uphill and begins anew.";
+  if (restarted) words += " Its momentum led uphill and starts again.";
   return last ? words + " Relaxing ends." : words;
 }
 StepFields StitchesRelaxed::numbers() const {
