@@ -9,6 +9,7 @@
 #include "knit/model/ties.h"
 #include "knit/rows/contour.h"
 #include "knit/short_rows/arcs.h"
+#include "knit/short_rows/chart_mirror.h"
 #include "knit/short_rows/placing.h"
 #include "tests/support/bent_tubes.h"
 #include "tests/support/catch.h"
@@ -36,7 +37,8 @@ PairPlans place_evenly(const Planned& planned, double width, double beginning) {
       if (arc.gap == gap) arcs.push_back(arc);
     const Ring ring = ring_at(planned.chart, planned.rounds.levels[static_cast<std::size_t>(gap)], beginning);
     const auto count = static_cast<std::size_t>(std::max(3.0, rounded(ring.length / width)));
-    RoundBelow round{{}, std::vector<std::uint8_t>(count, 1), planned.chart.columns};
+    RoundBelow round{
+        {}, std::vector<std::uint8_t>(count, 1), planned.chart.columns, planned.chart.mirror.has_value()};
     for (std::size_t i = 0; i < count; ++i) {
       const double arc = ring.length * static_cast<double>(i) / static_cast<double>(count);
       round.columns.push_back(column_of(planned.chart, ring, beginning, arc));
@@ -52,7 +54,7 @@ Planned plan_part(const TubePart& part, double width, double height) {
   Planned planned{std::get<TubeChart>(chart), {}, {}, {}};
   planned.rounds = full_rounds(planned.chart, height);
   planned.search = choose_arcs(planned.chart, planned.rounds, width, {});
-  planned.plans = place_evenly(planned, width, middle_of_arcs(planned.search));
+  planned.plans = place_evenly(planned, width, middle_of_arcs(planned.search, planned.chart.mirror));
   return planned;
 }
 
@@ -208,6 +210,76 @@ TEST_CASE("short rows: a mirrored shape has the mirrored arcs and stitches") {
     CHECK(sorted(one.plans, false).size() > 5);
     CHECK(one.plans.pairs.size() == other.plans.pairs.size());
   }
+}
+
+TEST_CASE("short rows: whether a tube is its own mirror image is told by its chart") {
+  for (const BentTube& tube : {half_ring(), heel(), oblique_cone(), slanted_cylinder()}) {
+    const Planned planned = plan(tube);
+    CAPTURE(tube.name);
+    REQUIRE(planned.chart.mirror);
+    const std::int32_t mirror = *planned.chart.mirror;
+    CHECK(std::min(mirror, 256 - mirror) <= 3);  // turn 0 is on it
+    for (const PairArc& arc : planned.search.arcs) CHECK((arc.from + arc.to - mirror) % 256 == 0);
+    for (const PairPlan& pair : planned.plans.pairs)
+      if (pair.over_beginning()) CHECK(pair.first + pair.last == 0);
+  }
+  CHECK_FALSE(plan(lopsided_cylinder()).chart.mirror);
+}
+
+TEST_CASE("short rows: the mirror goes through where a tube is highest") {
+  std::vector<double> ends, uneven;
+  for (int j = 0; j < 40; ++j) {
+    ends.push_back(14.0 - 4.0 * std::cos(2.0 * std::numbers::pi * (j - 3.5) / 40.0));
+    uneven.push_back(ends.back() + (j > 4 && j < 12 ? 2.0 : 0.0));
+  }
+  CHECK(mirror_of(hand_chart(ends, 113), 1.0) == 7);
+  CHECK_FALSE(mirror_of(hand_chart(uneven, 113), 1.0));
+}
+
+TEST_CASE("short rows: an arc beside the mirror comes with its image") {
+  // Two far sides, to the left and right of column 0; one a hair farther.
+  std::vector<double> ends;
+  for (int j = 0; j < 96; ++j) {
+    const auto bump = [&](double at) { return std::exp(-(j - at) * (j - at) / 60.0); };
+    ends.push_back(10.0 + 4.0 * bump(20.0) + 4.001 * bump(76.0));
+  }
+  TubeChart chart = hand_chart(ends, 81);
+  const FullRounds rounds = full_rounds(chart, 1.0);
+  chart.mirror = mirror_of(chart, 1.0);
+  REQUIRE(chart.mirror == 0);
+  const std::vector<PairArc> arcs = choose_arcs(chart, rounds, 1.0, {}).arcs;
+  REQUIRE(arcs.size() >= 4);
+  REQUIRE(arcs.size() % 2 == 0);
+  for (std::size_t i = 0; i < arcs.size(); i += 2) {
+    CHECK(arcs[i].gap == arcs[i + 1].gap);
+    CHECK((arcs[i].from + arcs[i + 1].to) % 96 == 0);
+    CHECK((arcs[i].to + arcs[i + 1].from) % 96 == 0);
+    CHECK(arcs[i].gain == arcs[i + 1].gain);
+    CHECK(arcs[i].gain > arcs[i].price);
+  }
+  // Dear turns: no half of it either.
+  for (const double cost : {6.0, 8.0, 10.0, 12.0})
+    CHECK(choose_arcs(chart, rounds, 1.0, {cost, 4.0, 4}).arcs.size() % 2 == 0);
+}
+
+TEST_CASE("short rows: rounds that begin on the mirror get as many stitches on both sides of it") {
+  RoundBelow round = round_of(20);
+  for (std::size_t i = 1; i < 20; ++i) round.columns[i] += 0.01;
+  round.mirrored = true;
+  PairPlans plans;
+  place_pairs(std::vector{arc_of(75, 125), arc_of(30, 70)}, round, plans);
+  CHECK(spans(plans) == Spans{{-5, 5}, {6, 14}});
+  round.mirrored = false;
+  plans = {};
+  place_pairs(std::vector{arc_of(75, 125)}, round, plans);
+  CHECK(spans(plans) == Spans{{-5, 4}});
+  // What is in the way of one turn moves both.
+  round.mirrored = true;
+  round.plain[6] = 0;
+  plans = {};
+  place_pairs(std::vector{arc_of(75, 125)}, round, plans);
+  REQUIRE(plans.pairs.size() == 1);
+  CHECK(plans.pairs[0].first + plans.pairs[0].last == 0);
 }
 
 TEST_CASE("short rows: of arcs as good the one about the beginning is taken") {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -138,10 +139,14 @@ std::vector<Case> others_meshes() {
                 no_vertex,
                 bounds};
   };
-  constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic;
+  constexpr TimingKind linear = TimingKind::linear, geodesic = TimingKind::geodesic,
+                       harmonic = TimingKind::harmonic;
   return {of("simple-elbow", linear, 4, 0.72, {0.055, 1.4, 5, 8}),
           of("simple-elbow", linear, 2, 0.72, {0.04, 1.3, 14, 19}),
           of("simple-elbow", linear, 3, 1.0, {0.08, 1.6, 6, 10}),
+          of("simple-elbow", linear, 3, 0.72, {0.07, 1.6, 8, 14}),
+          of("simple-elbow", harmonic, 3, 1.0, {0.08, 1.6, 6, 10}),
+          of("simple-elbow", harmonic, 3, 0.72, {0.07, 1.6, 8, 14}),
           of("spot", linear, 4, 0.72, {0.09, 1.6, 4, 8}),
           of("bunny", geodesic, 4, 0.72, {0.076, 1.7, 3, 5}),
           of("bunny", linear, 4, 0.72, {0.081, 1.5, 0, 0}),
@@ -167,6 +172,18 @@ TEST_CASE("short rows figures: tubes that bend or lean settle evenly", "[short-r
 TEST_CASE("short rows figures: what is straight gets none", "[short-rows]") {
   const Case straight = case_of(slanted_cylinder(0.0), 1.0, {0.02, 1.2, 0, 0});
   check_case(straight);
+  const Case hat = case_of(
+      turned_tube("hat", [](double up) { return glm::dvec2(up < 0.5 ? 1.0 : 1.8 - 1.6 * up, 3.0 * up); }),
+      1.0, {0.06, 1.3, 0, 0});
+  check_case(hat);
+  if (!whole()) return;
+  const Case cut_sphere = case_of(turned_tube("cut sphere",
+                                              [](double up) {
+                                                const double t = std::numbers::pi * (0.2 + 0.77 * up);
+                                                return glm::dvec2(std::sin(t), -std::cos(t));
+                                              }),
+                                  1.0, {0.06, 1.3, 0, 0});
+  check_case(cut_sphere);
 }
 
 TEST_CASE("short rows figures: meshes by others never settle worse with them", "[short-rows]") {
@@ -223,6 +240,23 @@ TEST_CASE("short rows figures: a mirrored shape gets the mirrored pairs", "[shor
   CHECK(std::any_of(rounds.begin(), rounds.end(), [](const RoundPairs& r) { return !r.pairs.empty(); }));
   CHECK(mirror_of(rounds) == mirrors);
   CHECK(rounds != mirrors);
+}
+
+TEST_CASE("short rows figures: a body that is its own mirror image gets pairs that are", "[short-rows]") {
+  std::vector<Case> bodies{case_of(half_ring(), 0.72, {}), case_of(oblique_cone(), 1.0, {}),
+                           case_of(slanted_cylinder(), 0.72, {}), case_of(heel(), 1.0, {}),
+                           case_of(banana(), 1.0, {})};
+  for (const Case& other : others_meshes())
+    if (other.name == "simple-elbow" && other.width_percent > 2.0) bodies.push_back(other);
+  for (std::size_t i = 0; i < bodies.size(); i += sanitized ? 3 : 1) {
+    Case& body = bodies[i];
+    body.settle = Settling::off;
+    CAPTURE(body.name, body.width_percent, body.height_of_width);
+    const std::vector<RoundPairs> rounds = pairs_by_round(run(body, ShortRows::automatic));
+    CHECK(std::count_if(rounds.begin(), rounds.end(), [](const RoundPairs& r) { return !r.pairs.empty(); }) >=
+          2);
+    CHECK(mirror_of(rounds) == rounds);
+  }
 }
 
 TEST_CASE("short rows figures: mains and counts in rhythm go together with them", "[short-rows]") {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "knit/mesh/elementary.h"
 #include "knit/model/ties.h"
@@ -26,7 +27,24 @@ struct Gap {
   std::vector<double> width;     // of each cell, in stitches
   std::vector<double> position;  // of each column, in stitches from column 0; and the whole round
   double stitches = 0.0;         // of the round, a whole number
+  std::optional<std::int32_t> mirror = {};
+  [[nodiscard]] std::int32_t columns() const { return static_cast<std::int32_t>(lag.size()); }
+  [[nodiscard]] std::int32_t wrapped(std::int32_t column) const {
+    return (column % columns() + columns()) % columns();
+  }
+  [[nodiscard]] double apart(std::size_t a, std::size_t b) const {  // columns, in stitches
+    const double one_way = std::abs(position[a] - position[b]);
+    return std::min(one_way, position.back() - one_way);
+  }
 };
+
+// Of both sides the mean, for each cell.
+void make_alike(std::vector<double>& cells, std::int32_t mirror) {
+  const std::vector<double> sides = cells;
+  const std::size_t count = cells.size();
+  for (std::size_t c = 0; c < count; ++c)
+    cells[c] = 0.5 * (sides[c] + sides[(static_cast<std::size_t>(mirror) + 2 * count - 1 - c) % count]);
+}
 
 Gap measure(const TubeChart& chart, const FullRounds& rounds, double stitch_width, std::int32_t gap) {
   const auto k = static_cast<std::size_t>(gap);
@@ -41,8 +59,13 @@ Gap measure(const TubeChart& chart, const FullRounds& rounds, double stitch_widt
     const auto column = static_cast<double>(j);
     made.width.push_back(
         glm::length(point_at(chart, middle, column + 1.0) - point_at(chart, middle, column)) / stitch_width);
-    made.position.push_back(made.position.back() + made.width.back());
   }
+  made.mirror = chart.mirror;
+  if (made.mirror) {
+    make_alike(made.lag, *made.mirror);
+    make_alike(made.width, *made.mirror);
+  }
+  for (const double width : made.width) made.position.push_back(made.position.back() + width);
   made.stitches = std::max(3.0, rounded(made.position.back()));
   return made;
 }
@@ -51,10 +74,9 @@ Gap measure(const TubeChart& chart, const FullRounds& rounds, double stitch_widt
 std::vector<double> penalties(const Gap& gap, const ArcSearch& search, double turn_step) {
   std::vector<double> penalty(gap.lag.size(), 0.0);
   const auto add_turn = [&](std::int32_t column, double weight) {
-    const double at = gap.position[static_cast<std::size_t>(column) % gap.lag.size()];
+    const std::size_t at = static_cast<std::size_t>(column) % gap.lag.size();
     for (std::size_t j = 0; j < penalty.size(); ++j) {
-      const double one_way = std::abs(gap.position[j] - at);
-      const double steps = std::min(one_way, gap.position.back() - one_way) / turn_step;
+      const double steps = gap.apart(j, at) / turn_step;
       if (steps * steps < far_apart) penalty[j] += weight * exponential(-steps * steps);
     }
   };
@@ -82,6 +104,49 @@ bool by_rule(const PairArc& a, const PairArc& b, std::int32_t columns) {
   return (a.from + a.to) % (2 * columns) < (b.from + b.to) % (2 * columns);
 }
 
+// The mirror image.
+PairArc image_of(const PairArc& arc, const Gap& gap) {
+  PairArc image = arc;
+  image.from = gap.wrapped(*gap.mirror - arc.to);
+  image.to = image.from + (arc.to - arc.from);
+  return image;
+}
+
+bool is_own_image(const PairArc& arc, const Gap& gap) {
+  return gap.wrapped(arc.from + arc.to - *gap.mirror) == 0;
+}
+
+// Across the mirror as far to both sides, or clear of its own image.
+bool may_be_mirrored(const PairArc& arc, const Gap& gap) {
+  const std::int32_t off = gap.wrapped(arc.from + arc.to - *gap.mirror);  // from the image
+  return off == 0 || std::min(off, gap.columns() - off) >= arc.to - arc.from;
+}
+
+// What the turns of an arc and of its image cost each other, a half.
+double half_price_of_image(const PairArc& arc, const Gap& gap, double turn_step) {
+  const PairArc image = image_of(arc, gap);
+  double price = 0.0;
+  for (const std::int32_t turn : {arc.from, arc.to}) {
+    for (const std::int32_t other : {image.from, image.to}) {
+      const double steps = gap.apart(static_cast<std::size_t>(gap.wrapped(turn)),
+                                     static_cast<std::size_t>(gap.wrapped(other))) /
+                           turn_step;
+      if (steps * steps < far_apart) price += 0.5 * turn_penalty * exponential(-steps * steps);
+    }
+  }
+  return price;
+}
+
+// The image of the last arc, if it is still to come.
+std::optional<PairArc> image_due(const Gap& gap, const ArcSearch& search) {
+  if (!gap.mirror) return std::nullopt;
+  const auto one_sided = std::count_if(search.arcs.begin(), search.arcs.end(), [&](const PairArc& arc) {
+    return arc.gap == search.gap && !is_own_image(arc, gap);
+  });
+  if (one_sided % 2 == 0) return std::nullopt;
+  return image_of(search.arcs.back(), gap);
+}
+
 // The best arc of a gap; none where no arc is as long, or as short, as it must be.
 PairArc best_arc(const Gap& gap, const ArcSearch& search, const PairSettings& settings) {
   const auto columns = static_cast<std::int32_t>(gap.lag.size());
@@ -102,9 +167,12 @@ PairArc best_arc(const Gap& gap, const ArcSearch& search, const PairSettings& se
       const double length = arcs[a] - arcs[b];
       if (length < static_cast<double>(settings.shortest) - tie || length > gap.stitches - left_over + tie)
         continue;
-      const PairArc arc{
+      PairArc arc{
           search.gap, from, to, gains[a] - gains[b], settings.turn_cost + penalty[b] + penalty[a % count],
           0.0};
+      if (gap.mirror && !may_be_mirrored(arc, gap)) continue;
+      if (gap.mirror && !is_own_image(arc, gap) && clearly_less(arc.price, arc.gain, scale))
+        arc.price += half_price_of_image(arc, gap, settings.turn_step);
       const double net = arc.gain - arc.price, net_of_best = best.gain - best.price;
       if (!found || clearly_less(net_of_best, net, scale) ||
           (!clearly_less(net, net_of_best, scale) && by_rule(arc, best, columns))) {
@@ -145,7 +213,8 @@ ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double st
     }
     return lag;
   }
-  const PairArc best = best_arc(gap, search, settings);
+  const std::optional<PairArc> image = image_due(gap, search);
+  const PairArc best = image ? *image : best_arc(gap, search, settings);
   const bool taken = best.to > best.from && clearly_less(best.price, best.gain, gap.stitches);
   if (taken) {
     for (std::int32_t c = best.from; c < best.to; ++c)
@@ -155,7 +224,7 @@ ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double st
   const auto in_gap = std::count_if(search.arcs.begin(), search.arcs.end(),
                                     [&](const PairArc& arc) { return arc.gap == search.gap; });
   const ArcConsidered considered{search.gap, best.from, best.to, taken, best.gain, best.price};
-  if (!taken || in_gap >= most_pairs) close_gap(gap, rounds, search);
+  if (!taken || (in_gap >= most_pairs && !image_due(gap, search))) close_gap(gap, rounds, search);
   return considered;
 }
 
@@ -166,7 +235,7 @@ ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double s
   return search;
 }
 
-double middle_of_arcs(const ArcSearch& search) {
+double middle_of_arcs(const ArcSearch& search, std::optional<std::int32_t> mirror) {
   const auto columns = static_cast<double>(search.covered.size());
   double x = 0.0, y = 0.0;
   for (std::size_t c = 0; c < search.covered.size(); ++c) {
@@ -174,9 +243,16 @@ double middle_of_arcs(const ArcSearch& search) {
     x += search.covered[c] * cosine(angle);
     y += search.covered[c] * sine(angle);
   }
-  if (hypotenuse(x, y) < tie * columns) return 0.0;
-  const double turn = angle_to(x, std::abs(y)) / (2.0 * std::numbers::pi);
-  return (y < 0.0 ? -turn : turn) * columns;
+  double middle = 0.0;
+  if (hypotenuse(x, y) >= tie * columns) {
+    const double turn = angle_to(x, std::abs(y)) / (2.0 * std::numbers::pi);
+    middle = (y < 0.0 ? -turn : turn) * columns;
+  }
+  if (!mirror || search.arcs.empty()) return middle;
+  // The nearest column on the mirror.
+  const double half = 0.5 * columns, on_mirror = 0.5 * *mirror;
+  const double nearest = on_mirror + half * rounded((middle - on_mirror) / half);
+  return nearest > half - tie ? nearest - columns : nearest;
 }
 
 }  // namespace knit

@@ -7,11 +7,14 @@
 //     penalty = 2 x sum over the turns of this gap and the four before of exp(-(d / turn step)^2) (1 - age / 5)
 //     the best of all arcs that are long enough, and three stitches shorter than the round; P += 1 on it if it pays
 // A cell lies between a column and the next, so that an arc and its mirror image have one gain. All columns (columns - 1)
-// arcs are tried with running sums. Ties: the arc whose middle is nearest to column 0, where rounds begin; then the shorter;
+// arcs are tried with running sums. Where the tube is its own mirror image, lags and widths are the mean of both sides, and so
+// are pairs: an arc either lies across the mirror, as far to both sides, or comes with its image as the next arc, clear of it; then
+// half of what their turns cost each other is in the price of each. Ties: the arc whose middle is nearest to column 0, where rounds begin; then the shorter;
 // then the one whose middle comes first in working order.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -46,6 +49,7 @@ ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double s
 
 // Where rounds best begin: in the middle of what the pairs cover (circular mean), so that most pairs run over the beginning,
 // as far to one side as to the other. From -columns / 2 to columns / 2; 0 without a pair.
-double middle_of_arcs(const ArcSearch& search);
+// Of a tube that is its own mirror image one of the two columns on the mirror.
+double middle_of_arcs(const ArcSearch& search, std::optional<std::int32_t> mirror = std::nullopt);
 
 }  // namespace knit

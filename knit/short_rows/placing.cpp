@@ -16,6 +16,8 @@ struct Span {
   [[nodiscard]] std::int32_t stitches() const { return last - first + 1; }
 };
 
+bool is_symmetric(const Span& span, std::int32_t count) { return (span.first + span.last) % count == 0; }
+
 // The stitches that stand in the arc; unwrapped so that first <= last, and last is in the round.
 Span stitches_in(const PairArc& arc, const RoundBelow& round) {
   const auto count = static_cast<std::int32_t>(round.columns.size());
@@ -36,6 +38,30 @@ Span stitches_in(const PairArc& arc, const RoundBelow& round) {
   return span;
 }
 
+// Each stitch and its image, as far before the beginning of the round, at the mean of their columns.
+RoundBelow made_alike(const RoundBelow& round) {
+  RoundBelow alike = round;
+  const std::size_t count = round.columns.size();
+  const double begin = round.columns[0];
+  for (std::size_t i = 1; i < count; ++i)
+    alike.columns[i] =
+        begin + 0.5 * ((round.columns[i] - begin) + round.chart_columns - (round.columns[count - i] - begin));
+  return alike;
+}
+
+// Whether the arc's middle is where the round begins, or opposite.
+bool is_centred(const PairArc& arc, const RoundBelow& round) {
+  const double off = (arc.from + arc.to - 2.0 * round.columns[0]) / round.chart_columns;
+  return std::abs(off - std::round(off)) < 1e-6;
+}
+
+Span wanted_for(const PairArc& arc, const RoundBelow& round) {
+  const Span span = stitches_in(arc, round);
+  if (!round.mirrored || !is_centred(arc, round)) return span;
+  const Span alike = stitches_in(arc, made_alike(round));
+  return std::abs(alike.first - span.first) <= 1 && std::abs(alike.last - span.last) <= 1 ? alike : span;
+}
+
 class Placer {
  public:
   explicit Placer(const RoundBelow& round)
@@ -54,7 +80,9 @@ class Placer {
     for (std::int32_t shift = 1; shift <= farthest_move; ++shift) {
       for (const std::int32_t wider : {shift, -shift}) {
         const std::int32_t first = wanted.first - wider, last = wanted.last + wider;
-        for (const Span& tried : {Span{first, wanted.last}, Span{wanted.first, last}, Span{first, last}})
+        const Span both{first, last};
+        if (round_.mirrored && is_symmetric(wanted, count_) && legal(both)) return both;
+        for (const Span& tried : {Span{first, wanted.last}, Span{wanted.first, last}, both})
           if (legal(tried)) return tried;
       }
     }
@@ -103,7 +131,7 @@ void place_pairs(std::span<const PairArc> arcs_of_gap, const RoundBelow& round, 
   const Placer placer(round);
   const auto begin = static_cast<std::ptrdiff_t>(plans.pairs.size());
   for (const PairArc& arc : arcs_of_gap) {
-    const Span wanted = stitches_in(arc, round);
+    const Span wanted = wanted_for(arc, round);
     const auto count = static_cast<std::int32_t>(round.columns.size());
     // Too far off to be moved: dropped for what it is.
     const bool sized = wanted.stitches() >= fewest_stitches && wanted.stitches() <= count - fewest_beside;

@@ -80,7 +80,7 @@ TubeCharted begin_planning(const ChartAt& at, std::optional<PlannedPairs>& work,
 
 PairsChosen end_planning(const ChartAt& at, PlannedPairs& work) {
   if (work.search.arcs.empty()) work.none = NoChart::no_pair;
-  if (at.middle) work.first_column = middle_of_arcs(work.search);
+  if (at.middle) work.first_column = middle_of_arcs(work.search, work.chart->mirror);
   return {static_cast<std::int16_t>(at.tube), static_cast<std::int32_t>(work.search.arcs.size()),
           work.rounds.gaps() + 1, static_cast<float>(work.search.greatest_lag)};
 }
@@ -219,8 +219,10 @@ std::vector<double> columns_of(const PlannedPairs& pairs, const Row& below) {
 PairPlans pairs_over(const PlannedPairs& pairs, const Row& below, std::span<const double> columns,
                      std::span<const std::uint8_t> plain) {
   PairPlans plans;
-  const RoundBelow round{
-      {columns.begin(), columns.end()}, {plain.begin(), plain.end()}, pairs.chart->columns};
+  const RoundBelow round{{columns.begin(), columns.end()},
+                         {plain.begin(), plain.end()},
+                         pairs.chart->columns,
+                         pairs.chart->mirror.has_value()};
   place_pairs(pairs.arcs_over(below.level), round, plans);
   return plans;
 }

@@ -6,6 +6,7 @@
 
 #include "knit/model/words.h"
 #include "knit/short_rows/annulus.h"
+#include "knit/short_rows/chart_mirror.h"
 
 namespace knit {
 
@@ -181,6 +182,7 @@ std::variant<TubeChart, ChartRefusal> make_tube_chart(const TubePart& part, doub
   chart.points = std::move(samples.points);
   chart.mean_height = heights.back();
   chart.residual = fields->residual;
+  chart.mirror = mirror_of(chart, stitch_height);
   hear(heard, 1.0);
   return chart;
 }

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -30,10 +31,12 @@ struct TubeChart {
   std::vector<double> heights;     // Y[l * columns + j]: length of column j from the low rim up to level l
   double mean_height = 0.0;        // of the high rim
   double residual = 0.0;  // of the angle: its share of squared slope that is not the quarter turn of t's
+  std::optional<std::int32_t>
+      mirror;  // column j lies opposite mirror - j (chart_mirror.h); none: no mirror image of itself
   [[nodiscard]] std::int32_t levels() const { return static_cast<std::int32_t>(times.size()); }
   [[nodiscard]] double last_level() const { return static_cast<double>(levels() - 1); }
   [[nodiscard]] auto fields() const {
-    return std::tie(columns, times, points, heights, mean_height, residual);
+    return std::tie(columns, times, points, heights, mean_height, residual, mirror);
   }
   friend bool operator==(const TubeChart&, const TubeChart&) = default;
 };
