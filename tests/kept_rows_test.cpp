@@ -103,6 +103,23 @@ TEST_CASE("kept rows: a tube of few rows is not charted") {
   CHECK(few);
 }
 
+TEST_CASE("kept rows: a stitch that is changed after the first row leaves later tubes their short rows") {
+  Piece piece = piece_of(letter_y(0.08), TimingKind::linear, 3.0);
+  run_to(piece, Stage::cast_on);
+  State& state = piece.state;
+  state.short_rows.kept = 1;
+  state.short_rows.chosen_for = to_choose_for(piece.parameters);
+  while (state.fabric.row_count() < 3) advance(*piece.input, piece.parameters, state);
+  const std::size_t before = state.short_rows.tubes.size();
+  give_width(piece.parameters, 0.97 * piece.parameters.stitch.width);
+  piece.parameters = resolved(piece.parameters, *piece.input);
+  run_to(piece, Stage::settle);
+  CHECK(state.short_rows.kept == 1);
+  CHECK(state.short_rows.tubes.size() > before);
+  for (std::size_t i = before; i < state.short_rows.tubes.size(); ++i)
+    CHECK(state.short_rows.tubes[i]->stitch_width == piece.parameters.stitch.width);
+}
+
 TEST_CASE("kept rows: of equal ways the first is taken") {
   const std::vector<KeptTry> tries{
       {no_short_rows, 0, 100, 0.0F, 0.05F}, {0, 3, 104, 0.0F, 0.04F}, {1, 2, 103, 0.0F, 0.04F}};

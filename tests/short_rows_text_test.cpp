@@ -270,7 +270,7 @@ TEST_CASE("short rows: the chart has a row for each, with its hook and the marke
   CHECK(chart_grid(chart) ==
         "   |==========|\n"
         "10 |  V   V   | 3\n"
-        "   |  ::::::::| s3\n"
+        "   |  ::::::::| next\n"
         "s2 |  (::::   |\n"
         "   |::::::)  V| s1\n"
         "10 |    V     | 2\n"
@@ -281,9 +281,57 @@ TEST_CASE("short rows: the chart has a row for each, with its hook and the marke
   const std::string key = chart_key({&chart});
   CHECK(key.find("V     a double or wrapped stitch") != std::string::npos);
   CHECK(key.find("s1    a short row") != std::string::npos);
+  CHECK(key.find("next  on from the last turn") != std::string::npos);
+  CHECK_FALSE(has_way_home(chart_of(plain_rounds(10, {{1, 4}}))));
   CHECK(chart.row_of(2) == 3);
   CHECK(chart.row_of(3) == 7);
   CHECK_FALSE(has_short_rows(chart_of(plain_rounds(10, {}))));
+}
+
+TEST_CASE("short rows: the chart numbers them as their lines do") {
+  std::size_t homes = 0, after = 0;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    const Rounds rounds = test_support::random_short_row_rounds(seed);
+    Lines said, drawn;
+    for (const RoundLine& line : round_lines(rounds, {})) {
+      if (!line.short_row) continue;
+      const bool home = line.label == "Next row (RS)", goes_on = !said.empty() && said.back() == "next";
+      said.push_back(home ? "next" : "s" + line.label.substr(10, line.label.find(' ', 10) - 10));
+      homes += home ? 1 : 0;
+      after += goes_on && said.back() != "s1" ? 1 : 0;
+    }
+    for (const ChartRow& row : chart_of(rounds).rows)
+      if (row.short_row > 0) drawn.push_back(name_of(row));
+    CAPTURE(seed);
+    CHECK(said == drawn);
+  }
+  CHECK(homes > 20);
+  CHECK(after > 5);
+}
+
+TEST_CASE("short rows: a pair adds its height where it is worked") {
+  const auto sizes = [](const Rounds& rounds) { return sizes_of(rounds, gauge); };
+  const double row = 10.0 / gauge.rounds, plain = sizes(plain_rounds(30, {})).height_cm;
+  CHECK(sizes(plain_rounds(30, {})).longer_cm == plain);
+  const auto check = [&](std::vector<ShortRowPair> pairs, double shorter, double longer) {
+    const PatternSizes made = sizes(plain_rounds(30, std::move(pairs)));
+    CHECK(made.height_cm == Approx(plain + shorter * row));
+    CHECK(made.longer_cm == Approx(plain + longer * row));
+  };
+  check({{-4, 4}}, 0, 2);
+  check({{-4, 4}, {-8, 8}, {10, 20}}, 0, 4);
+  check({{-10, 10}, {5, 25}}, 2, 4);  // all round, and twice where they overlap
+  const auto size_of_piece = [](const Rounds& rounds) {
+    return write_pattern(rounds, gauge, {}, "piece").size.front();
+  };
+  Rounds bent = plain_rounds(30, {{-4, 4}});
+  for (std::int32_t number = 3; number < 33; ++number)
+    bent.rounds.push_back(plain_round(number, 30, {{-8, 8}}));
+  CHECK(size_of_piece(bent) ==
+        "About 10 cm (3.9 in) along its shorter side, 29.5 cm (11.6 in) along its longer, 13.5 cm (5.3 in) "
+        "around at the widest.");
+  for (Round& round : bent.rounds) round.pairs.clear();
+  CHECK(size_of_piece(bent) == "About 10 cm (3.9 in) high, 13.5 cm (5.3 in) around at the widest.");
 }
 
 TEST_CASE("short rows: a list of labels says on which row and stitch it stands") {

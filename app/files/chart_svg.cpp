@@ -142,6 +142,8 @@ class Drawing {
       entries.push_back({nullptr, "a row that knits nothing", chart_colour::laid_tint});
     if (any_chart(knit::has_short_rows))
       entries.push_back({nullptr, "a short row, from its number\'s side", "none", "s1"});
+    if (any_chart(knit::has_way_home))
+      entries.push_back({nullptr, "on to the beginning of the round", "none", "next"});
     if (any_chart(any_slips)) entries.push_back({nullptr, "slip the last st back first", "none", slip_sign});
     return entries;
   }
@@ -250,8 +252,9 @@ class Drawing {
       out += "<use href=\"#" + std::string(entry.shape->id) + "\"/>\n";
     const bool held = entry.shape != nullptr && entry.shape->symbol == ChartSymbol::held;
     if (held || !entry.sign.empty())
-      out += "<text x=\".5\" y=\".78\" font-size=\".74\" text-anchor=\"middle\">" +
-             xml_text(held ? std::string_view("A") : entry.sign) + "</text>\n";
+      out += std::string("<text x=\".5\" ") +
+             (entry.sign.size() > 2 ? "y=\".63\" font-size=\".42\"" : "y=\".78\" font-size=\".74\"") +
+             " text-anchor=\"middle\">" + xml_text(held ? std::string_view("A") : entry.sign) + "</text>\n";
     return out;
   }
 

@@ -67,6 +67,7 @@ std::vector<std::string> rhythm_notes(const knit::State& state, const PlannedPie
 knit::PieceSize size_knitted(const knit::State& state, const knit::Gauge& gauge) {
   if (!knit::has_limbs(state)) {
     const knit::PatternSizes sizes = knit::sizes_of(knit::rounds_of(state), gauge);
+    if (sizes.longer_cm > sizes.height_cm) return {std::nullopt, sizes.around_cm};  // it bends
     return {sizes.height_cm, sizes.around_cm};
   }
   std::int32_t most = 0;

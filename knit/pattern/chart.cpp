@@ -69,7 +69,12 @@ class ChartMaker {
         }
         if (pass.turns()) turn(row, pass, short_row);
         if (!any) continue;
-        ++number;
+        if (pass.turns()) {
+          ++number;
+        } else {
+          short_row.home = true;
+          short_row.short_row = number;
+        }
         chart.rows.push_back(std::move(short_row));
       }
     }
@@ -173,6 +178,7 @@ Chart chart_of(const Rounds& rounds, const std::vector<std::uint8_t>& slips_back
 }
 
 std::string name_of(const ChartRow& row) {
+  if (row.home) return "next";
   if (row.short_row > 0) return "s" + std::to_string(row.short_row);
   return std::to_string(row.number) + (row.slips_back ? " <" : "");
 }
@@ -186,6 +192,8 @@ constexpr const char* how_to_read =
 constexpr const char* how_short_rows_read =
     "     s1    a short row before the round above it, worked from the side\n"
     "           where its number stands: on the WS from left to right\n";
+
+constexpr const char* how_ways_home_read = "     next  on from the last turn to the beginning of the round\n";
 
 std::string right_aligned(const std::string& words, std::size_t width) {
   return std::string(width - std::min(width, words.size()), ' ') + words;
@@ -230,7 +238,7 @@ std::string chart_grid(const Chart& chart) {
   std::size_t counts = 0;
   for (const ChartRow& row : chart.rows) {
     counts = std::max(counts, std::to_string(row.stitches).size());
-    if (row.short_row > 0) counts = std::max(counts, name_of(row).size());
+    if (row.wrong_side) counts = std::max(counts, name_of(row).size());
   }
   std::string text;
   for (std::size_t i = chart.rows.size(); i-- > 0;) {
@@ -249,6 +257,10 @@ std::string chart_grid(const Chart& chart) {
 bool has_short_rows(const Chart& chart) {
   return std::any_of(chart.rows.begin(), chart.rows.end(),
                      [](const ChartRow& row) { return row.short_row > 0; });
+}
+
+bool has_way_home(const Chart& chart) {
+  return std::any_of(chart.rows.begin(), chart.rows.end(), [](const ChartRow& row) { return row.home; });
 }
 
 bool has_symbol(const Chart& chart, ChartSymbol symbol) {
@@ -270,6 +282,8 @@ std::string chart_key(const std::vector<const Chart*>& charts) {
   }
   if (std::any_of(charts.begin(), charts.end(), [](const Chart* chart) { return has_short_rows(*chart); }))
     text += how_short_rows_read;
+  if (std::any_of(charts.begin(), charts.end(), [](const Chart* chart) { return has_way_home(*chart); }))
+    text += how_ways_home_read;
   return text;
 }
 

@@ -58,10 +58,12 @@ struct ChartRow {
   bool laid =
       false;  // knits nothing: what lies on the needle before the first round, or where stitches go in the end
   bool slips_back = false;  // the last stitch of the round before is taken together with the first
-  // A short row before the round, or the way home after one: its number there, from 1; 0: the round itself. Its squares
+  // A short row before the round: its number there, from 1, as its line in the pattern says it; 0: the round itself. Its squares
   // are no stitches of the round: each has the stitch of the round below that it stands over. It is worked from the right, on the wrong side from the left.
   std::int32_t short_row = 0;
   bool wrong_side = false;
+  // The way on to the beginning of the round, the pattern's "Next row (RS)": `short_row` is the last turn's number, its own is none.
+  bool home = false;
   friend bool operator==(const ChartRow&, const ChartRow&) = default;
 };
 struct Chart {
@@ -74,7 +76,7 @@ struct Chart {
     return row;
   }
 };
-// What stands beside a row: "12", "12 <", "s1".
+// What stands beside a row: "12", "12 <", "s1", "next".
 std::string name_of(const ChartRow& row);
 
 // Columns are chosen so that a stitch stands above the one it is worked from wherever it can, and main wales
@@ -121,6 +123,7 @@ std::string chart_grid(const Chart& chart);
 // Of all charts together: a line for each symbol that is there.
 std::string chart_key(const std::vector<const Chart*>& charts);
 bool has_short_rows(const Chart& chart);
+bool has_way_home(const Chart& chart);
 bool has_symbol(const Chart& chart, ChartSymbol symbol);
 
 // The document's last section, with an empty line before it. Of a chart that is too wide it says where the

@@ -224,12 +224,7 @@ std::optional<PieceShortRow> short_row_of(const LimbPiece& piece, const ChartRow
   const std::size_t round = round_of(row);
   const std::int32_t count = short_rows_before(piece, round);
   if (row.short_row == 0 || count == 0) return std::nullopt;
-  const std::vector<ShortRowPair>& pairs = round_at(piece, round)->pairs;
-  const auto over =
-      2 * static_cast<std::int32_t>(std::count_if(pairs.begin(), pairs.end(),
-                                                  [](const ShortRowPair& pair) { return pair.first < 0; }));
-  const std::int32_t turn = row.short_row - (over > 0 && row.short_row > over ? 1 : 0);
-  return PieceShortRow{round, std::min(turn, count)};
+  return PieceShortRow{round, std::min(row.short_row, count)};
 }
 
 ShortRowPlace place_of(const LimbPiece& piece, const ChartRow& row, const ChartSquare& square) {

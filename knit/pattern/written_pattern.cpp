@@ -15,13 +15,16 @@ namespace knit {
 namespace {
 
 std::vector<std::string> size_lines(const PatternSizes& sizes, bool stuffed) {
+  const std::string high = length_text(sizes.height_cm), longer = length_text(sizes.longer_cm);
+  const bool bends = high != longer;
+  const std::string around = length_text(sizes.around_cm),
+                    about = "About " + high +
+                            (bends ? " along its shorter side, " + longer + " along its longer" : " high");
   if (stuffed) {
-    return {"About " + length_text(sizes.height_cm) + " high and " +
-            length_text(sizes.around_cm / std::numbers::pi) + " across when stuffed; " +
-            length_text(sizes.around_cm) + " around."};
+    return {about + (bends ? ", and " : " and ") + length_text(sizes.around_cm / std::numbers::pi) +
+            " across when stuffed; " + around + " around."};
   }
-  return {"About " + length_text(sizes.height_cm) + " high, " + length_text(sizes.around_cm) +
-          " around at the widest."};
+  return {about + ", " + around + " around at the widest."};
 }
 
 std::string needle_line(const Rounds& rounds, const PatternSizes& sizes, const PatternOptions& options) {
@@ -48,7 +51,7 @@ std::vector<std::string> material_lines(const Rounds& rounds, const PatternSizes
 std::vector<std::string> note_lines(const Rounds& rounds, std::span<const RoundLine> lines,
                                     const Used& used) {
   std::vector<std::string> notes{
-      "Worked from the bottom up in the round, right side out. Every round begins at the marker; slip it as "
+      "Worked in the round from the cast on, right side out. Every round begins at the marker; slip it as "
       "you "
       "come to it.",
       "The number in parentheses at the end of a line is how many stitches there are after that round. The "
@@ -198,6 +201,27 @@ class Profile {
   std::vector<double> radii_;
 };
 
+struct PairsOver {
+  std::int32_t fewest = 0, most = 0;
+};
+
+// Of places spread evenly round the tube, how many pairs are worked there.
+PairsOver pairs_over_places(const Rounds& rounds) {
+  constexpr std::int32_t places = 256;
+  std::vector<std::int32_t> over(places, 0);
+  for (const Round& round : rounds.rounds) {
+    for (const ShortRowPair& pair : round.pairs) {
+      for (std::int32_t place = 0; place < places; ++place) {
+        const std::int32_t stitch = place * round.before / places;
+        if (((stitch - pair.first) % round.before + round.before) % round.before <= pair.last - pair.first)
+          ++over[static_cast<std::size_t>(place)];
+      }
+    }
+  }
+  const auto [fewest, most] = std::minmax_element(over.begin(), over.end());
+  return {*fewest, *most};
+}
+
 }  // namespace
 
 PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge) {
@@ -211,6 +235,9 @@ PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge) {
   sizes.height_cm = Profile(counts, stitches_per_cm).height(step);
   if (!is_drawn_in(counts.front())) sizes.height_cm += step / 2.0;
   if (!is_drawn_in(counts.back())) sizes.height_cm += step / 2.0;
+  const PairsOver pairs = pairs_over_places(rounds);
+  sizes.longer_cm = sizes.height_cm + 2.0 * pairs.most * step;
+  sizes.height_cm += 2.0 * pairs.fewest * step;
   std::int64_t stitches = 0;
   for (const std::int32_t count : counts) stitches += count;
   for (const Round& round : rounds.rounds) {

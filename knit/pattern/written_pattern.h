@@ -10,6 +10,10 @@
 // because counts are whole numbers. A drawn-in end is one more such step, to radius 0; an open end adds half a
 // round. So an open tube is as high as its fabric is long, and a ball about as high as it is wide: 1.5 % less at
 // 12 cm, 22 stitches and 32 rounds; the coarser the stitches, the rougher (4 % at 16 and 22).
+//
+// A pair of short rows adds two rows, but only where it is worked. Round the tube, whose stitches lie evenly from the beginning of
+// the round on, pairs are counted at 256 places: the side with the fewest is the shorter one, that with the most the longer. How
+// high such a piece stands is not known, for it bends.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +55,8 @@ struct PatternOptions {
 struct PatternSizes {
   Gauge gauge;             // stitches and rounds in 10 cm
   double length_cm = 0.0;  // along the fabric: the rounds, the cast on too
-  double height_cm = 0.0;  // filled out round
+  double height_cm = 0.0;  // filled out round; with short rows that of the shorter side
+  double longer_cm = 0.0;  // that of the longer side; without short rows the same
   double around_cm = 0.0;  // at the widest round
   double yarn_m = 0.0;     // without spare
   double yarn_with_spare_m = 0.0;

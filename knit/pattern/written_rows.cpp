@@ -68,15 +68,8 @@ ChartStitches::ChartStitches(const Fabric& fabric, const Chart& chart) {
     }
     const auto gap = static_cast<std::size_t>(below);
     round_below_.push_back(below);
-    // The way home has a row of the chart, and a number there, after the pairs over the beginning of the round.
-    std::int32_t over = 0;
-    const RowId next = gap + 1 < rounds.size() ? rounds[gap + 1] : 0;
-    for (const auto& arc :
-         next > 0 ? short_arcs_below(fabric, next) : std::vector<std::array<std::int32_t, 2>>{})
-      over += arc[0] < 0 ? 2 : 0;
-    const std::int32_t turn = row.short_row - (over > 0 && row.short_row > over ? 1 : 0);
     const auto last = static_cast<std::int32_t>(shorts[gap].size());
-    rows_.push_back(last == 0 ? 0 : shorts[gap][static_cast<std::size_t>(std::min(turn, last) - 1)]);
+    rows_.push_back(last == 0 ? 0 : shorts[gap][static_cast<std::size_t>(std::min(row.short_row, last) - 1)]);
   }
 }
 

@@ -64,7 +64,8 @@ std::int32_t rows_beside_events(const Parameters& parameters, const State& state
     case KeptBeside::by_itself:
       break;
   }
-  if (state.short_rows.chosen_for != to_choose_for(parameters)) return no_short_rows;
+  // With the first row the choice is made: tubes to come keep it, for another stitch too.
+  if (state.fabric.empty() && state.short_rows.chosen_for != to_choose_for(parameters)) return no_short_rows;
   return state.short_rows.kept.value_or(no_short_rows);
 }
 

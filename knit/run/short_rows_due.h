@@ -26,7 +26,8 @@ bool can_be_charted(const TubePlan& plan, TubeId id, std::int32_t beside);
 
 ChosenFor to_choose_for(const Parameters& parameters);
 
-// As asked for, or as chosen for this stitch at these prices; no_short_rows: there are none.
+// As asked for, or as chosen: before the first row for this stitch at these prices, then whatever the stitch is; no_short_rows: there
+// are none.
 std::int32_t rows_beside_events(const Parameters& parameters, const State& state);
 
 // Whether the tube's rounds begin in the middle of its arcs: it stands on nothing, and nobody said otherwise.

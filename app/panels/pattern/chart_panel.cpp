@@ -352,7 +352,10 @@ std::string words_for(const Sheet& sheet, const SquarePlace& place) {
   const knit::ChartRow& round = sheet.chart.rows[place.row];
   const knit::ChartSquare& square = round.squares[place.column];
   std::string words = "Rnd " + std::to_string(round.number);
-  if (round.short_row > 0) words = "Short row " + std::to_string(round.short_row) + " before " + words;
+  if (round.home)
+    words = "On to the beginning of the round before " + words;
+  else if (round.short_row > 0)
+    words = "Short row " + std::to_string(round.short_row) + " before " + words;
   if (round.laid) words = place.row == 0 ? "Before Rnd 1" : "At the end";
   if (sheet.stitch_at(place.row, square))
     words += ", stitch " + std::to_string(square.stitch + 1) + " of " + std::to_string(round.stitches);

@@ -220,10 +220,17 @@ void draw_layers(PanelFrame& frame) {
   ImGui::PopStyleVar();
 }
 
+// Where short rows are asked for, whether or not one is worked yet: the lists below stay where they are.
+bool has_turns(const PanelFrame& frame) {
+  return frame.timeline() != nullptr &&
+         frame.timeline()->parameters().short_rows.rows != knit::ShortRows::off;
+}
+
 void draw_legend(PanelFrame& frame) {
   using knit::Label;
-  constexpr std::array labels{Label::knit, Label::main,  Label::cast, Label::m1r,
-                              Label::m1l,  Label::k2tog, Label::ssk};
+  constexpr std::array all{Label::knit,  Label::main, Label::cast,      Label::m1r,        Label::m1l,
+                           Label::k2tog, Label::ssk,  Label::turn_left, Label::turn_right, Label::marked};
+  const std::span<const Label> labels = std::span(all).first(has_turns(frame) ? all.size() : all.size() - 3);
   heading(frame, "Labels");
   const LabelTally::Counts counts = frame.timeline() != nullptr
                                         ? frame.own<LabelTally>().count(frame.timeline()->state())
@@ -247,7 +254,9 @@ struct SelectedRoom {
 float step_height(const PanelFrame& frame) {
   constexpr float tallest = 480.0f, least = 150.0f, lists_least = 122.0f;  // plain units
   constexpr float lists_share = 0.21f;                                     // of the panel
-  const float legend = frame.units(shows_legend(frame) ? 270.0f : 30.0f);
+  const float turns =
+      shows_legend(frame) && has_turns(frame) ? ImGui::GetTextLineHeight() + frame.units(2.0f) : 0.0f;
+  const float legend = turns + frame.units(shows_legend(frame) ? 270.0f : 30.0f);
   const float lists = std::max(frame.units(lists_least), lists_share * frame.layout.explanation.height);
   const float room = ImGui::GetContentRegionAvail().y - legend - lists;
   return std::max(frame.units(least),
