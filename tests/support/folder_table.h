@@ -34,6 +34,7 @@ inline const std::vector<Arrow> arrows{
      {"glm/"}},
     {"knit/settle", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
     {"knit/relax", {"knit/mesh", "knit/model", "knit/fabric", "knit/timing", "knit/settle"}, {"glm/"}},
+    {"knit/yarn", {"knit/mesh", "knit/model", "knit/fabric", "knit/relax"}, {"glm/"}},
     {"knit/stitches", {"knit/model", "knit/fabric", "knit/timing", "knit/tubes", "knit/rows"}, {"glm/"}},
     {"knit/order", {"knit/model", "knit/fabric", "knit/tubes", "knit/stitches"}, {}},
     {"knit/run",
