@@ -18,6 +18,7 @@
 #include "app/session/row_table.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
+#include "app/yarn/yarn_files.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/stitches/appendix.h"
@@ -188,6 +189,11 @@ std::optional<std::string> no_worksheet(const Session& /*session*/, const std::f
   return path.string() + " was not written: a worksheet is drawn where pictures are.";
 }
 
+std::optional<std::string> write_yarn(const Session& session, const std::filesystem::path& path,
+                                      Png /*picture*/) {
+  return write_file(path, yarn_file(session, *yarn_format_of(path)));
+}
+
 template <auto format_of>
 bool has_format(const std::filesystem::path& path) {
   return format_of(path).has_value();
@@ -203,6 +209,9 @@ const std::array export_table{
     ExportInfo{"relaxed", "stuffed shape", "-relaxed.obj", About::piece,
                "write the knit mesh as it will come off the needles and be stuffed, as OBJ",
                as_text<relaxed_text>, relaxed_missing},
+    ExportInfo{"yarn", "yarn", "-yarn.glb", About::piece,
+               "write the piece as yarn, as it will come off the needles and be stuffed", write_yarn,
+               yarn_missing, ExportEndings{"yarn", yarn_endings, has_format<yarn_format_of>}},
     ExportInfo{"map", "stitch map", "-map.txt", About::figures, "write the label arrays, a row a line",
                as_text<map_text>},
     ExportInfo{"report", "report", "-report.json", About::figures, "write the report as JSON",

@@ -63,8 +63,9 @@ inline const std::vector<Arrow> arrows{
      {"knit/", "app/base", "app/scene", "app/checker", "app/session", "app/explain", "app/lessons"},
      {"glm/"}},
     {"app/facing", {"knit/", "app/scene", "app/session", "app/describe"}, {"glm/"}},
+    {"app/yarn", {"knit/", "app/base", "app/session"}, {"glm/", json[0], json[1]}},
     {"app/files",
-     {"knit/", "app/base", "app/session", "app/explain", "app/describe"},
+     {"knit/", "app/base", "app/session", "app/explain", "app/describe", "app/yarn"},
      {json[0], json[1], "unistd.h"}},
     {"app/reader",
      {"knit/import", "knit/stitches", "knit/pattern", "knit/reader", "app/base"},
@@ -109,8 +110,9 @@ inline const std::vector<Arrow> arrows{
     {"app", {"knit/", "app/session", "app/actions", "app/script", "app/window"}, {}}};
 
 // Folders of the app that "app/" stands for: all that knows no window.
-inline const std::set<std::string> app_core{
-    "app/base",     "app/scene",  "app/checker", "app/session", "app/explain", "app/compare", "app/lessons",
-    "app/describe", "app/facing", "app/files",   "app/reader",  "app/actions", "app/entries", "app/script"};
+inline const std::set<std::string> app_core{"app/base",    "app/scene",   "app/checker", "app/session",
+                                            "app/explain", "app/compare", "app/lessons", "app/describe",
+                                            "app/facing",  "app/yarn",    "app/files",   "app/reader",
+                                            "app/actions", "app/entries", "app/script"};
 
 }  // namespace test_support
