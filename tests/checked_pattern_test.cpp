@@ -462,3 +462,9 @@ TEST_CASE("checked pattern: a line that does not add up tells what it makes") {
             .lines.back()
             .stitches == 13);
 }
+
+// A marker after every stitch: each one that is slipped walks over all.
+TEST_CASE("checked pattern: markers that pile up within a round come to an end") {
+  CHECK(signs_of("CO 4000000 sts.\nRnd 1: *K1, pm, sm; rep from * to end.\nBO.") == "+?~");
+  CHECK(signs_of("CO 60 sts.\nRnd 1: *K1, pm, sm; rep from * to end. (60 sts)\nBO 60 sts.") == "+++");
+}

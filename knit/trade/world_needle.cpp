@@ -46,6 +46,10 @@ class Hands {
     return std::accumulate(needle_.left.begin() + static_cast<std::ptrdiff_t>(first_marker),
                            needle_.left.end(), std::int64_t{0});
   }
+  [[nodiscard]] bool none_yet() const {
+    return std::all_of(needle_.right.begin(), needle_.right.end(),
+                       [](std::int64_t stitches) { return stitches == 0; });
+  }
   [[nodiscard]] bool marker_ahead() const { return first_marker + 1 < needle_.left.size(); }
   std::int64_t& front() { return needle_.left[first_marker]; }
   void cross() {
@@ -53,8 +57,11 @@ class Hands {
     needle_.right.push_back(0);
   }
 
-  bool spend(const WorldNode& node, std::int64_t work) {
-    budget_ -= work;
+  // A step walks over the markers now and then, so it costs more where they pile up.
+  bool spend(const WorldNode& node) {
+    constexpr std::size_t few = 16;
+    budget_ -=
+        static_cast<std::int64_t>(1 + (needle_.left.size() - first_marker + needle_.right.size()) / few);
     if (budget_ < 0) unknown(node, "the pattern is longer than can be worked.");
     return budget_ >= 0;
   }
@@ -68,7 +75,7 @@ class Hands {
     }
     if (takes > left() / times) return wrong(node, needs(takes * times));
     while (times > 0) {
-      if (!spend(node, 1)) return;
+      if (!spend(node)) return;
       while (front() == 0 && marker_ahead()) cross();
       const std::int64_t here = std::min(times, front() / takes);
       if (here > 0) {
@@ -96,7 +103,7 @@ class Hands {
 
   void sequence(const std::vector<WorldNode>& nodes, std::int64_t behind) {
     for (std::size_t i = 0; i < nodes.size() && !stopped(); ++i) {
-      if (!spend(nodes[i], 1)) return;
+      if (!spend(nodes[i])) return;
       const bool open = nodes[i].until == Until::end && !nodes[i].tail;
       std::int64_t rest = behind;
       if (open) {
@@ -152,7 +159,7 @@ class Hands {
   void slip_marker(const WorldNode& node) {
     if (front() == 0 && marker_ahead()) return cross();
     const bool here = needle_.right.size() > 1 && needle_.right.back() == 0;
-    const bool at_end = sum(needle_.right) == 0 || left() == 0;
+    const bool at_end = none_yet() || left() == 0;
     if (here || at_end || !needle_.marked) return;
     unknown(node, "no marker stands there.");
   }
@@ -236,7 +243,7 @@ class Hands {
       return;
     }
     for (std::int64_t i = 0; i < times && !stopped(); ++i) {
-      if (!spend(node, 1)) return;
+      if (!spend(node)) return;
       once(node);
     }
   }
@@ -248,7 +255,7 @@ class Hands {
   void over_and_over(const WorldNode& node, std::int64_t tail) {
     while (left() > tail && !stopped()) {
       const std::int64_t before = left();
-      if (!spend(node, 1)) return;
+      if (!spend(node)) return;
       once(node);
       if (left() == before && !stopped())
         return unknown(node, "it takes no stitch, so it never comes to the end.");
@@ -260,8 +267,8 @@ class Hands {
     const std::int64_t tail = node.tail.value_or(0);
     if (!fixed || fixed->takes == 0) return unknown(node, "what is repeated up to the marker is not clear.");
     if (front() == 0 && marker_ahead() && (tail == 0 || node.next)) cross();
-    if (!marker_ahead() && needle_.marked && first_marker + 1 == needle_.left.size() &&
-        sum(needle_.right) == 0 && tail == 0 && left() == 0)
+    if (!marker_ahead() && needle_.marked && first_marker + 1 == needle_.left.size() && none_yet() &&
+        tail == 0 && left() == 0)
       return unknown(node, "no marker stands ahead.");
     const std::int64_t there = front() - tail;
     if (there < 0)
