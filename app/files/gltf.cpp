@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/base/little_endian.h"
 #include "app/base/text.h"
 #include "app/describe/describe_step.h"
 #include "app/describe/thing_places.h"
@@ -26,15 +26,10 @@ constexpr int component_u16 = 5123, component_u32 = 5125, component_f32 = 5126;
 constexpr int vertex_data = 34962, index_data = 34963;
 constexpr int mode_lines = 1, mode_triangles = 4;
 
-void append_u32(std::string& bytes, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8)
-    bytes += static_cast<char>(static_cast<unsigned char>((value >> shift) & 0xffU));
-}
 void append_u16(std::string& bytes, std::uint16_t value) {
   bytes += static_cast<char>(static_cast<unsigned char>(value & 0xffU));
   bytes += static_cast<char>(static_cast<unsigned char>(value >> 8U));
 }
-void append_f32(std::string& bytes, float value) { append_u32(bytes, std::bit_cast<std::uint32_t>(value)); }
 void append_vec3(std::string& bytes, const glm::vec3& v) {
   for (int i = 0; i < 3; ++i) append_f32(bytes, v[i]);
 }

@@ -1,11 +1,11 @@
 #include "app/yarn/yarn_files.h"
 
 #include <array>
-#include <bit>
 #include <cctype>
 #include <cstdio>
 #include <string_view>
 
+#include "app/base/little_endian.h"
 #include "app/session/document.h"
 #include "app/session/shown.h"
 #include "knit/relax/relax.h"
@@ -14,22 +14,8 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t a_point = 2;  // places from one control point to the next: 24 a stitch
-
-// Little-endian whatever the machine.
-void append_u32(std::string& bytes, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8)
-    bytes += static_cast<char>(static_cast<unsigned char>((value >> shift) & 0xffU));
-}
-void append_u64(std::string& bytes, std::uint64_t value) {
-  append_u32(bytes, static_cast<std::uint32_t>(value & 0xffffffffU));
-  append_u32(bytes, static_cast<std::uint32_t>(value >> 32U));
-}
-void append_f32(std::string& bytes, double value) {
-  append_u32(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
-}
 void append_place(std::string& bytes, const glm::dvec3& place) {
-  for (int axis = 0; axis < 3; ++axis) append_f32(bytes, place[axis]);
+  for (int axis = 0; axis < 3; ++axis) append_f32(bytes, static_cast<float>(place[axis]));
 }
 void append_chunk(std::string& bytes, std::string_view name, const std::string& data) {
   bytes += name;
@@ -105,13 +91,14 @@ std::string yarn_obj(const knit::Fabric& fabric, const knit::Yarn& yarn) {
   const knit::KnittingPath path(fabric);
   std::size_t first = 1;
   for (const knit::YarnCurve& curve : yarn.curves) {
-    const std::vector<glm::dvec3> places = knit::sampled(curve, a_point);
+    const std::vector<glm::dvec3> places = knit::sampled(curve, yarn_places_a_point);
     for (const glm::dvec3& place : places) text += place_line(place);
     const std::vector<std::string> groups = groups_of(path, curve);
     for (std::size_t i = 0, end = 0; i + 1 < curve.points.size(); i = end) {
       for (end = i + 1; end + 1 < curve.points.size() && groups[end] == groups[i];) ++end;
       text += "g " + groups[i] + "\nl";
-      for (std::size_t k = i * a_point; k <= end * a_point; ++k) text += " " + std::to_string(first + k);
+      for (std::size_t k = i * yarn_places_a_point; k <= end * yarn_places_a_point; ++k)
+        text += " " + std::to_string(first + k);
       text += "\n";
     }
     first += places.size();
@@ -144,7 +131,7 @@ std::string yarn_yarns(const knit::Yarn& yarn) {
   std::uint32_t count = 0;
   for (const knit::YarnCurve& curve : yarn.curves) {
     const std::uint32_t begin = count;
-    const std::vector<glm::dvec3> places = knit::sampled(curve, a_point);
+    const std::vector<glm::dvec3> places = knit::sampled(curve, yarn_places_a_point);
     for (std::size_t i = 0; i < places.size(); ++i) {
       append_place(points, spline_point(places, i));
       append_u32(sources, 0);  // no line of a file
@@ -152,7 +139,7 @@ std::string yarn_yarns(const knit::Yarn& yarn) {
     }
     append_u32(infos, begin);
     append_u32(infos, count);
-    append_f32(infos, curve.radius);
+    append_f32(infos, static_cast<float>(curve.radius));
     infos += "\xd8\xc8\xa8\xff";  // red, green, blue, opaque
   }
   std::string bytes;

@@ -19,6 +19,8 @@ namespace app {
 
 enum class YarnFormat : std::uint8_t { obj, bcc, yarns, gltf_binary, gltf_text };
 
+inline constexpr std::size_t yarn_places_a_point = 2;  // from one control point to the next: 24 a stitch
+
 // By the ending. None for any other.
 std::optional<YarnFormat> yarn_format_of(const std::filesystem::path& path);
 inline constexpr const char* yarn_endings = ".obj, .bcc, .yarns, .glb or .gltf";

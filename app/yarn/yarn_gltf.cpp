@@ -1,13 +1,13 @@
 // Yarn as tubes in glTF 2.0.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/base/little_endian.h"
 #include "app/base/text.h"
 #include "app/yarn/yarn_files.h"
 #include "knit/mesh/elementary.h"
@@ -19,15 +19,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t sides = 6;
-constexpr std::size_t a_point = 2;
 constexpr int component_u32 = 5125, component_f32 = 5126, vertex_data = 34962, index_data = 34963;
 
-void append_u32(std::string& bytes, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8)
-    bytes += static_cast<char>(static_cast<unsigned char>((value >> shift) & 0xffU));
-}
 void append_vec3(std::string& bytes, const glm::vec3& v) {
-  for (int axis = 0; axis < 3; ++axis) append_u32(bytes, std::bit_cast<std::uint32_t>(v[axis]));
+  for (int axis = 0; axis < 3; ++axis) append_f32(bytes, v[axis]);
 }
 
 glm::dvec3 across(const glm::dvec3& along) {
@@ -42,7 +37,7 @@ struct Tubes {
   std::uint32_t vertices = 0, corners = 0;
 
   void add(const knit::YarnCurve& curve) {
-    const std::vector<glm::dvec3> places = knit::sampled(curve, a_point);
+    const std::vector<glm::dvec3> places = knit::sampled(curve, yarn_places_a_point);
     glm::dvec3 side(0.0);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const glm::dvec3 way = places[std::min(i + 1, places.size() - 1)] - places[i > 0 ? i - 1 : 0];
