@@ -254,7 +254,7 @@ TEST_CASE("short rows: an edit of how stitches are placed leaves their turns pla
       const State& state = edited.furthest();
       REQUIRE(state.finished());
       for (const Round& round : rounds_of(state).rounds) CHECK(can_be_worked(round));
-      const bool late = at > first_pair && placement != timeline.parameters().stitches.placement;
+      const bool late = at >= first_pair && placement != timeline.parameters().stitches.placement;
       CHECK(remark_on_placement(state, edited.parameters_of_stop()).has_value() == late);
     }
   }

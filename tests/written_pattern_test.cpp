@@ -237,7 +237,7 @@ TEST_CASE("the parts of the document stand in the usual order") {
   for (const std::string& text : {pattern_as_text(pattern), pattern_as_markdown(pattern)}) {
     std::size_t at = 0;
     for (const std::string part : {"Ball", "Project level: Easy", "About ", "Yarn: ", "22 sts and 32 rnds",
-                                   "CO", "Worked from the bottom", "CO 6 sts", "Rnd 2: ", "Break yarn",
+                                   "CO", "Worked in the round", "CO 6 sts", "Rnd 2: ", "Break yarn",
                                    "Thread the cast-on tail", "Weave in"}) {
       INFO(part);
       at = text.find(part, at);

@@ -51,13 +51,10 @@ std::vector<std::string> material_lines(const Rounds& rounds, const PatternSizes
 std::vector<std::string> note_lines(const Rounds& rounds, std::span<const RoundLine> lines,
                                     const Used& used) {
   std::vector<std::string> notes{
-      "Worked in the round from the cast on, right side out. Every round begins at the marker; slip it as "
-      "you "
-      "come to it.",
-      "The number in parentheses at the end of a line is how many stitches there are after that round. The "
-      "cast "
-      "on "
-      "counts as the first round."};
+      "Worked in the round from the cast on, right side out. Every round begins at the marker; "
+      "slip it as you come to it.",
+      "The number in parentheses at the end of a line is how many stitches there are after that round. "
+      "The cast on counts as the first round."};
   const auto has_several = [](const RoundLine& line) { return line.counts.size() > 1; };
   if (std::any_of(lines.begin(), lines.end(), has_several)) {
     notes.emplace_back(

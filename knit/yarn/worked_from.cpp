@@ -87,8 +87,10 @@ class Paths {
   explicit Paths(const Fabric& fabric) : fabric_(fabric) {}
 
   std::vector<YarnPath> all() {
+    const Row* before = nullptr;
     for (RowId id = 1; id <= fabric_.row_count(); ++id) {
-      if (id == 1 || !goes_on(id)) paths_.emplace_back();
+      if (before == nullptr || !goes_on(*before, fabric_.row(id))) paths_.emplace_back();
+      before = &fabric_.row(id);
       if (is_short(fabric_.row(id))) {
         shorts_.push_back(id);
       } else {
@@ -104,15 +106,16 @@ class Paths {
 
  private:
   // Whether the yarn that worked the row before works this one.
-  [[nodiscard]] bool goes_on(RowId id) const {
-    const LiveStitches& on = fabric_.row(id).on;
-    if (fabric_.row(id).tube == fabric_.row(id - 1).tube && is_short(fabric_.row(id - 1))) return true;
-    return std::any_of(on.spans.begin(), on.spans.end(), [&](const StitchSpan& span) {
-      if (span.row > 0) return span.row == id - 1;
-      const Deal& deal = *fabric_.deals()[static_cast<std::size_t>(-span.row) - 1];
-      return deal.after == id - 1 &&
-             std::any_of(deal.taken.begin(), deal.taken.end(),
-                         [&](const LiveStitches& live) { return takes_from(live, id - 1); });
+  [[nodiscard]] bool goes_on(const Row& before, const Row& row) const {
+    if (row.tube == before.tube && is_short(before)) return true;
+    return takes_from(row.on, before.id) || goes_on_over_bridge(before.id, row.on);
+  }
+  [[nodiscard]] bool goes_on_over_bridge(RowId before, const LiveStitches& on) const {
+    std::int32_t number = 0;
+    return std::any_of(fabric_.deals().begin(), fabric_.deals().end(), [&](const Shared<Deal>& deal) {
+      return takes_from(on, bridge_row(++number)) && deal->after == before &&
+             std::any_of(deal->taken.begin(), deal->taken.end(),
+                         [&](const LiveStitches& live) { return takes_from(live, before); });
     });
   }
 
