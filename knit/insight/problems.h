@@ -46,8 +46,8 @@ class ProblemRanking {
 
 // What a remark is about, and by index what scripts call it.
 enum class RemarkKind : std::uint8_t { size, swatch, uncovered, turned, stretched, placement, knitted };
-inline constexpr std::array<std::string_view, 7> remark_keys{
-    "size", "swatch", "uncovered", "turned", "stretched", "placement", "knitted"};
+inline constexpr std::array<std::string_view, 7> remark_keys{"size",      "swatch",    "uncovered", "turned",
+                                                             "stretched", "placement", "knitted"};
 
 // A result that is not what was asked for: the size, a swatch that is hardly knitted fabric, what rows leave uncovered, faces that are turned over, rows whose wales are stretched, what comes off the needles otherwise. One of the two
 // places is set, or none where it is about all of the piece.

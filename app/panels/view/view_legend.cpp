@@ -126,8 +126,8 @@ void draw_stretch_ramp(PanelFrame& frame, double full) {
     float share;
   };
   const bool narrow = full < full_stretch;
-  for (const Tick& tick : {Tick{narrow ? "0.87" : "2/3", 0.0f}, Tick{"1", 0.5f},
-                           Tick{narrow ? "1.15" : "3/2", 1.0f}}) {
+  for (const Tick& tick :
+       {Tick{narrow ? "0.87" : "2/3", 0.0f}, Tick{"1", 0.5f}, Tick{narrow ? "1.15" : "3/2", 1.0f}}) {
     const float wide = ImGui::CalcTextSize(tick.words).x;
     text_at(ImVec2(low.x + tick.share * (width - wide), low.y + height + frame.units(1.0f)), 0.0f,
             theme().faint_text, tick.words);
