@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "app/base/little_endian.h"
+#include "app/base/glb.h"
 #include "app/base/text.h"
 #include "app/describe/describe_step.h"
 #include "app/describe/thing_places.h"
@@ -21,17 +21,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What the standard calls its numbers.
-constexpr int component_u16 = 5123, component_u32 = 5125, component_f32 = 5126;
-constexpr int vertex_data = 34962, index_data = 34963;
 constexpr int mode_lines = 1, mode_triangles = 4;
 
 void append_u16(std::string& bytes, std::uint16_t value) {
   bytes += static_cast<char>(static_cast<unsigned char>(value & 0xffU));
   bytes += static_cast<char>(static_cast<unsigned char>(value >> 8U));
-}
-void append_vec3(std::string& bytes, const glm::vec3& v) {
-  for (int i = 0; i < 3; ++i) append_f32(bytes, v[i]);
 }
 
 // Colours on a screen are sRGB; the standard wants them linear.
@@ -52,18 +46,7 @@ class GltfDocument {
     add_lines();
   }
 
-  [[nodiscard]] std::string binary() const {
-    std::string text = json(false).dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string file = "glTF";
-    append_u32(file, 2);
-    append_u32(file, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + buffer_.size()));
-    append_u32(file, static_cast<std::uint32_t>(text.size()));
-    file += "JSON" + text;
-    append_u32(file, static_cast<std::uint32_t>(buffer_.size()));
-    file += std::string("BIN\0", 4) + buffer_;
-    return file;
-  }
+  [[nodiscard]] std::string binary() const { return glb_of(json(false).dump(), buffer_); }
   [[nodiscard]] std::string text() const { return json(true).dump(1) + "\n"; }
 
  private:
@@ -89,7 +72,7 @@ class GltfDocument {
         high[i] = std::max(high[i], place[i]);
       }
     }
-    const int at = add_accessor(add_view(bytes, vertex_data), component_f32, places.size(), "VEC3");
+    const int at = add_accessor(add_view(bytes, gltf_vertices), gltf_f32, places.size(), "VEC3");
     accessors_.back()["min"] = {low.x, low.y, low.z};
     accessors_.back()["max"] = {high.x, high.y, high.z};
     return at;
@@ -97,7 +80,7 @@ class GltfDocument {
   int add_indices(const std::vector<std::uint32_t>& indices) {
     std::string bytes;
     for (const std::uint32_t index : indices) append_u32(bytes, index);
-    return add_accessor(add_view(bytes, index_data), component_u32, indices.size(), "SCALAR");
+    return add_accessor(add_view(bytes, gltf_indices), gltf_u32, indices.size(), "SCALAR");
   }
   int add_material(const char* name, const glm::dvec3& colour) {
     materials_.push_back({{"name", name},
@@ -132,9 +115,8 @@ class GltfDocument {
     if (places.empty()) return;
     Json attributes;
     attributes["POSITION"] = add_positions(places);
-    attributes["NORMAL"] = add_accessor(add_view(normals, vertex_data), component_f32, places.size(), "VEC3");
-    attributes["COLOR_0"] =
-        add_accessor(add_view(colours, vertex_data), component_u16, places.size(), "VEC4");
+    attributes["NORMAL"] = add_accessor(add_view(normals, gltf_vertices), gltf_f32, places.size(), "VEC3");
+    attributes["COLOR_0"] = add_accessor(add_view(colours, gltf_vertices), gltf_u16, places.size(), "VEC4");
     accessors_.back()["normalized"] = true;
     const int material = add_material("faces by label", glm::dvec3(1.0));
     primitives_.push_back({{"attributes", attributes}, {"material", material}, {"mode", mode_triangles}});

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/base/little_endian.h"
+#include "app/base/glb.h"
 #include "app/base/text.h"
 #include "app/yarn/yarn_files.h"
 #include "knit/mesh/elementary.h"
@@ -19,11 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint32_t sides = 6;
-constexpr int component_u32 = 5125, component_f32 = 5126, vertex_data = 34962, index_data = 34963;
-
-void append_vec3(std::string& bytes, const glm::vec3& v) {
-  for (int axis = 0; axis < 3; ++axis) append_f32(bytes, v[axis]);
-}
 
 glm::dvec3 across(const glm::dvec3& along) {
   const bool steep = std::abs(along.x) > 0.5;
@@ -96,13 +91,13 @@ Json json_of(const Tubes& tubes, double metres, std::size_t curves) {
         {"doubleSided", true}}});
   file["accessors"] = Json::array(
       {{{"bufferView", 0},
-        {"componentType", component_f32},
+        {"componentType", gltf_f32},
         {"count", tubes.vertices},
         {"type", "VEC3"},
         {"min", {tubes.low.x, tubes.low.y, tubes.low.z}},
         {"max", {tubes.high.x, tubes.high.y, tubes.high.z}}},
-       {{"bufferView", 1}, {"componentType", component_f32}, {"count", tubes.vertices}, {"type", "VEC3"}},
-       {{"bufferView", 2}, {"componentType", component_u32}, {"count", tubes.corners}, {"type", "SCALAR"}}});
+       {{"bufferView", 1}, {"componentType", gltf_f32}, {"count", tubes.vertices}, {"type", "VEC3"}},
+       {{"bufferView", 2}, {"componentType", gltf_u32}, {"count", tubes.corners}, {"type", "SCALAR"}}});
   std::size_t begin = 0;
   file["bufferViews"] = Json::array();
   const auto add_view = [&](const std::string& bytes, int target) {
@@ -110,9 +105,9 @@ Json json_of(const Tubes& tubes, double metres, std::size_t curves) {
         {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size()}, {"target", target}});
     begin += bytes.size();
   };
-  add_view(tubes.positions, vertex_data);
-  add_view(tubes.normals, vertex_data);
-  add_view(tubes.indices, index_data);
+  add_view(tubes.positions, gltf_vertices);
+  add_view(tubes.normals, gltf_vertices);
+  add_view(tubes.indices, gltf_indices);
   return file;
 }
 
@@ -129,16 +124,7 @@ std::string yarn_gltf(const knit::Yarn& yarn, double metres, bool binary) {
     json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
     return json.dump(1) + "\n";
   }
-  std::string text = json.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::string file = "glTF";
-  append_u32(file, 2);
-  append_u32(file, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + buffer.size()));
-  append_u32(file, static_cast<std::uint32_t>(text.size()));
-  file += "JSON" + text;
-  append_u32(file, static_cast<std::uint32_t>(buffer.size()));
-  file += std::string("BIN\0", 4) + buffer;
-  return file;
+  return glb_of(json.dump(), buffer);
 }
 
 }  // namespace app
