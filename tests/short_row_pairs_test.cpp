@@ -13,6 +13,7 @@
 #include "knit/short_rows/placing.h"
 #include "tests/support/bent_tubes.h"
 #include "tests/support/catch.h"
+#include "tests/support/hand_chart.h"
 #include "tests/support/repeated.h"
 #include "tests/support/rough_sphere.h"
 
@@ -80,23 +81,6 @@ void check_counts(const Planned& planned, std::int32_t rounds, std::int32_t pair
 bool without_pairs(const BentTube& tube) {
   const Planned planned = plan(tube);
   return planned.search.arcs.empty() && planned.search.greatest_lag < 1.0;
-}
-
-// A chart of a few columns whose cells are as wide as is said, and levels that end where their columns do.
-TubeChart hand_chart(const std::vector<double>& ends, std::int32_t levels) {
-  TubeChart chart;
-  chart.columns = static_cast<std::int32_t>(ends.size());
-  for (std::int32_t l = 0; l < levels; ++l) {
-    chart.times.push_back(static_cast<double>(l) / (levels - 1));
-    for (std::int32_t j = 0; j < chart.columns; ++j) {
-      const double turn = 2.0 * std::numbers::pi * j / chart.columns;
-      const double height = ends[static_cast<std::size_t>(j)] * chart.times.back();
-      const double radius = 1.0 / (2.0 * std::sin(std::numbers::pi / chart.columns));  // cells 1 wide
-      chart.points.push_back({radius * std::cos(turn), radius * std::sin(turn), 0.0});
-      chart.heights.push_back(height);
-    }
-  }
-  return chart;
 }
 
 RoundBelow round_of(std::int32_t stitches, double begin = 0.0) {

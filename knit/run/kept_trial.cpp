@@ -32,7 +32,8 @@ ChartAt chart_at(const Input& input, const Parameters& parameters, const State& 
           state.short_rows.ahead};
 }
 
-// Once for each part of a tube, however many ways keep the same rows.
+// Once for each part of a tube, however many ways keep the same rows. As many charts as tubes, three times at most, and only
+// for pieces that are settled: of no more than `most_stitches_to_try`; or for one tube, which is then worked by its chart.
 void plan_ahead(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const std::vector<double> field = field_of(input, *state.graph);
   for (std::size_t i = 1; i < ways_of(*state.tubes); ++i) {
@@ -42,7 +43,9 @@ void plan_ahead(const Input& input, const Parameters& parameters, State& state, 
       const ChartAt at = chart_at(input, parameters, state, field, tube, ways[i]);
       if (planned_ahead(at) != nullptr) continue;
       std::optional<PlannedPairs> planned;
-      while (!advance_planning(at, planned).done) {
+      if (!advance_planning(at, planned, part_of(heard, 0.0, 0.0)).done) {
+        planned->search = choose_arcs(*planned->chart, planned->rounds, at.stitch.width, planned->settings);
+        advance_planning(at, planned);
       }
       state.short_rows.ahead.emplace_back(std::move(*planned));
     }
@@ -110,6 +113,18 @@ void measure_wales(const Fabric& fabric, double stitch_height, KeptTry& made) {
   made.longest_wale = static_cast<float>(longest / stitch_height);
 }
 
+// A tube that is due gets its arcs as they were chosen ahead: in a trial nobody looks at each.
+void take_plan_ahead(const Input& input, const Parameters& parameters, State& state) {
+  if (state.short_rows.planning || short_rows_due(parameters, state) != ShortRowsDue::plan) return;
+  const TubeId tube = current_tube(*state.tubes, std::get<ContourWork>(state.work));
+  const std::vector<double> no_field;  // plans are only looked up
+  const PlannedPairs* known = planned_ahead(
+      chart_at(input, parameters, state, no_field, tube, rows_beside_events(parameters, state)));
+  if (known == nullptr || (known->none != NoChart::no && known->none != NoChart::no_pair)) return;
+  state.short_rows.planning = *known;
+  state.short_rows.planning->none = NoChart::no;
+}
+
 // Runs ahead until all has settled.
 KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std::int32_t way,
                 const Heard& heard) {
@@ -121,6 +136,7 @@ KeptTry settled(const Input& input, const Parameters& as_asked, State ahead, std
   ahead.short_rows.ahead = std::move(plans);
   while (ahead.stage() < Stage::pattern) {
     hear(heard, 0.0);
+    take_plan_ahead(input, parameters, ahead);
     const bool settles = ahead.stage() == Stage::settle;
     const Step step = advance(input, parameters, ahead);
     if (is_stop(step)) return made;
@@ -171,15 +187,17 @@ double stitches_of(const TubePlan& plan) {
   return stitches;
 }
 
-// Where nothing has to be settled, or nothing can be.
-std::optional<KeptChosen> choose_unsettled(const Input& input, const Parameters& parameters,
-                                           const State& state) {
+// Where nothing has to be settled, or nothing can be. Plans ahead unless that would change nothing.
+std::optional<KeptChosen> choose_unsettled(const Input& input, const Parameters& parameters, State& state,
+                                           const Heard& heard) {
+  const bool unsettled = parameters.settle.settling == Settling::off;
+  const bool comparable = !unsettled && stitches_of(*state.tubes) <= most_stitches_to_try;
+  const ChosenBy by = unsettled ? ChosenBy::unsettled : ChosenBy::too_many;
+  if (!comparable && state.tubes->tubes.size() > 1) return KeptChosen{no_short_rows, 0, 0.0F, 0.0F, by};
+  plan_ahead(input, parameters, state, heard);
   if (!any_pays(input, parameters, state))
     return KeptChosen{no_short_rows, 0, 0.0F, 0.0F, ChosenBy::no_arc_pays};
-  const bool unsettled = parameters.settle.settling == Settling::off;
-  if (!unsettled && stitches_of(*state.tubes) <= most_stitches_to_try) return std::nullopt;
-  const ChosenBy by = unsettled ? ChosenBy::unsettled : ChosenBy::too_many;
-  if (state.tubes->tubes.size() > 1) return KeptChosen{no_short_rows, 0, 0.0F, 0.0F, by};
+  if (comparable) return std::nullopt;
   return KeptChosen{0, arcs_that_pay(input, parameters, state, 0), 0.0F, 0.0F, by};
 }
 
@@ -208,8 +226,7 @@ ShortRowEvent advance_kept_choice(const Input& input, const Parameters& paramete
     return chosen;
   }
   if (made.tries.empty()) {
-    plan_ahead(input, parameters, state, heard);
-    if (const auto chosen = choose_unsettled(input, parameters, state)) {
+    if (const auto chosen = choose_unsettled(input, parameters, state, heard)) {
       made.kept = chosen->kept;
       keep_chosen_plans(input, parameters, state);
       return *chosen;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "knit/mesh/elementary.h"
 #include "knit/model/ties.h"
@@ -70,23 +71,36 @@ Gap measure(const TubeChart& chart, const FullRounds& rounds, double stitch_widt
   return made;
 }
 
+// A turn at `column` makes turns dearer that are near: those above it and below it, both ways round, until one is far.
+void add_turn(const Gap& gap, std::int32_t column, double weight, double turn_step,
+              std::vector<double>& penalty) {
+  const std::size_t count = penalty.size(), at = static_cast<std::size_t>(column) % count;
+  const auto add = [&](std::size_t j) {
+    const double steps = gap.apart(j, at) / turn_step;
+    if (!(steps * steps < far_apart)) return false;
+    penalty[j] += weight * exponential(-steps * steps);
+    return true;
+  };
+  std::size_t above = at, below = at;  // the first, and the one after the last, that are not done
+  while (above < count && add(above)) ++above;
+  for (std::size_t j = count; j > above + 1 && add(j - 1);) --j;
+  while (below > 0 && add(below - 1)) --below;
+  for (std::size_t j = 0; j + 1 < below && add(j);) ++j;
+}
+
+void add_turns(const Gap& gap, const PairArc& arc, std::int32_t gap_number, double turn_step,
+               std::vector<double>& penalty) {
+  const double weight = turn_penalty * (1.0 - static_cast<double>(gap_number - arc.gap) / (look_back + 1));
+  for (const std::int32_t turn : {arc.from, arc.to}) add_turn(gap, turn, weight, turn_step, penalty);
+}
+
 // What a turn at each column costs, for the turns that are near.
 std::vector<double> penalties(const Gap& gap, const ArcSearch& search, double turn_step) {
   std::vector<double> penalty(gap.lag.size(), 0.0);
-  const auto add_turn = [&](std::int32_t column, double weight) {
-    const std::size_t at = static_cast<std::size_t>(column) % gap.lag.size();
-    for (std::size_t j = 0; j < penalty.size(); ++j) {
-      const double steps = gap.apart(j, at) / turn_step;
-      if (steps * steps < far_apart) penalty[j] += weight * exponential(-steps * steps);
-    }
-  };
-  for (const PairArc& arc : search.arcs) {
-    const std::int32_t age = search.gap - arc.gap;
-    if (age > look_back) continue;
-    const double weight = turn_penalty * (1.0 - static_cast<double>(age) / (look_back + 1));
-    add_turn(arc.from, weight);
-    add_turn(arc.to, weight);
-  }
+  const auto near = std::partition_point(search.arcs.begin(), search.arcs.end(), [&](const PairArc& arc) {
+    return search.gap - arc.gap > look_back;
+  });
+  for (auto arc = near; arc != search.arcs.end(); ++arc) add_turns(gap, *arc, search.gap, turn_step, penalty);
   return penalty;
 }
 
@@ -148,10 +162,10 @@ std::optional<PairArc> image_due(const Gap& gap, const ArcSearch& search) {
 }
 
 // The best arc of a gap; none where no arc is as long, or as short, as it must be.
-PairArc best_arc(const Gap& gap, const ArcSearch& search, const PairSettings& settings) {
+PairArc best_arc(const Gap& gap, std::span<const double> penalty, const ArcSearch& search,
+                 const PairSettings& settings) {
   const auto columns = static_cast<std::int32_t>(gap.lag.size());
   const std::size_t count = gap.lag.size();
-  const std::vector<double> penalty = penalties(gap, search, settings.turn_step);
   std::vector<double> gains{0.0}, arcs{0.0};
   for (std::size_t i = 0; i < 2 * count; ++i) {
     const std::size_t c = i % count;
@@ -170,6 +184,8 @@ PairArc best_arc(const Gap& gap, const ArcSearch& search, const PairSettings& se
       PairArc arc{
           search.gap, from, to, gains[a] - gains[b], settings.turn_cost + penalty[b] + penalty[a % count],
           0.0};
+      // What may be added only makes it dearer.
+      if (found && clearly_less(arc.gain - arc.price, best.gain - best.price, scale)) continue;
       if (gap.mirror && !may_be_mirrored(arc, gap)) continue;
       if (gap.mirror && !is_own_image(arc, gap) && clearly_less(arc.price, arc.gain, scale))
         arc.price += half_price_of_image(arc, gap, settings.turn_step);
@@ -196,30 +212,29 @@ void close_gap(const Gap& gap, const FullRounds& rounds, ArcSearch& search) {
   search.done = search.gap >= rounds.gaps();
 }
 
-}  // namespace
-
-ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
-                     const PairSettings& settings, ArcSearch& search) {
-  search.covered.resize(static_cast<std::size_t>(chart.columns), 0);
-  const Gap gap = measure(chart, rounds, stitch_width, search.gap);
-  if (!search.measured) {
-    search.measured = true;
-    LagMeasured lag{search.gap, 0, -INFINITY, INFINITY};
-    for (std::size_t c = 0; c < gap.lag.size(); ++c) {
-      const double missing = gap.lag[c] - 2.0 * search.covered[c];
-      if (missing > lag.greatest) lag.column = static_cast<std::int32_t>(c);
-      lag.greatest = std::max(lag.greatest, missing);
-      lag.least = std::min(lag.least, missing);
-    }
-    return lag;
+LagMeasured measure_lag(const Gap& gap, ArcSearch& search) {
+  search.measured = true;
+  LagMeasured lag{search.gap, 0, -INFINITY, INFINITY};
+  for (std::size_t c = 0; c < gap.lag.size(); ++c) {
+    const double missing = gap.lag[c] - 2.0 * search.covered[c];
+    if (missing > lag.greatest) lag.column = static_cast<std::int32_t>(c);
+    lag.greatest = std::max(lag.greatest, missing);
+    lag.least = std::min(lag.least, missing);
   }
+  return lag;
+}
+
+// Keeps the penalties up, if the arc is taken.
+ArcConsidered consider_best(const Gap& gap, const FullRounds& rounds, const PairSettings& settings,
+                            std::vector<double>& penalty, ArcSearch& search) {
   const std::optional<PairArc> image = image_due(gap, search);
-  const PairArc best = image ? *image : best_arc(gap, search, settings);
+  const PairArc best = image ? *image : best_arc(gap, penalty, search, settings);
   const bool taken = best.to > best.from && clearly_less(best.price, best.gain, gap.stitches);
   if (taken) {
     for (std::int32_t c = best.from; c < best.to; ++c)
       ++search.covered[static_cast<std::size_t>(c) % search.covered.size()];
     search.arcs.push_back(best);
+    add_turns(gap, best, search.gap, settings.turn_step, penalty);
   }
   const auto in_gap = std::count_if(search.arcs.begin(), search.arcs.end(),
                                     [&](const PairArc& arc) { return arc.gap == search.gap; });
@@ -228,10 +243,28 @@ ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double st
   return considered;
 }
 
+}  // namespace
+
+ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
+                     const PairSettings& settings, ArcSearch& search) {
+  search.covered.resize(static_cast<std::size_t>(chart.columns), 0);
+  const Gap gap = measure(chart, rounds, stitch_width, search.gap);
+  if (!search.measured) return measure_lag(gap, search);
+  std::vector<double> penalty = penalties(gap, search, settings.turn_step);
+  return consider_best(gap, rounds, settings, penalty, search);
+}
+
 ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
                       const PairSettings& settings) {
   ArcSearch search;
-  while (!search.done) advance_arcs(chart, rounds, stitch_width, settings, search);
+  search.covered.resize(static_cast<std::size_t>(chart.columns), 0);
+  while (!search.done) {
+    const std::int32_t number = search.gap;
+    const Gap gap = measure(chart, rounds, stitch_width, number);
+    measure_lag(gap, search);
+    std::vector<double> penalty = penalties(gap, search, settings.turn_step);
+    while (search.gap == number) consider_best(gap, rounds, settings, penalty, search);
+  }
   return search;
 }
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 
-#include "knit/mesh/ranking.h"
 #include "knit/model/ties.h"
 
 namespace knit {
@@ -59,14 +57,18 @@ class Marcher {
   }
   double advanced_to(double level) { return advanced(heights_at(chart_, level)); }
   double advanced(std::span<const double> heights) {
-    advance_.resize(from_.size());
-    for (std::size_t j = 0; j < from_.size(); ++j) advance_[j] = heights[j] - from_[j];
-    const double rank = nearest_share * static_cast<double>(advance_.size() - 1);
-    const auto below = static_cast<std::ptrdiff_t>(std::floor(rank));
-    const auto at = advance_.begin() + below;
-    put_least_first(std::span(advance_), static_cast<std::size_t>(below), std::less<>());
-    const double next = *std::min_element(at + 1, advance_.end());
-    return *at + (rank - std::floor(rank)) * (next - *at);
+    const double rank = nearest_share * static_cast<double>(from_.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(rank));
+    // The least so far, rising, one more than the rank: of most columns one look shows that they are not among them.
+    least_.assign(below + 2, INFINITY);
+    for (std::size_t j = 0; j < from_.size(); ++j) {
+      const double advance = heights[j] - from_[j];
+      if (!(advance < least_.back())) continue;
+      std::size_t at = least_.size() - 1;
+      for (; at > 0 && advance < least_[at - 1]; --at) least_[at] = least_[at - 1];
+      least_[at] = advance;
+    }
+    return least_[below] + (rank - std::floor(rank)) * (least_[below + 1] - least_[below]);
   }
 
   // Regula falsi, the end that stays counting half (Illinois): between two levels of the chart every column rises straight,
@@ -93,7 +95,7 @@ class Marcher {
   }
 
   const TubeChart& chart_;
-  std::vector<double> from_, advance_;
+  std::vector<double> from_, least_;
 };
 
 }  // namespace

@@ -2,31 +2,45 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace knit {
 
 std::vector<HalfEdge> across_sides(std::span<const Triangle> triangles) {
   struct Side {
-    VertexId low, high;
+    VertexId high;
     HalfEdge side;
   };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (HalfEdge h = 0; h < 3 * triangles.size(); ++h) {
+  const auto ends = [&](HalfEdge h) {
     const VertexId a = triangles[h / 3][h % 3], b = triangles[h / 3][(h + 1) % 3];
-    sides.push_back({std::min(a, b), std::max(a, b), h});
+    return std::array{std::min(a, b), std::max(a, b)};
+  };
+  // By the lower end, counted; at each of those by the higher, of which there are few.
+  const std::size_t count = 3 * triangles.size();
+  VertexId most = 0;
+  for (HalfEdge h = 0; h < count; ++h) most = std::max(most, ends(h)[0]);
+  std::vector<std::uint32_t> first(count > 0 ? std::size_t{most} + 2 : 1, 0);
+  for (HalfEdge h = 0; h < count; ++h) ++first[ends(h)[0] + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  std::vector<Side> sides(count);
+  for (HalfEdge h = 0; h < count; ++h) {
+    const auto [low, high] = ends(h);
+    sides[next[low]++] = {high, h};
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.side < b.side;
-  });
-  std::vector<HalfEdge> across(sides.size(), no_half_edge);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side &one = sides[i], &other = sides[i + 1];
-    if (one.low != other.low || one.high != other.high) continue;
-    across[one.side] = other.side;
-    across[other.side] = one.side;
-    ++i;
+  std::vector<HalfEdge> across(count, no_half_edge);
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    const std::span here = std::span(sides).subspan(first[v], first[v + 1] - first[v]);
+    std::sort(here.begin(), here.end(), [](const Side& a, const Side& b) {
+      return a.high != b.high ? a.high < b.high : a.side < b.side;
+    });
+    for (std::size_t i = 0; i + 1 < here.size(); ++i) {
+      const Side &one = here[i], &other = here[i + 1];
+      if (one.high != other.high) continue;
+      across[one.side] = other.side;
+      across[other.side] = one.side;
+      ++i;
+    }
   }
   return across;
 }

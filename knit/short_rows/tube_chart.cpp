@@ -202,6 +202,7 @@ std::vector<double> heights_at(const TubeChart& chart, double level) {
   const auto [below, up] = between(chart, level);
   const auto count = static_cast<std::size_t>(chart.columns);
   std::vector<double> result;
+  result.reserve(count);
   for (std::size_t j = 0; j < count; ++j) {
     result.push_back((1.0 - up) * chart.heights[below * count + j] +
                      up * chart.heights[(below + 1) * count + j]);
