@@ -48,6 +48,19 @@ TEST_CASE("box tree: it finds what a tree of all triangles finds, in whatever or
   }
 }
 
+TEST_CASE("box tree: so do boxes around triangles that move, from whatever triangle a search begins") {
+  std::mt19937_64 random(11);
+  const Mesh mesh = sphere(48, 33);
+  const TriangleTree tree(mesh.positions, mesh.triangles);
+  BoxTree boxes(mesh.positions, mesh.triangles);
+  for (const glm::dvec3& point : points_about(mesh, random)) {
+    const auto guess = static_cast<std::uint32_t>(random() % mesh.triangles.size());
+    const SurfacePlace by_boxes = boxes.nearest(point, guess), by_tree = tree.nearest(point);
+    CHECK(by_boxes.triangle == by_tree.triangle);
+    CHECK(by_boxes.point == by_tree.point);
+  }
+}
+
 TEST_CASE(
     "box tree: where triangles are listed side by side a search looks at few, else it says at how many") {
   Mesh mesh = sphere(200, 201);

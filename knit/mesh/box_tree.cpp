@@ -28,7 +28,29 @@ struct BoxTree::Search {
   double least = std::numeric_limits<double>::infinity();  // squared
 };
 
-BoxTree::BoxTree(const Input& input) : input_(&input), levels_{input.boxes} {
+BoxTree::BoxTree(const Input& input)
+    : positions_(input.mesh.positions),
+      triangles_(input.mesh.triangles),
+      boxed_(Input::boxed),
+      levels_{input.boxes} {
+  put_boxes_around();
+}
+
+BoxTree::BoxTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles)
+    : positions_(positions), triangles_(triangles), boxed_(boxes_in_one), levels_(1) {
+  std::vector<Input::Box>& boxes = levels_.front();
+  boxes.reserve(triangles.size() / boxed_ + 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    if (t % boxed_ == 0) boxes.push_back({positions[a], positions[a]});
+    Input::Box& box = boxes.back();
+    box = {glm::min(box.low, glm::min(positions[a], glm::min(positions[b], positions[c]))),
+           glm::max(box.high, glm::max(positions[a], glm::max(positions[b], positions[c])))};
+  }
+  put_boxes_around();
+}
+
+void BoxTree::put_boxes_around() {
   while (levels_.back().size() > 1) {
     const std::vector<Input::Box>& below = levels_.back();
     std::vector<Input::Box> around;
@@ -42,8 +64,9 @@ BoxTree::BoxTree(const Input& input) : input_(&input), levels_{input.boxes} {
   }
 }
 
-SurfacePlace BoxTree::nearest(const glm::dvec3& point) {
-  Search search{point, {}};
+SurfacePlace BoxTree::nearest(const glm::dvec3& point, std::uint32_t guess) {
+  Search search{point, {guess, {}}};
+  look_at(guess, search);
   look_below(levels_.size() - 1, 0, search);
   return search.found;
 }
@@ -69,21 +92,21 @@ void BoxTree::look_below(std::size_t level, std::size_t box, Search& search) {
 }
 
 void BoxTree::look_at_triangles(std::size_t box, Search& search) {
-  const Mesh& mesh = input_->mesh;
-  const std::size_t end = std::min((box + 1) * Input::boxed, mesh.triangles.size());
-  for (std::size_t t = box * Input::boxed; t < end; ++t) {
-    const auto& [i, j, k] = mesh.triangles[t];
-    const glm::dvec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
-    ++tried_;
-    if (square_beside(search.point, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))) > search.least)
-      continue;
-    const glm::dvec3 place = closest_on_triangle(search.point, {a, b, c});
-    const double square = glm::dot(place - search.point, place - search.point);
-    const auto number = static_cast<std::uint32_t>(t);
-    if (square > search.least || (square == search.least && number > search.found.triangle)) continue;
-    search.found = {number, place};
-    search.least = square;
-  }
+  const std::size_t end = std::min((box + 1) * boxed_, triangles_.size());
+  for (std::size_t t = box * boxed_; t < end; ++t) look_at(static_cast<std::uint32_t>(t), search);
+}
+
+void BoxTree::look_at(std::uint32_t triangle, Search& search) {
+  const auto& [i, j, k] = triangles_[triangle];
+  const glm::dvec3 &a = positions_[i], &b = positions_[j], &c = positions_[k];
+  ++tried_;
+  if (square_beside(search.point, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))) > search.least)
+    return;
+  const glm::dvec3 place = closest_on_triangle(search.point, {a, b, c});
+  const double square = glm::dot(place - search.point, place - search.point);
+  if (square > search.least || (square == search.least && triangle > search.found.triangle)) return;
+  search.found = {triangle, place};
+  search.least = square;
 }
 
 }  // namespace knit

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "knit/mesh/box_tree.h"
 #include "knit/mesh/elementary.h"
 #include "knit/mesh/triangle_tree.h"
 
@@ -144,13 +145,13 @@ void visit_places(const SettleTerms& terms, double weight, Placed placed, Sink& 
     return Corners{placed.positions[a], placed.positions[b], placed.positions[c]};
   };
   const double unit = left_by * terms.height;
-  std::optional<TriangleTree> tree;
+  std::optional<BoxTree> boxes;  // triangles lie row by row, and few places are searched for
   for (std::size_t i = 0; i < terms.places.size(); ++i) {
     const CoverPlace& place = terms.places[i];
     const std::uint32_t near = placed.near.empty() ? place.near : placed.near[i];
     if (distance_to_triangle(place.at, corners_of(near)) <= place.allowed) continue;
-    if (!tree) tree.emplace(placed.positions, triangles);
-    const SurfacePlace nearest = tree->nearest(place.at);
+    if (!boxes) boxes.emplace(placed.positions, triangles);
+    const SurfacePlace nearest = boxes->nearest(place.at, near);
     if (!placed.near.empty()) placed.near[i] = nearest.triangle;
     const Span span = span_of(nearest.point, place.at);
     if (span.length <= place.allowed) continue;
