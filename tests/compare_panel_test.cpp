@@ -240,3 +240,23 @@ TEST_CASE("sweep side: the first plot counts all problems or one kind, and says 
   CHECK(quiet->to_last);
   CHECK(words_of(*quiet, SweepFigure::stalls).starts_with("No stall from "));
 }
+
+TEST_CASE("compare side: every figure has a tip that says what it is", "[panels]") {
+  Desk desk(1280, 1080);
+  desk.open();
+  desk.act({PinRun{}});
+  tune_epsilon(desk, 0.01);  // with stalls
+  desk.session.view->side = SidePanel::compare;
+  desk.settle();
+  const auto marks = desk.ui.controls;
+  std::size_t figures = 0;
+  for (const auto& [name, box] : marks) {
+    if (name.rfind("compare/figure/", 0) != 0) continue;
+    INFO(name);
+    desk.frames({desk.over(name), desk.over(name)});
+    CHECK(desk.ui.controls.count("tip") == 1);
+    ++figures;
+  }
+  CHECK(figures >= 9);
+  CHECK(marks.count("compare/figure/stalls") == 1);
+}

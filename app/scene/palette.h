@@ -98,7 +98,7 @@ struct Theme {
                                 {200, 180, 110},
                                 {140, 150, 160},
                                 {96, 102, 112}}};
-  // The pinned run's line in a plot, beside the current one's in accent, and its numbers.
+  // The pinned run's line in a plot, beside the current one's in accent, its numbers and its words.
   Colour pinned{240, 150, 206};
 
   [[nodiscard]] constexpr Colour of(knit::Label label) const {

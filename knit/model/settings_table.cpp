@@ -267,10 +267,11 @@ constexpr std::array table{
         "first one wins, so \xCE\xB5 sets the stitch length as much as w does.",
         "Rows", Stage::rows, Number{{epsilon}, 0.0, no_limit}, is_of_rings, Tie::width,
         "half the stitch width"},
-    ParameterInfo{
-        "on-stall", "When nothing is in the band", "",
-        "continue: take the vertex nearest to the stitch width, and log it. stop: end the run there.", "Rows",
-        Stage::rows, choice<&Settings::rows, &RowsSettings::on_stall>(stall_names), is_of_rings},
+    ParameterInfo{"on-stall", "On a stall", "",
+                  "What happens when nothing is in the band. continue: take the vertex nearest to the stitch "
+                  "width, and log it. stop: end the run there.",
+                  "Rows", Stage::rows, choice<&Settings::rows, &RowsSettings::on_stall>(stall_names),
+                  is_of_rings},
     ParameterInfo{
         "last-anchor", "Last anchor", "",
         "keep: the last vertex picked is always a stitch. drop: not when it is nearer than w/2 to the first.",

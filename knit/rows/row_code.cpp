@@ -134,7 +134,7 @@ constexpr std::array ring_lines{
              {&var::anchor, &var::width},
              &var::skipped,
              "Of the vertices on either side of the band the one nearer to the stitch width is taken (at the "
-             "ring's end its last vertex), or the run stops: as \"when nothing is in the band\" says.",
+             "ring's end its last vertex), or the run stops: as \"On a stall\" says.",
              "docs/algorithm.md, Rows: Stalls",
              lit_or<lit_by<BandMissed>, lit_by_stop<StopReason::stall>>},
     CodeLine{"{} \xE2\x86\x90 {}(last w, first w)",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "app/panels/compare/compare_cache.h"
 #include "app/panels/kit/plots.h"
@@ -100,6 +101,42 @@ void draw_parameters_that_differ(PanelFrame& frame, const RunDifference& differe
   if (difference.edits_differ) faint_text("The changes on the way differ, too.");
 }
 
+struct FigureHelp {
+  std::string_view key, help;
+};
+// By the figures' keys; those of kinds of problems are the keys of knit/insight/problem_counts.h.
+constexpr std::array<FigureHelp, 23> figure_help{
+    {{"rows", "How many rows are knitted, the cast on too."},
+     {"stitches", "Stitches of all rows together."},
+     {"increases", "Stitches that the pattern adds, m1l and m1r together."},
+     {"decreases", "Stitches that the pattern takes away, k2tog and ssk together."},
+     {"most", "Most increases or decreases in one row."},
+     {"problems", "Steps that went wrong, and the stop."},
+     {"left-out", "Limbs and holes smaller than a round, which no row is on."},
+     {"resampled", "Rows whose stitches were distributed again, since they more than doubled or halved."},
+     {"gaps-open", "Rows whose last stitch stays outside the band from the first."},
+     {"stalls", "Stitches for which nothing was in the band."},
+     {"clamped", "Vertices beyond the picked start or end, which get its time."},
+     {"no-short-row", "Pairs of short rows that could not be had."},
+     {"course-mean", "Mean length of an edge along a row, in stitch widths w; 1 is right."},
+     {"course-cv", "How uneven stitches are along their rows: spread over mean, 0 is even."},
+     {"wale-mean", "Mean length of an edge up a wale, in stitch heights h; 1 is right."},
+     {"wale-cv", "How uneven stitches are up their wales: spread over mean, 0 is even."},
+     {"tubes", "Pieces between splits, joins and ends."},
+     {"splits", "Where one tube goes on as two."},
+     {"joins", "Where two tubes go on as one."},
+     {"genus", "How many handles the tubes close."},
+     {"yarns", "How many yarns are worked with, one after the other."},
+     {"holders", "The most loops of tubes that wait at the same time."},
+     {"uncovered", "Share of the mesh's surface that no row is on."}}};
+
+std::string tip_of(const FigureLine& line) {
+  const auto* const found = std::find_if(figure_help.begin(), figure_help.end(),
+                                         [&](const FigureHelp& help) { return help.key == line.key; });
+  const std::string numbers = line.a + " pinned, " + line.b + " now.";
+  return found == figure_help.end() ? numbers : std::string(found->help) + "\n" + numbers;
+}
+
 void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference) {
   const Table table(frame);
   draw_head(frame, table, 3);
@@ -117,6 +154,7 @@ void draw_figures_that_differ(PanelFrame& frame, const RunDifference& difference
     pop_font();
     table.end_line();
     frame.mark("compare/figure/" + line.key);
+    tooltip(frame, tip_of(line));
   }
 }
 

@@ -138,7 +138,7 @@ void draw_beside(const std::optional<std::int32_t>& pinned, const std::string& n
   const float wide = ImGui::CalcTextSize((before + now).c_str()).x;
   const float spare = ImGui::GetContentRegionAvail().x - wide;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, spare));
-  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(opaque(theme().ghost)));
+  ImGui::PushStyleColor(ImGuiCol_Text, style::vector(theme().pinned));
   text(before);
   ImGui::PopStyleColor();
   ImGui::SameLine(0.0f, 0.0f);

@@ -252,7 +252,7 @@ void draw_other_view(PanelFrame& frame) {
   draw_other_captions(frame);
   draw_half_words(frame, half,
                   {"Pinned: " + beside_words(frame.session).pinned, place_words(frame, true), "pinned"},
-                  opaque(theme().ghost));
+                  theme().pinned);
   ImGui::End();
 }
 
