@@ -1,6 +1,8 @@
 // A finished piece beside what was asked for: its size, a plausible swatch, and where it is said.
 #include "knit/insight/as_asked.h"
 
+#include <algorithm>
+
 #include "app/files/card.h"
 #include "app/files/pattern_export.h"
 #include "app/files/report.h"
@@ -8,6 +10,7 @@
 #include "app/session/remarks.h"
 #include "knit/mesh/shapes.h"
 #include "knit/model/stitch_size.h"
+#include "tests/support/bodies.h"
 #include "tests/support/catch.h"
 #include "tests/support/run.h"
 #include "tests/support/session.h"
@@ -104,4 +107,51 @@ TEST_CASE("what is not as asked stands in report, card and pattern in the same w
   before.document->timeline.seek(100);
   CHECK(app::report_json(before)["remarks"].empty());
   CHECK_FALSE(has(app::card_text(before), "Not as asked"));
+}
+
+namespace {
+
+// What is remarked of the kind stands everywhere, in the same words; how often it is.
+std::size_t stands_everywhere(app::Session& session, RemarkKind kind) {
+  Timeline& timeline = session.document->timeline;
+  timeline.extend_to_end();
+  timeline.seek(timeline.known());
+  session.document->closeness = app::closeness_now(*session.document);
+  REQUIRE(session.document->closeness->coverage);
+  const auto remarks = app::remarks_of(timeline, &*session.document->closeness->coverage);
+  const auto listed = app::listed_remarks(session);
+  const auto report = app::report_json(session)["remarks"];
+  const std::string card = app::card_text(session);
+  const std::string text = app::pattern_file_text(session, app::PatternFormat::markdown, {});
+  const std::string page = app::pattern_file_text(session, app::PatternFormat::html, {});
+  std::size_t count = 0;
+  for (const Remark& remark : remarks) {
+    if (remark.kind != kind) continue;
+    INFO(remark.words);
+    CHECK(std::any_of(listed.begin(), listed.end(), [&](const app::ListedRemark& one) {
+      return one.words == "Piece: " + remark.words && one.thing.has_value();
+    }));
+    CHECK(std::any_of(report.begin(), report.end(),
+                      [&](const auto& one) { return one["what"] == remark.words; }));
+    CHECK(has(card, remark.words));
+    if (count++ > 0) continue;  // the pattern says the first of each kind
+    CHECK(has(text, "Not as asked: " + remark.words));
+    CHECK(has(page, "Not as asked: " + remark.words));
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("surface left out and a wale far too long stand in list, report, card and pattern", "[problems]") {
+  // Times along the axis leave both flat ends out.
+  app::Session session;
+  Parameters parameters;
+  parameters.rows.source = RowSource::contours;
+  give_width(parameters, 0.3);
+  session.document = app::Document({make_input(test_support::cylinder(24, 1.0, 2.0, 8)), parameters});
+  CHECK(stands_everywhere(session, RemarkKind::uncovered) > 0);
+  // Rings that grow from 22 to 43 stitches at once: one of its wales is 3.2 h long.
+  app::Session sphere = test_support::example_session("thesis-sphere");
+  CHECK(stands_everywhere(sphere, RemarkKind::stretched) > 0);
 }

@@ -7,6 +7,7 @@
 #include "app/explain/destination_reader.h"
 #include "app/script/queries.h"
 #include "app/session/outbox.h"
+#include "app/session/remarks.h"
 #include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/stitch_size.h"
@@ -307,9 +308,29 @@ TEST_CASE("where no step is a problem, what is remarked on the whole run is gone
   CHECK(says(nowhere_at(session, "first problem").why, "No step of the run is a problem."));
   session.document->closeness = closeness_now(*session.document);
   const Destination remark = there(session, "first problem");
-  CHECK(says(remark.words, "No step is a problem; remark 1 of "));
-  CHECK(remark.thing);
+  CHECK(says(remark.words, "No step of the run is a problem; remark 1 of "));
+  CHECK(there(session, "problem 2").thing);  // of rows; the first is about the whole piece
   CHECK(nowhere_at(session, "problem 999").understood);
+  // As the list has them: what was found in the mesh counts, and comes first.
+  session.document->findings.push_back(
+      {knit::FindingKind::unreferenced, knit::Severity::warning, 3, {}, "It has 3 loose vertices."});
+  const std::vector<ListedRemark> listed = listed_remarks(session);
+  const std::string of_all = " of " + std::to_string(listed.size()) + ": ";
+  CHECK(says(there(session, "problem 1").words, "remark 1" + of_all + "Mesh: It has 3 loose vertices."));
+  CHECK(says(there(session, "problem 2").words, "remark 2" + of_all + "Piece: "));
+  CHECK(says(there(session, "last problem").words, "remark " + std::to_string(listed.size()) + of_all));
+}
+
+TEST_CASE("past the last step that is a problem the remarks go on") {
+  Session session = test_support::torus_from_rings();
+  apply(session, ToLast{});
+  CHECK(says(nowhere_at(session, "problem 2").why, "The run has 1 problem."));
+  session.document->findings.push_back(
+      {knit::FindingKind::unreferenced, knit::Severity::warning, 3, {}, "It has 3 loose vertices."});
+  CHECK(says(there(session, "problem 1").words, "Problem 1 of 1: "));
+  CHECK(there(session, "problem 2").words ==
+        "The run has 1 problem; remark 1 of 1: Mesh: It has 3 loose vertices.");
+  CHECK(nowhere_at(session, "problem 3").why == "The run has 1 problem, and there is 1 remark.");
 }
 
 TEST_CASE("a script goes to a place by its name and is told what is there") {

@@ -1,14 +1,19 @@
 // Stage relax of the machine: off it changes nothing; on, each of its states can be gone back to, bit by bit, a long one is heard
 // and broken off, and what is shown, measured and saved of the piece in the air is what the stage made.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "app/files/export.h"
 #include "app/files/knitted.h"
+#include "app/files/pattern_export.h"
 #include "app/files/report.h"
+#include "app/scene/scene.h"
 #include "app/session/remarks.h"
 #include "app/session/shown.h"
 #include "knit/insight/knitted_remarks.h"
@@ -203,6 +208,8 @@ TEST_CASE("relax stage: the piece in the air is shown and saved and reported as 
   const Timeline& timeline = session.document->timeline;
   REQUIRE(timeline.state().relaxed);
   REQUIRE(app::has_relaxed(session));
+  CHECK(app::positions_shown(session) == app::Positions::relaxed);  // whoever asks for it sees it
+  apply(session, app::SetPositions{app::Positions::settled});
   const std::string settled = app::mesh_text(session);
   CHECK(app::places_shown(session) == nullptr);
   CHECK(knitting_path(app::shown_fabric(session)) == knitting_path(timeline.state().fabric));
@@ -223,10 +230,12 @@ TEST_CASE("relax stage: the piece in the air is shown and saved and reported as 
   CHECK(report["positions"] == "relaxed");
   CHECK(report["knitted"]["iterations"] == timeline.state().relaxed->relaxed.iterations);
   CHECK(report["wale"]["max"] != nullptr);
+  // One size, that of the piece as it comes off the needles.
   const std::vector<std::string> notes = app::pattern_notes(timeline, nullptr);
-  CHECK(std::count_if(notes.begin(), notes.end(), [](const std::string& note) {
-          return note.starts_with("Knitted and stuffed, about ");
-        }) == 1);
+  const std::string pattern = app::pattern_file_text(session, app::PatternFormat::text, {});
+  CHECK(test_support::contains(pattern, "Knitted and stuffed, about "));
+  CHECK_FALSE(test_support::contains(pattern, "across when stuffed"));
+  CHECK(pattern.find("cm high") == pattern.rfind("cm high"));
   CHECK(std::none_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.starts_with("Not as asked: Knitted and stuffed");
   }));
@@ -276,4 +285,53 @@ TEST_CASE("relax stage: what a maker must be told leads to its row") {
   CHECK(static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Remark& remark) {
           return remark.kind == RemarkKind::knitted;
         })) == told.size());
+}
+
+TEST_CASE("relax stage: who has the piece relaxed sees it so, all of it, and sees the rest as before") {
+  app::Session session = test_support::small_session();
+  apply(session, app::FrameAll{});
+  const double distance = session.view->gaze.camera.distance;
+  Parameters settled = relaxed_parameters();
+  settled.relax.relaxing = Relaxing::off;
+  apply(session, app::Tune{settled});
+  apply(session, app::ToLast{});
+  CHECK(session.view->positions == app::Positions::settled);
+  Parameters swollen = relaxed_parameters();
+  swollen.relax.stuffing = stuffing_hard;
+  apply(session, app::Tune{swollen});
+  apply(session, app::ToLast{});
+  CHECK(app::positions_shown(session) == app::Positions::relaxed);
+  const app::Camera& camera = session.view->gaze.camera;
+  const auto is_seen_whole = [&] {
+    const app::Sight sight = camera.view(session.view->aspect);
+    const auto places = app::places_shown(session);
+    return std::all_of(places->begin(), places->end(), [&](const glm::dvec3& place) {
+      const glm::vec4 at = sight.projection * sight.view * glm::vec4(glm::vec3(place), 1.0f);
+      return std::abs(at.x) < at.w && std::abs(at.y) < at.w;
+    });
+  };
+  const Bounds& mesh = session.document->timeline.input().bounds;
+  const auto places = app::places_shown(session);
+  double farthest = 0.0;
+  for (const glm::dvec3& place : *places)
+    farthest = std::max(farthest, glm::distance(place, mesh.centre()) / mesh.radius);
+  REQUIRE(farthest > 1.02);
+  CHECK(camera.distance > distance);
+  CHECK(is_seen_whole());
+  // No step of its making moves the view.
+  const double all = camera.distance;
+  apply(session, app::SeekPlace{{Stage::rows, 4, 0}});
+  CHECK(camera.distance == all);
+  apply(session, app::SetPositions{app::Positions::settled});
+  CHECK(camera.distance == Approx(distance));
+  apply(session, app::SetPositions{app::Positions::relaxed});
+  // Whoever has come nearer stays there.
+  apply(session, app::Zoom{0.5, {}});
+  const double near = camera.distance;
+  apply(session, app::SetPositions{app::Positions::settled});
+  CHECK(camera.distance == near);
+  apply(session, app::SetPositions{app::Positions::relaxed});
+  apply(session, app::Tune{settled});
+  CHECK(session.view->positions == app::Positions::settled);
+  CHECK(camera.distance == near);
 }

@@ -7,6 +7,7 @@
 
 #include "app/actions/apply_parts.h"
 #include "app/actions/background_work.h"
+#include "app/actions/framing.h"
 #include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
@@ -48,6 +49,8 @@ Document document_of(Loaded loaded, Source source, std::chrono::steady_clock::ti
   document.load_ms = milliseconds_since(start);
   return document;
 }
+
+bool relaxes(const knit::Parameters& parameters) { return parameters.relax.relaxing == knit::Relaxing::on; }
 
 // One overload an action. Actions about a run do nothing while nothing is open.
 struct Apply {
@@ -159,6 +162,7 @@ struct Apply {
     forget_refused();
     remember_knobs(session);
     note_before_change(session);
+    show_as_relaxed(session, relaxes(timeline().parameters()), relaxes(a.parameters));
     if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
       reload(a);
     } else {
@@ -191,6 +195,7 @@ struct Apply {
     forget_refused();
     remember_knobs(session);
     note_before_change(session);
+    show_as_relaxed(session, relaxes(timeline().parameters()), relaxes(a.parameters));
     timeline().edit_from_here(a.parameters);
   }
   void operator()(const ApplyPreset& a) {
@@ -257,7 +262,7 @@ struct Apply {
     if (a.factor > 0.0) session.view->gaze.camera.zoom(a.factor, a.cursor, session.view->aspect);
   }
   void operator()(const FrameAll& /*a*/) {
-    if (open()) session.view->gaze.camera.frame(timeline().input().bounds, session.view->aspect);
+    if (open()) frame_all(session);
   }
   void operator()(const SetFollowing& a) { session.view->following = a.on; }
   void operator()(const TurnToStep& a) {
@@ -381,7 +386,9 @@ void apply(Session& session, const Action& action) {
   }
   if (turn_checker(session, action)) return;
   const Whereabouts before = before_action(session, action);
+  const auto framed = framed_whole(session);
   ActionKinds::visit(Apply{session}, action);
+  if (framed) frame_again(session, *framed);
   if (session.document && session.document->changes.before) {
     const auto* tune = action.get_if<Tune>();
     const auto* edit = action.get_if<EditFromHere>();
@@ -403,7 +410,7 @@ Part<Document> show_loaded(Session& session, Loaded loaded, Source source,
     notify(session, Notice::Kind::info, step.did);
   for (const knit::Finding& finding : session.document->findings)
     notify(session, Notice::Kind::warning, finding.sentence);
-  session.view->gaze.camera.frame(session.document->timeline.input().bounds, session.view->aspect);
+  frame_all(session);
   note_opened(session);
   return before;
 }

@@ -16,6 +16,7 @@
 #include "app/session/at.h"
 #include "app/session/document.h"
 #include "app/session/planned_pieces.h"
+#include "app/session/remarks.h"
 #include "app/session/view.h"
 #include "knit/insight/as_asked.h"
 #include "knit/insight/causes.h"
@@ -23,7 +24,6 @@
 #include "knit/insight/problems.h"
 #include "knit/limbs/limb_plan.h"
 #include "knit/model/words.h"
-#include "knit/quality/closeness.h"
 #include "knit/run/machine.h"
 #include "knit/stitches/operations.h"
 
@@ -388,7 +388,8 @@ class Finder {
         problems.push_back(*problem);
     const bool stopped = timeline_.stop() != nullptr;
     if (stopped) problems.push_back({timeline_.known(), knit::ProblemKind::stopped, 0.0});
-    if (problems.empty()) return find_remark();
+    const bool past = wish_.which.kind == WhichOne::Kind::nth && std::ssize(problems) < wish_.which.count;
+    if (problems.empty() || past) return find_remark(problems.size());
     const auto index = index_of(problems);
     if (!index)
       return nowhere("The run has " +
@@ -401,31 +402,29 @@ class Finder {
     return Destination{head + said_by(step), {}, step + 1, {}, false};
   }
 
-  // Where no step is unusual: what is remarked on the whole run, once that is measured, the worst first.
-  [[nodiscard]] Found find_remark() const {
-    const auto& closeness = session_.document->closeness;
-    const bool measured = closeness && closeness->coverage;
-    if (!measured)
-      return nowhere("No step of the run is a problem" +
-                     std::string(timeline_.complete() ? "." : " so far."));
-    const auto remarks =
-        knit::remarks_on(*closeness->coverage, knit::as_chosen(timeline_.parameters_of_stop(), run_));
+  // Past the unusual steps, or where there are none: the remarks that are listed with them, in the list's order.
+  [[nodiscard]] Found find_remark(std::size_t problems) const {
+    const auto remarks = listed_remarks(session_);
+    const auto count = static_cast<std::int64_t>(remarks.size());
     const std::size_t index = wish_.which.kind == WhichOne::Kind::last
                                   ? remarks.size() - 1
-                                  : static_cast<std::size_t>(wish_.which.count) - 1;
-    if (remarks.empty() || index >= remarks.size())
-      return nowhere("No step of the run is a problem, and it has " +
-                     knit::plural(static_cast<std::int64_t>(remarks.size()), "remark", "remarks") + ".");
-    const knit::Remark& remark = remarks[index];
-    Destination there{"No step is a problem; remark " + digits(static_cast<std::int64_t>(index) + 1) +
-                          " of " + digits(static_cast<std::int64_t>(remarks.size())) +
-                          " on the whole run: " + remark.words,
-                      {},
-                      {},
-                      {},
-                      false};
-    if (remark.at) there.thing = knit::StitchElement{remark.at->row, remark.at->stitch};
-    if (remark.uncovered()) there.thing = knit::VertexElement{remark.vertex};
+                                  : static_cast<std::size_t>(wish_.which.count) - 1 - problems;
+    const std::string head =
+        problems == 0
+            ? "No step of the run is a problem"
+            : "The run has " + knit::plural(static_cast<std::int64_t>(problems), "problem", "problems");
+    if (remarks.empty()) return nowhere(head + (timeline_.complete() ? "." : " so far."));
+    if (index >= remarks.size())
+      return nowhere(head + ", and there " + (count == 1 ? "is " : "are ") +
+                     knit::plural(count, "remark", "remarks") + ".");
+    Destination there{
+        head + "; remark " + digits(static_cast<std::int64_t>(index) + 1) + " of " + digits(count) + ": ",
+        {},
+        {},
+        {},
+        false};
+    there.words += remarks[index].words;
+    there.thing = remarks[index].thing;
     return there;
   }
 

@@ -48,6 +48,14 @@ std::string ring_words(const knit::Input& input) {
   return axes.empty() ? "; rings along no axis" : "; rings along " + listed(axes);
 }
 
+// " with 3 limbs": ends of tubes, of which one tube and a ring have two.
+std::string limb_words(const knit::TubePlan& plan) {
+  const auto ends = std::count_if(plan.events.begin(), plan.events.end(), [](const knit::TubeEvent& event) {
+    return event.kind == knit::EventKind::cast_on || event.kind == knit::EventKind::bind_off;
+  });
+  return ends > 2 ? " with " + std::to_string(ends) + " limbs" : "";
+}
+
 }  // namespace
 
 std::string shape_words(const knit::Input& input) {
@@ -69,7 +77,8 @@ std::string knitted_words(const Session& session) {
   std::string words = "Knitted along " + name_of_axis(chosen.timing.axis.kind) +
                       (chosen.rows.source == knit::RowSource::rings ? " from rings" : " from contours");
   if (state.tubes)
-    words += ", as " + knit::plural(static_cast<std::int64_t>(state.tubes->order.size()), "tube", "tubes");
+    words += ", as " + knit::plural(static_cast<std::int64_t>(state.tubes->order.size()), "tube", "tubes") +
+             limb_words(*state.tubes);
   return words + ".";
 }
 

@@ -14,7 +14,7 @@ namespace app {
 inline constexpr std::size_t most_searched_triangles = 20000;
 std::string shape_words(const knit::Input& input);
 
-// "Knitted along y from contours, as 5 tubes."; of the run as far as it has come. Requires something open.
+// "Knitted along y from contours, as 5 tubes with 4 limbs."; of the run as far as it has come. Requires something open.
 std::string knitted_words(const Session& session);
 
 // Why a finished run did not stop: how it is knitted, and, where its rows come from contours, why rings would have stopped.

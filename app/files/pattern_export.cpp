@@ -42,8 +42,7 @@ knit::WrittenPattern noted(const Session& session, knit::WrittenPattern pattern,
   const knit::StitchSize& stitch = timeline.parameters().stitch;
   if (!coverage)
     coverage = knit::measure_coverage(timeline.input(), timeline.state(), stitch.width, stitch.height);
-  for (std::string& note : pattern_notes(timeline, coverage ? &*coverage : nullptr, pieces))
-    pattern.notes.push_back(std::move(note));
+  say_how_it_came_out(pattern, timeline, coverage ? &*coverage : nullptr, pieces);
   return pattern;
 }
 

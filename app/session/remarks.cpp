@@ -7,8 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "app/session/document.h"
 #include "knit/insight/knitted_remarks.h"
 #include "knit/limbs/limb_plan.h"
+#include "knit/pattern/limb_notes.h"
 #include "knit/pattern/limb_words.h"
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/written_pattern.h"
@@ -97,6 +99,23 @@ std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit:
   return remarks;
 }
 
+std::optional<knit::Element> thing_of(const knit::Remark& remark) {
+  if (remark.at) return knit::StitchElement{remark.at->row, remark.at->stitch};
+  if (remark.uncovered()) return knit::VertexElement{remark.vertex};
+  return std::nullopt;
+}
+
+std::vector<ListedRemark> listed_remarks(const Session& session) {
+  const Document& document = *session.document;
+  std::vector<ListedRemark> listed;
+  for (const knit::RepairStep& step : document.repaired) listed.push_back({"Mesh: " + step.did, {}});
+  for (const knit::Finding& finding : document.findings) listed.push_back({"Mesh: " + finding.sentence, {}});
+  if (!document.closeness || !document.closeness->coverage) return listed;
+  for (const knit::Remark& remark : remarks_of(document.timeline, &*document.closeness->coverage))
+    listed.push_back({"Piece: " + remark.words, thing_of(remark)});
+  return listed;
+}
+
 std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks) {
   std::array<bool, knit::remark_keys.size()> said{};
   std::vector<std::string> notes;
@@ -116,9 +135,7 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
                                        : rhythm_sentences_of(state, timeline.parameters().stitch.gauge);
   std::vector<knit::Remark> remarks = remarks_of(timeline, coverage);
   if (state.relaxed) {
-    notes.push_back(
-        knit::about_size_text(state.relaxed->figures, knit::as_chosen(timeline.parameters_of_stop(), state)));
-    // Said already.
+    // Said already, as the pattern's size.
     std::erase_if(remarks, [](const knit::Remark& remark) {
       return remark.kind == knit::RemarkKind::knitted && remark.words.starts_with("Knitted");
     });
@@ -126,6 +143,18 @@ std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const kni
   std::vector<std::string> not_as_asked = notes_of(remarks);
   std::move(not_as_asked.begin(), not_as_asked.end(), std::back_inserter(notes));
   return notes;
+}
+
+void say_how_it_came_out(knit::WrittenPattern& pattern, const knit::Timeline& timeline,
+                         const knit::Coverage* coverage, const PlannedPieces* pieces) {
+  const knit::State& state = timeline.furthest();
+  if (state.relaxed) {
+    const knit::Parameters parameters = knit::as_chosen(timeline.parameters_of_stop(), state);
+    pattern.size = {knit::about_size_text(state.relaxed->figures, parameters)};
+    if (pieces != nullptr) pattern.size.front() += knit::where_sizes_stand;
+  }
+  for (std::string& note : pattern_notes(timeline, coverage, pieces))
+    pattern.notes.push_back(std::move(note));
 }
 
 std::vector<const knit::TubeRhythm*> rhythms_of_run(const knit::State& state) {

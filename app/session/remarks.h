@@ -1,10 +1,12 @@
 // What a finished run did not do as asked, for the list of problems, the report, the card and the pattern: one source.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/session/planned_pieces.h"
+#include "app/session/session.h"
 #include "knit/insight/as_asked.h"
 #include "knit/pattern/written_pattern.h"
 #include "knit/rhythm/tube_rhythm.h"
@@ -18,12 +20,25 @@ knit::PieceSize size_knitted(const knit::State& state, const knit::Gauge& gauge)
 // Size and swatch first, then what comes off the needles, where the stage relax ran, then what `coverage` shows; null: not measured. Empty before the run has finished.
 std::vector<knit::Remark> remarks_of(const knit::Timeline& timeline, const knit::Coverage* coverage);
 
+// What the list of problems tells besides them, in its order: what was repaired in the mesh, findings on it, and remarks on the
+// piece once it is measured.
+struct ListedRemark {
+  std::string words;                   // "Mesh: ...", "Piece: ..."
+  std::optional<knit::Element> thing;  // where it is
+};
+std::optional<knit::Element> thing_of(const knit::Remark& remark);
+// Requires something open.
+std::vector<ListedRemark> listed_remarks(const Session& session);
+
 // For the pattern's notes: the first of each kind.
 std::vector<std::string> notes_of(const std::vector<knit::Remark>& remarks);
-// All that the pattern's notes say of how the run came out: its rhythm, the size as it comes off the needles, then what is not as asked. Of a pattern in pieces
+// All that the pattern's notes say of how the run came out: its rhythm, then what is not as asked. Of a pattern in pieces
 // (`pieces`) each rhythm in one sentence, with all pieces that have it: "Rhythm of Limb A and Limb B: ..."
 std::vector<std::string> pattern_notes(const knit::Timeline& timeline, const knit::Coverage* coverage,
                                        const PlannedPieces* pieces = nullptr);
+// Writes these into the pattern. Where the stage relax ran, the piece's size is the one that it gives, and no other.
+void say_how_it_came_out(knit::WrittenPattern& pattern, const knit::Timeline& timeline,
+                         const knit::Coverage* coverage, const PlannedPieces* pieces = nullptr);
 
 // The rhythm that the rows of the one tube have from its `from` on; null: none was planned, it was given up on the way, or there are
 // several tubes.

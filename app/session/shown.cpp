@@ -1,5 +1,8 @@
 #include "app/session/shown.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "app/session/document.h"
 
 namespace app {
@@ -29,6 +32,22 @@ std::shared_ptr<const std::vector<glm::dvec3>> places_shown(const Session& sessi
       break;
   }
   return nullptr;
+}
+
+knit::Bounds bounds_shown(const Session& session) {
+  const knit::Timeline& timeline = session.document->timeline;
+  const knit::Bounds& mesh = timeline.input().bounds;
+  const auto places =
+      session.view->positions == Positions::relaxed ? knit::relaxed_places(timeline.furthest()) : nullptr;
+  if (!places) return mesh;
+  std::vector<glm::dvec3> all{mesh.low, mesh.high};
+  all.insert(all.end(), places->begin(), places->end());
+  knit::Bounds both = knit::bounds_of(all);
+  // Of the mesh its own ball counts, not its box's.
+  both.radius = glm::distance(both.centre(), mesh.centre()) + mesh.radius;
+  for (const glm::dvec3& place : *places)
+    both.radius = std::max(both.radius, glm::distance(both.centre(), place));
+  return both;
 }
 
 knit::Fabric shown_fabric(const Session& session) {

@@ -24,6 +24,10 @@ Positions positions_shown(const Session& session);
 // Where stitches are shown along the path, by pointer: the same as long as they are there. Null: where the fabric has them.
 std::shared_ptr<const std::vector<glm::dvec3>> places_shown(const Session& session);
 
+// What the view has to hold: the mesh and, where the piece in the air is wished, the whole of that too, so that no step of its
+// making changes it. Requires something open.
+knit::Bounds bounds_shown(const Session& session);
+
 // Of the state shown, with its stitches there. Requires something open.
 knit::Fabric shown_fabric(const Session& session);
 knit::State shown_state(const Session& session);

@@ -105,7 +105,7 @@ std::string worked_in(const LimbPlan& plan) {
 std::string size_of_limbs(const PatternSizes& sizes, std::optional<double> height_cm) {
   const std::string around = length_text(sizes.around_cm) + " around at the widest rnd";
   const std::string high = height_cm ? "About " + length_text(*height_cm) + " high as it stands; " : "About ";
-  return high + around + ". Length and girth of each piece stand in the list of pieces.";
+  return high + around + "." + std::string(where_sizes_stand);
 }
 
 std::vector<std::string> materials_of_limbs(const LimbPlan& plan, const PatternSizes& sizes,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "knit/limbs/limb_plan.h"
@@ -14,6 +15,9 @@ namespace knit {
 // Nothing is left open but what is drawn in, and nothing is pushed inside.
 bool is_stuffed(const LimbPlan& plan);
 
+// Ends each size of a piece with limbs.
+inline constexpr std::string_view where_sizes_stand =
+    " Length and girth of each piece stand in the list of pieces.";
 std::string size_of_limbs(const PatternSizes& sizes, std::optional<double> height_cm);
 std::vector<std::string> materials_of_limbs(const LimbPlan& plan, const PatternSizes& sizes,
                                             const PatternOptions& options, const Used& used);

@@ -114,9 +114,7 @@ void ChartCache::refresh(const Session& session) {
 void ChartCache::add_notes(const Session& session) {
   const auto& closeness = session.document->closeness;
   const knit::Coverage* coverage = closeness && closeness->coverage ? &*closeness->coverage : nullptr;
-  for (std::string& note :
-       pattern_notes(session.document->timeline, coverage, in_pieces_ ? &pieces_ : nullptr))
-    pattern_.notes.push_back(std::move(note));
+  say_how_it_came_out(pattern_, session.document->timeline, coverage, in_pieces_ ? &pieces_ : nullptr);
 }
 
 namespace {

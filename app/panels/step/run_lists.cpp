@@ -54,10 +54,7 @@ const std::vector<knit::Remark>& remarks_in(const PanelFrame& frame) {
 }
 
 Problem problem_of_remark(const knit::Remark& remark) {
-  Problem problem{"Piece: " + remark.words, std::nullopt, "", {}};
-  if (remark.uncovered()) problem.thing = knit::VertexElement{remark.vertex};
-  if (remark.at) problem.thing = knit::StitchElement{remark.at->row, remark.at->stitch};
-  return problem;
+  return {"Piece: " + remark.words, std::nullopt, "", thing_of(remark)};
 }
 
 // What tells hundreds of the most frequent kind apart, in the width of the list; else empty.
