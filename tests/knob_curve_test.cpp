@@ -73,3 +73,24 @@ TEST_CASE("where stalls end has a mark and a sentence of its own, if that is els
   CHECK(only<Tune>(desk.click("curve-mark/epsilon")).parameters.epsilon() == problems->from);
   CHECK(only<Tune>(desk.click("curve-mark/epsilon/stalls")).parameters.epsilon() == stalls->from);
 }
+
+TEST_CASE("stitch width and height have their curves too, each of its own values and on its own field") {
+  for (const char* key : {"epsilon", "stitch-width", "stitch-height"}) {
+    INFO(key);
+    Desk desk(1280, 1400);
+    desk.open();
+    const Actions asked = desk.click("curve/" + std::string(key));
+    const SweepPlan& plan = only<StartSweep>(asked).plan;
+    CHECK(plan.axis.key == key);
+    CHECK(plan.axis.count == 96);
+    CHECK_FALSE(plan.second);
+    apply(desk.session, StartSweep{{{key, plan.axis.from, plan.axis.to, 4}, std::nullopt}});
+    desk.settle();
+    SweepCache cache;
+    cache.refresh(desk.session.document->sweep->work);
+    for (const SweepFigure figure : {SweepFigure::problems, SweepFigure::stitches, SweepFigure::course_cv})
+      CHECK(cache.of(figure).size() == 4);
+    desk.frames({desk.over("knob/" + std::string(key)), desk.over("knob/" + std::string(key))});
+    CHECK(desk.ui.controls.count("tip") == 1);
+  }
+}

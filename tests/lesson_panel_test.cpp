@@ -2,6 +2,7 @@
 #include "app/actions/navigate.h"
 #include "app/lessons/predict.h"
 #include "app/panels/dialogs/file_dialogs.h"
+#include "app/panels/kit/widgets.h"
 #include "app/scene/scene.h"
 #include "app/session/document.h"
 #include "app/session/learning.h"
@@ -9,6 +10,7 @@
 #include "app/session/view.h"
 #include "tests/support/desk.h"
 #include "tests/support/lesson.h"
+#include "tests/support/session.h"
 
 using namespace desk;
 using test_support::contains;
@@ -201,5 +203,26 @@ TEST_CASE("a worksheet is saved under its own lesson's number and name") {
     CHECK(desk.ui.own<SaveDialog>().path.text() == name);
     desk.act(desk.press(Chord{Key::Escape, {}, 0}));
     desk.settle();
+  }
+}
+
+TEST_CASE("presented beside the view the text of every lesson has 20 to 40 letters a line") {
+  for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {1920.0f, 1080.0f}, {3840.0f, 2160.0f}}) {
+    const float scale = presenting_scale(width, height, 1.0f);
+    Desk desk(width, height, scale, KNIT_ASSETS_DIR "/fonts");
+    desk.session.program->assets = KNIT_ASSETS_DIR;
+    apply(desk.session, StartLesson{"what-it-does"});
+    apply(desk.session, Present{});
+    desk.layout = layout_of(width, height, scale, layout_wish(desk.session));
+    desk.settle();
+    const float room = desk.ui.controls.at("lesson/text").width;
+    std::size_t longest = 0;
+    for (const LessonPage& page : desk.session.learning->lesson->lesson->pages) {
+      for (const std::string& line : test_support::lines_of(wrapped_at_blanks(page.text, room)))
+        longest = std::max(longest, line.size());
+    }
+    INFO(width << ": " << longest);
+    CHECK(longest >= 20);
+    CHECK(longest <= 40 + 2);  // bytes: a dash has three
   }
 }

@@ -344,3 +344,16 @@ TEST_CASE("repairs of what is only warned of stand with what was found at openin
   desk.act(desk.click("stop/reorient"));
   CHECK(desk.session.document->findings.empty());
 }
+
+TEST_CASE("repairs of the teapot that people download are offered, and it is knitted with them", "[shared]") {
+  const std::filesystem::path file = std::filesystem::path(KNIT_SHARED_MESHES) / "teapot.obj";
+  if (!std::filesystem::exists(file)) return;
+  Session session;
+  apply(session, OpenFile{file});
+  REQUIRE(session.jobs->repair_offer);
+  CHECK(session.outbox->notices.empty());
+  apply(session, RepairAndOpen{});
+  REQUIRE(session.document);
+  apply(session, ToLast{});
+  CHECK(session.document->timeline.state().finished());
+}

@@ -15,6 +15,7 @@
 #include "knit/model/stitch_size.h"
 #include "tests/support/bodies.h"
 #include "tests/support/desk.h"
+#include "tests/support/session.h"
 
 namespace {
 
@@ -286,6 +287,26 @@ TEST_CASE("every label, head, figure and plot of the card has a tip") {
   REQUIRE(desk.ui.controls.count("head/settled") == 1);
   REQUIRE(desk.ui.controls.count("head/Longest") == 1);
   walk(40);
+}
+
+TEST_CASE("what a label of the card is about is said in one plain sentence") {
+  const auto check = [](const std::vector<CardGroup>& groups, std::size_t least) {
+    std::size_t lines = 0;
+    for (const CardGroup& group : groups) {
+      for (const CardLine& line : group.lines) {
+        INFO(line.words << ": " << line.help);
+        CHECK(test_support::is_one_sentence(line.help));
+        CHECK(line.help.size() <= 140);
+        ++lines;
+      }
+    }
+    CHECK(lines >= least);
+  };
+  const knit::Quality quality = fine_quality();
+  check(card_groups(nullptr, nullptr, false), 12);
+  check(card_groups(&quality, some_closeness().get(), false), 12);
+  for (const std::string_view head : card_heads)
+    CHECK(test_support::is_one_sentence(std::string(help_of_head(head))));
 }
 
 TEST_CASE("figures end where their heads end, and those under no head stand beside their words") {

@@ -8,8 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/explain/why_words.h"
 #include "app/panels/tubes/tubes_words.h"
+#include "app/session/document.h"
 #include "knit/insight/breaks.h"
+#include "knit/insight/causes.h"
 #include "knit/insight/narrate.h"
 #include "knit/mesh/branching_shapes.h"
 #include "knit/mesh/shapes.h"
@@ -257,4 +260,54 @@ TEST_CASE("sentences: limbs lower than a twentieth of a round are told together"
   CHECK(told[2].at_most < 100);
   const std::string sentence = narrate({{}, told[2]}, timeline.parameters());
   CHECK(sentence.find("3 limbs lower than a twentieth of a round are left out, together at most 0.") == 0);
+}
+
+namespace {
+
+// Significant digits of the longest number with a point; whole numbers count things.
+std::size_t most_digits(const std::string& words) {
+  std::size_t most = 0;
+  const auto is_digit = [&](std::size_t i) { return i < words.size() && words[i] >= '0' && words[i] <= '9'; };
+  for (std::size_t i = 0; i < words.size();) {
+    if (!is_digit(i)) {
+      ++i;
+      continue;
+    }
+    std::size_t digits = 0, points = 0;
+    for (; is_digit(i) || (words[i] == '.' && is_digit(i + 1)); ++i) {
+      points += words[i] == '.' ? 1U : 0U;
+      if (words[i] != '.' && (digits > 0 || words[i] != '0')) ++digits;
+    }
+    if (points == 1) most = std::max(most, digits);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("sentences: no number that is said has more than five digits") {
+  CHECK(most_digits("0.01234 of 12345678 at 1.5") == 4);
+  CHECK(most_digits("no. 1.234567") == 7);
+  for (const char* example : {"thesis-sphere", "torus", "trousers"}) {
+    INFO(example);
+    app::Session session = test_support::example_session(example);
+    Timeline& timeline = session.document->timeline;
+    timeline.extend_to_end();
+    std::size_t said = 0;
+    const auto check = [&](const std::string& words) {
+      said += words.empty() ? 0U : 1U;
+      if (most_digits(words) <= 5) return;
+      INFO(words);
+      CHECK(false);
+    };
+    for (std::size_t step = 0; step < timeline.known(); step += 7)
+      check(narrate(timeline.step(step), timeline.parameters_of_step(step)));
+    for (RowId row = 1; row <= timeline.furthest().fabric.row_count(); ++row) {
+      check(why_count(timeline, row));
+      check(app::why_words(timeline, StitchElement{row, 1}));
+      check(app::why_words(timeline, LabelElement{row, 1}));
+    }
+    for (VertexId vertex = 0; vertex < 40; ++vertex) check(app::why_words(timeline, VertexElement{vertex}));
+    CHECK(said > 100);
+  }
 }

@@ -152,3 +152,17 @@ TEST_CASE("ways on: what is found moves no button that is there already", "[ways
   CHECK(seen.at("stop/contours").y > seen.at("stop/away").y);
   CHECK(desk.ui.controls.at("stop/contours").bottom() <= desk.layout.view.bottom());
 }
+
+TEST_CASE("ways on: where the axis gives no ends a person may pick them, with a button each", "[ways-on]") {
+  Desk desk(1280, 1400, 1, KNIT_ASSETS_DIR "/fonts");
+  knit::Parameters parameters = wide_band();
+  parameters.timing.start = parameters.timing.end = 3;  // one place for both
+  desk.open(parameters);
+  const knit::Step* stop = desk.session.document->timeline.stop();
+  REQUIRE(stop != nullptr);
+  REQUIRE(knit::get_if<knit::Stopped>(*stop)->reason == knit::StopReason::no_extent);
+  desk.act({ToLast{}});
+  desk.settle();
+  CHECK(only<SetPicking>(desk.click("stop/pick-start")).picking == Picking::start);
+  CHECK(only<SetPicking>(desk.click("stop/pick-end")).picking == Picking::end);
+}
