@@ -154,8 +154,11 @@ await() { # tries COMMAND...: a tenth of a second each
   done
   return 1
 }
-# The foot of the screen is not black any more: on a busy machine a window stands there long before its first frame.
-is_drawn() { [ "$(tail -c $((wide * 80)) "$aside/Xvfb_screen0" | tr -d '\0' | head -c 1 | wc -c)" = 1 ]; }
+# The head of the screen is not black any more: on a busy machine a window stands there long before its first frame. The pointer
+# waits at the foot.
+is_drawn() {
+  [ "$(tail -c $((wide * high * 4)) "$aside/Xvfb_screen0" | head -c $((wide * 80)) | tr -d '\0' | head -c 1 | wc -c)" = 1 ]
+}
 is_displayed() { [ -s "$aside/display" ]; }
 has_window() { window=$(xdotool search --onlyvisible --name '(^| - )knit-mesh$' 2>/dev/null | head -n 1) && [ -n "$window" ]; }
 has_no_window() { ! has_window; }
