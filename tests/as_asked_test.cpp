@@ -143,7 +143,8 @@ std::size_t stands_everywhere(app::Session& session, RemarkKind kind) {
 
 }  // namespace
 
-TEST_CASE("surface left out and a wale far too long stand in list, report, card and pattern", "[problems]") {
+TEST_CASE("surface left out and a wale far too long stand in list and report and card and pattern",
+          "[problems]") {
   // Times along the axis leave both flat ends out.
   app::Session session;
   Parameters parameters;

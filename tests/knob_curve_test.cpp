@@ -74,7 +74,7 @@ TEST_CASE("where stalls end has a mark and a sentence of its own, if that is els
   CHECK(only<Tune>(desk.click("curve-mark/epsilon/stalls")).parameters.epsilon() == stalls->from);
 }
 
-TEST_CASE("stitch width and height have their curves too, each of its own values and on its own field") {
+TEST_CASE("stitch width and height have their curves too with values of their own") {
   for (const char* key : {"epsilon", "stitch-width", "stitch-height"}) {
     INFO(key);
     Desk desk(1280, 1400);

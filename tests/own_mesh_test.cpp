@@ -116,7 +116,8 @@ TEST_CASE("own mesh: what was found stands in a line until it is put away", "[ow
   CHECK(desk.ui.controls.count("found") == 0);
 }
 
-TEST_CASE("own mesh: of a shape with limbs their number is said, of a ring that it has none", "[own-mesh]") {
+TEST_CASE("own mesh: of a shape with limbs their number is said and of a ring that it has none",
+          "[own-mesh]") {
   Session session = test_support::example_session("trousers");
   session.document->timeline.extend_to_end();
   CHECK(contains(knitted_words(session), ", as 3 tubes with 3 limbs."));

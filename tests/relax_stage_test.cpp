@@ -287,7 +287,7 @@ TEST_CASE("relax stage: what a maker must be told leads to its row") {
         })) == told.size());
 }
 
-TEST_CASE("relax stage: who has the piece relaxed sees it so, all of it, and sees the rest as before") {
+TEST_CASE("relax stage: who has the piece relaxed sees it so and whole") {
   app::Session session = test_support::small_session();
   apply(session, app::FrameAll{});
   const double distance = session.view->gaze.camera.distance;

@@ -345,7 +345,7 @@ TEST_CASE("repairs of what is only warned of stand with what was found at openin
   CHECK(desk.session.document->findings.empty());
 }
 
-TEST_CASE("repairs of the teapot that people download are offered, and it is knitted with them", "[shared]") {
+TEST_CASE("repairs of the teapot that people download are offered and it is knitted with them", "[shared]") {
   const std::filesystem::path file = std::filesystem::path(KNIT_SHARED_MESHES) / "teapot.obj";
   if (!std::filesystem::exists(file)) return;
   Session session;
