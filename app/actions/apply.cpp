@@ -22,6 +22,7 @@
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
+#include "app/session/looking.h"
 #include "app/session/outbox.h"
 #include "app/session/presets.h"
 #include "app/session/program.h"
@@ -276,6 +277,8 @@ struct Apply {
   void operator()(const ShowSide& a) { session.view->side = a.side; }
   void operator()(const ShowList& a) { session.view->list = a.list; }
   void operator()(const SetPositions& a) { session.view->positions = a.positions; }
+  void operator()(const SetYarnLook& a) { session.view->yarn = within_limits(a.look); }
+  void operator()(const ShowAs& a) { show_as(session, a.looking); }
   void operator()(const Present& a) {
     session.view->presenting = a.on;
     session.view->checking = session.view->checking && !a.on;

@@ -27,6 +27,7 @@ void show_the_view(Session& session, const SavedSession& saved) {
   view.centre = saved.centre;
   view.gaze.chart_piece = saved.chart_piece;
   view.positions = saved.positions;
+  view.yarn = saved.yarn;
   view.playback = {false, 1, saved.steps_per_second, 0.0};
   view.slow_motion = saved.slow_motion;
   view.breaks = saved.breaks;

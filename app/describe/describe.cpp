@@ -87,6 +87,7 @@ void Describer::add_rows(const Session& session, Scene& scene) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     RowShapes& kept = rows_[i];
     const auto row = rows[i].pointer();
+    if (row->id <= rows_as_yarn_) continue;
     const bool ends_here = state.stage() > knit::Stage::rows;
     const Colour colour = stitch_colour(*scene.theme, fabric, *row, ends_here);
     if (kept.row != row || kept.colour != colour) {
@@ -129,12 +130,13 @@ void Describer::add_strips(const Session& session, Scene& scene) {
 namespace {
 
 // From the first row to the last that a finished strip reaches.
-std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& scene) {
+std::optional<TimeSpan> covered_by_faces(const Session& session, knit::RowId as_yarn, const Scene& scene) {
   const knit::Fabric& fabric = session.document->timeline.state().fabric;
-  if (!session.view->shows(Layer::faces) || fabric.strips().empty() || scene.unfinished) return std::nullopt;
+  const bool faces = session.view->shows(Layer::faces) && !fabric.strips().empty();
+  if ((!faces && as_yarn == 0) || scene.unfinished) return std::nullopt;
   const bool all = session.document->timeline.state().stage() > knit::Stage::faces;
   TimeSpan span{static_cast<float>(fabric.row(1).time), static_cast<float>(fabric.row(1).time)};
-  const knit::RowId last = all ? fabric.row_count() : fabric.strips().back()->to;
+  const knit::RowId last = all ? fabric.row_count() : as_yarn > 0 ? as_yarn : fabric.strips().back()->to;
   for (knit::RowId id = 1; id <= last; ++id) {
     span.from = std::min(span.from, static_cast<float>(fabric.row(id).time));
     span.to = std::max(span.to, static_cast<float>(fabric.row(id).time));
@@ -147,7 +149,7 @@ std::optional<TimeSpan> covered_by_faces(const Session& session, const Scene& sc
 // Where tubes stand beside each other the times of one say nothing of the others.
 void Describer::describe_covered(const Session& session, Scene& scene) {
   const knit::State& state = session.document->timeline.state();
-  scene.covered = covered_by_faces(session, scene);
+  scene.covered = covered_by_faces(session, rows_as_yarn_, scene);
   if (!scene.covered || state.fabric.deals().empty()) return;
   scene.covered.reset();
   if (state.stage() <= knit::Stage::faces || !state.graph || !state.tubes) return;
@@ -177,12 +179,15 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   const knit::State& state = session.document->timeline.state();
   ground_.describe(session, showing.in_pieces, scene);
   scene.coarse = coarseness(session, showing.height_px);
+  rows_as_yarn_ = 0;
   scene.calm = in_the_making(state);
   if (scene.coarse > 1) {
     coarse_.describe(session, fabric_of(session), {scene.coarse, stretch_}, showing.in_pieces, scene);
   } else {
+    rows_as_yarn_ = yarn_.describe(session, fabric_of(session), scene);
     add_rows(session, scene);
-    add_strips(session, scene);
+    if (!scene.yarn) add_strips(session, scene);
+    if (scene.yarn && state.stage() > knit::Stage::faces) scene.show_surface = false;
   }
   describe_covered(session, scene);
   describe_tubes(session, scene);
@@ -191,7 +196,7 @@ Scene Describer::describe(const Session& session, const Showing& showing) {
   describe_step(session, scene);
   describe_quantity(session, scene);
   describe_moves(session, scene);
-  symbols_.describe(session, showing.height_px, scene);
+  if (!scene.yarn) symbols_.describe(session, showing.height_px, scene);
   describe_sized(session, scene);
   describe_selected(session, scene);
   describe_variable(session, scene);

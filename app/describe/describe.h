@@ -15,6 +15,7 @@
 #include "app/describe/describe_symbols.h"
 #include "app/scene/scene.h"
 #include "app/session/session.h"
+#include "app/yarn/yarn_shown.h"
 #include "knit/fabric/fabric.h"
 
 namespace app {
@@ -61,6 +62,8 @@ class Describer {
   MadeOf<knit::TubePlan, std::vector<float>> ends_;  // of limbs: describe_ends.h
   std::vector<RowShapes> rows_;                      // [i]: of row i + 1, as last seen
   std::vector<StripShapes> strips_;
+  YarnShown yarn_;
+  knit::RowId rows_as_yarn_ = 0;  // in this scene, from the first on
   Coarse coarse_;
   Symbols symbols_;
   Ghost ghost_;

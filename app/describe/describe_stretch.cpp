@@ -18,24 +18,6 @@ constexpr float stretched_px = 2.2F;  // and so much more of one that is not
 constexpr float move_px = 1.2F;
 constexpr double least_move = 0.03;  // in w
 
-// -1 as short as is told, 0 at ease, 1 as long.
-double strain_of(double stretch, double full) {
-  if (!(stretch > 0.0)) return -1.0;
-  return std::clamp(std::log(stretch) / std::log(full), -1.0, 1.0);
-}
-
-std::uint8_t between(std::uint8_t from, std::uint8_t to, double share) {
-  return static_cast<std::uint8_t>(std::lround(from + share * (to - from)));
-}
-
-Colour mixed(Colour from, Colour to, double share) {
-  return {between(from.r, to.r, share), between(from.g, to.g, share), between(from.b, to.b, share)};
-}
-
-Colour strain_colour(const Theme& theme, double strain) {
-  return mixed(theme.stretch_even, strain < 0.0 ? theme.stretch_short : theme.stretch_long, std::abs(strain));
-}
-
 // Whether the place shown is within the stage that moves what is shown; its last step is, too.
 bool is_within(const Session& session, knit::Stage stage) {
   const knit::Step* step = last_step(session);
@@ -53,10 +35,6 @@ bool may_show(const Session& session) {
 }
 
 }  // namespace
-
-Colour stretch_colour(const Theme& theme, double stretch, double full) {
-  return strain_colour(theme, strain_of(stretch, full));
-}
 
 std::optional<StretchScale> stretch_shown(const Session& session) {
   if (!session.view->shows(Layer::stretch) || !may_show(session)) return std::nullopt;

@@ -9,15 +9,10 @@
 #include <vector>
 
 #include "app/scene/scene.h"
+#include "app/scene/stretch_colour.h"
 #include "app/session/session.h"
 
 namespace app {
-
-inline constexpr double full_stretch = 1.5;      // from there on, and from its inverse down, colours are full
-inline constexpr double full_in_the_air = 1.15;  // where stuffing stretches fabric by some hundredths
-
-// Of a stretch above 0.
-Colour stretch_colour(const Theme& theme, double stretch, double full = full_stretch);
 
 // What edges should measure, in mesh units.
 struct StretchScale {

@@ -9,8 +9,10 @@
 #include "app/entries/action_entries_parts.h"
 #include "app/files/pattern_export.h"
 #include "app/files/session_file.h"
+#include "app/scene/colour_text.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
+#include "app/session/looking.h"
 #include "app/session/outbox.h"
 #include "app/session/pattern_pieces.h"
 #include "app/session/program.h"
@@ -56,6 +58,44 @@ void add_moves(EntryList& list) {
             "When it is behind the surface.", SetFollowing{!following}});
 }
 
+ActionPrompt ask_stripes() {
+  return {"Rounds of each colour, 0 for no stripes", "4",
+          [](const Session& session, const std::string& typed) -> Read {
+            YarnLook look = session.view->yarn;
+            const auto rounds = whole_number<int>(typed);
+            if (!rounds || *rounds < 0 || *rounds > most_stripe_rounds)
+              return "Rounds are a whole number from 0 to " + std::to_string(most_stripe_rounds) +
+                     ", not \"" + typed + "\".";
+            look.stripe_rounds = *rounds;
+            return SetYarnLook{look};
+          }};
+}
+
+ActionPrompt ask_yarn_colour(Colour YarnLook::*which) {
+  return {"A colour like #d8b48c", "#d8b48c",
+          [which](const Session& session, const std::string& typed) -> Read {
+            YarnLook look = session.view->yarn;
+            const auto colour = colour_of_hex(typed);
+            if (!colour) return "A colour is like #d8b48c, not \"" + typed + "\".";
+            look.*which = *colour;
+            return SetYarnLook{look};
+          }};
+}
+
+void add_yarn(EntryList& list) {
+  for (std::size_t i = 0; i < yarn_colours_keys.size(); ++i) {
+    YarnLook look = list.session.view->yarn;
+    const bool so = look.by == static_cast<YarnColours>(i);
+    look.by = static_cast<YarnColours>(i);
+    list.add({"Colour the yarn by " + std::string(yarn_colours_keys[i]), group::view, "", SetYarnLook{look},
+              so ? "It is." : ""});
+  }
+  list.add({"Set the yarn's colour to...", group::view, "", ask_yarn_colour(&YarnLook::wool), "", "", true});
+  list.add({"Set the yarn's second colour to...", group::view, "", ask_yarn_colour(&YarnLook::second), "", "",
+            true});
+  list.add({"Stripe the yarn by rounds...", group::view, "", ask_stripes(), "", "", true});
+}
+
 void add_shown(EntryList& list) {
   const Session& session = list.session;
   for (std::size_t i = 0; i < side_keys.size(); ++i) {
@@ -74,6 +114,13 @@ void add_shown(EntryList& list) {
               "In the view, in figures and in what is saved.", SetPositions{positions},
               session.view->positions == positions ? "They are shown so." : ""});
   }
+  for (std::size_t i = 0; i < looking_keys.size(); ++i) {
+    const auto looking = static_cast<Looking>(i);
+    list.add({"Show the piece as " + std::string(looking_keys[i]), group::view,
+              "Layers and positions together.", ShowAs{looking},
+              looking_of(session) == looking ? "It is shown so." : list.unless_open()});
+  }
+  add_yarn(list);
   list.add({"Ring round the pointer while presenting: on or off", group::view, "",
             SetRing{!session.view->ring}, "", "", true});
   for (std::size_t i = 0; i < panel_keys.size(); ++i) {

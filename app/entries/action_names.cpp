@@ -126,6 +126,12 @@ constexpr ActionName named(For<ShowBoth>) {
 constexpr ActionName named(For<SetPositions>) {
   return {"Show stitches settled or as placed", control, "menu/Stitches as placed"};
 }
+constexpr ActionName named(For<SetYarnLook>) {
+  return {"Set the yarn's colours and stripes", control, "yarn/colour"};
+}
+constexpr ActionName named(For<ShowAs>) {
+  return {"Show mesh, stitches, the relaxed piece or yarn", control, "looking"};
+}
 constexpr ActionName named(For<SetPatternOptions>) {
   return {"Set what stands over the pattern", control, "pattern/Title"};
 }

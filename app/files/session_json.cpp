@@ -5,6 +5,7 @@
 
 #include "app/base/json_fields.h"
 #include "app/files/report.h"
+#include "app/scene/colour_text.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
 #include "knit/model/hash.h"
@@ -93,6 +94,7 @@ SavedSession saved_of(const Session& session) {
   saved.centre = session.view->centre;
   saved.chart_piece = session.view->gaze.chart_piece;
   saved.positions = session.view->positions;
+  saved.yarn = session.view->yarn;
   saved.steps_per_second = session.view->playback.steps_per_second;
   saved.slow_motion = session.view->slow_motion;
   saved.loop = session.document->travel.loop;
@@ -109,6 +111,17 @@ SavedSession saved_of(const Session& session) {
   return saved;
 }
 
+namespace {
+
+Json yarn_json(const YarnLook& look) {
+  return {{"colours", yarn_colours_keys.at(static_cast<std::size_t>(look.by))},
+          {"wool", hex_text(look.wool)},
+          {"second", hex_text(look.second)},
+          {"stripe-rounds", look.stripe_rounds}};
+}
+
+}  // namespace
+
 Json to_json(const SavedSession& saved) {
   Json json;
   json[std::string(session_mark)] = session_version;
@@ -124,6 +137,7 @@ Json to_json(const SavedSession& saved) {
   json["centre"] = centre_keys[static_cast<std::size_t>(saved.centre)];
   if (!saved.chart_piece.empty()) json["chart-piece"] = saved.chart_piece;
   json["positions"] = positions_keys.at(static_cast<std::size_t>(saved.positions));
+  json["yarn"] = yarn_json(saved.yarn);
   json["playback"] = {{"steps-per-second", saved.steps_per_second}, {"slow-motion", saved.slow_motion}};
   if (saved.loop) json["playback"]["loop"] = {{"begin", saved.loop->begin}, {"end", saved.loop->end}};
   json["breaks"] = Json::array();
@@ -308,6 +322,21 @@ void read_breaks(JsonFields& fields, SavedSession& saved) {
   }
 }
 
+Colour read_colour(JsonFields& fields, const std::string& key) {
+  const auto colour = colour_of_hex(fields.text(key));
+  if (!colour) fields.set_fault(key, "must be a colour like #d8b48c.");
+  return colour.value_or(Colour{});
+}
+
+YarnLook read_yarn(JsonFields fields) {
+  YarnLook look;
+  look.by = static_cast<YarnColours>(fields.choice("colours", yarn_colours_keys));
+  look.wool = read_colour(fields, "wool");
+  look.second = read_colour(fields, "second");
+  look.stripe_rounds = static_cast<int>(fields.whole("stripe-rounds", 0, most_stripe_rounds));
+  return look;
+}
+
 void read_view(JsonFields& fields, SavedSession& saved) {
   saved.camera = read_camera(fields.object("camera"));
   JsonFields layers = fields.object("layers");
@@ -325,6 +354,7 @@ void read_view(JsonFields& fields, SavedSession& saved) {
   }
   if (fields.has("positions"))
     saved.positions = static_cast<Positions>(fields.choice("positions", positions_keys));
+  if (fields.has("yarn")) saved.yarn = read_yarn(fields.object("yarn"));
 }
 
 std::string fault_of_version(const nlohmann::json& json) {

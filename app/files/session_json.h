@@ -44,6 +44,7 @@ struct SavedSession {
   std::int16_t deal = 0;
   knit::PatternOptions pattern;
   PatternPieces pieces;
+  YarnLook yarn;
 };
 
 // Of the mesh as read: what a changed file is noticed by.

@@ -73,7 +73,8 @@ Renderer::Renderer()
       band_({"camera.glsl", "surface.vert"}, {"band.glsl", "band.frag"}),
       wire_({"camera.glsl", "surface.vert"}, {"ground.glsl", "light.glsl", "wire.frag"}),
       line_({"camera.glsl", "corner.glsl", "line.vert"}, {"line.frag"}),
-      point_({"camera.glsl", "corner.glsl", "point.vert"}, {"point.frag"}) {}
+      point_({"camera.glsl", "corner.glsl", "point.vert"}, {"point.frag"}),
+      yarn_({"camera.glsl", "yarn.vert"}, {"light.glsl", "yarn.frag"}) {}
 
 void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   if (viewport.width <= 0 || viewport.height <= 0) {
@@ -100,6 +101,7 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   glDisable(GL_CULL_FACE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   clear(viewport, scene.background);
+  draw_yarn(frame);
   // Faces first: what they cover of the surface need not be lit.
   draw_faces(frame);
   draw_surface(frame);
@@ -119,6 +121,7 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
 void Renderer::upload(const Scene& scene) {
   meshes_.drop_dead();
   times_.drop_dead();
+  yarns_.drop_dead();
   faces_.show(scene.faces);
   // Kept while they are not shown.
   if (scene.isolines) isolines_.show({&scene.isolines, 1});
@@ -180,6 +183,20 @@ bool Renderer::closed_from_outside(const Frame& frame) const {
   return frame.mesh != nullptr && scene.show_surface && scene.covered && !inside;
 }
 
+// Before all that it hides.
+void Renderer::draw_yarn(const Frame& frame) {
+  const auto& yarn = frame.scene.yarn;
+  if (yarn == nullptr || yarn->pieces.empty()) return;
+  depth(true, true);
+  blend(false);
+  start(yarn_, frame);
+  const YarnBuffers& buffers = yarns_.get(yarn);
+  const double stitch_px =
+      yarn_stitch_px(buffers.extent(), yarn->width, frame.scene.view, frame.viewport.y, frame.scale);
+  last_.triangles += yarn_drawer_.draw(yarn_, buffers, yarn, frame.scene.view, yarn_detail(stitch_px));
+  ++last_.draw_calls;
+}
+
 void Renderer::draw_faces(const Frame& frame) {
   if (faces_.empty()) {
     return;
@@ -187,7 +204,8 @@ void Renderer::draw_faces(const Frame& frame) {
   depth(true, true);
   blend(false);
   start(frame.scene.band ? face_ : face_plain_, frame);
-  if (closed_from_outside(frame)) glEnable(GL_CULL_FACE);
+  // The ground of yarn would hide the loops from one who looks at them from inside.
+  if (frame.scene.yarn || closed_from_outside(frame)) glEnable(GL_CULL_FACE);
   last_.triangles += 2 * faces_.draw(frame.frustum);
   glDisable(GL_CULL_FACE);
   ++last_.draw_calls;
@@ -278,16 +296,16 @@ bool Renderer::refresh_next_program() {
   return changed;
 }
 
-std::array<ShaderProgram*, 8> Renderer::programs() {
-  return {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_};
+std::array<ShaderProgram*, 9> Renderer::programs() {
+  return {&surface_, &surface_plain_, &face_, &face_plain_, &band_, &wire_, &line_, &point_, &yarn_};
 }
 
 Renderer::Counters Renderer::counters() const {
   Counters counters = last_;
-  counters.uploads = meshes_.uploads() + faces_.uploads() + isolines_.uploads() + line_sets_.uploads() +
-                     point_sets_.uploads();
-  counters.shapes_kept =
-      meshes_.kept() + faces_.kept() + isolines_.kept() + line_sets_.kept() + point_sets_.kept();
+  counters.uploads = meshes_.uploads() + yarns_.uploads() + faces_.uploads() + isolines_.uploads() +
+                     line_sets_.uploads() + point_sets_.uploads();
+  counters.shapes_kept = meshes_.kept() + yarns_.kept() + faces_.kept() + isolines_.kept() +
+                         line_sets_.kept() + point_sets_.kept();
   return counters;
 }
 

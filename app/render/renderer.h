@@ -8,6 +8,7 @@
 #include "app/render/batch.h"
 #include "app/render/program.h"
 #include "app/render/shape_cache.h"
+#include "app/render/yarn_drawer.h"
 #include "app/scene/scene.h"
 
 namespace app {
@@ -50,6 +51,7 @@ class Renderer {
   void start(const ShaderProgram& program, const Frame& frame) const;
   void draw_surface(const Frame& frame);
   bool closed_from_outside(const Frame& frame) const;
+  void draw_yarn(const Frame& frame);
   void draw_faces(const Frame& frame);
   void draw_band_alone(const Frame& frame);
   void draw_wire(const Frame& frame);
@@ -57,12 +59,14 @@ class Renderer {
   void draw_points(const Frame& frame, bool hidden);
   void upload(const Scene& scene);
 
-  std::array<ShaderProgram*, 8> programs();
+  std::array<ShaderProgram*, 9> programs();
 
   // The plain ones are for frames without a band, which most are.
-  ShaderProgram surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_;
+  ShaderProgram surface_, surface_plain_, face_, face_plain_, band_, wire_, line_, point_, yarn_;
   ShapeCache<MeshShape, MeshBuffers> meshes_;
   ShapeCache<std::vector<float>, TimeBuffer> times_;
+  ShapeCache<YarnShape, YarnBuffers> yarns_;
+  YarnDrawer yarn_drawer_;
   Batch<FaceShape> faces_;
   Batch<std::vector<Line>> isolines_, line_sets_, frame_lines_;
   Batch<std::vector<Point>> point_sets_, frame_points_;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/scene/palette.h"
+#include "app/scene/yarn_shape.h"
 
 namespace app {
 
@@ -119,6 +120,8 @@ struct Scene {
   std::vector<Line> lines;  // this frame's own
   std::vector<Point> points;
   std::vector<Caption> captions;
+  // The piece as yarn; null: it is not shown, or not known yet. Then `faces` are the ground of it, seen from outside only.
+  std::shared_ptr<const YarnShape> yarn;
   // Of equal scenes one picture is made. What is shared is the same one, or counts as another.
   friend bool operator==(const Scene&, const Scene&) = default;
 };

@@ -15,6 +15,7 @@
 #include "app/script/pieces.h"
 #include "app/script/queries.h"
 #include "app/script/subcommands.h"
+#include "app/script/yarn_words.h"
 #include "app/session/pattern_pieces.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
@@ -35,6 +36,7 @@ struct Words {
   std::vector<std::string> saves;     // beside the table of exports; empty: not given
   std::string size;
   FigureWords figures;
+  YarnWords yarn_drawn;
   std::string index_sizes, index_placement = "thesis", check_file;
   std::string check_line, check_size, check_gauge;
   bool check_window = false, check_json = false;
@@ -133,6 +135,7 @@ void declare_looking(CLI::App& app, Words& words) {
   app.add_option("--positions", words.positions,
                  "where stitches that have settled or relaxed are shown, measured and written: " +
                      one_of(positions_keys));
+  declare_yarn(app, words.yarn_drawn);
   app.add_flag("--present", words.presenting,
                "for a class: the view, the step's sentence in large words, a thin timeline");
   app.add_option("--beside", words.beside,
@@ -303,6 +306,11 @@ std::optional<std::string> read_look(const Words& words, CommandLine& line) {
     if (auto trouble = choose("--theme", words.theme, theme_keys, index)) return trouble;
     line.theme = static_cast<ThemeKind>(index);
   }
+  if (!words.positions.empty()) {
+    std::size_t index = 0;
+    if (auto trouble = choose("--positions", words.positions, positions_keys, index)) return trouble;
+    line.positions = static_cast<Positions>(index);
+  }
   if (words.scale.empty()) return std::nullopt;
   double scale = 0.0;
   const char* end = words.scale.data() + words.scale.size();
@@ -339,14 +347,6 @@ std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
   if (auto fault = fault_of_go_to(line.go_to)) return fault;
   if (auto fault = fault_of_select(line.select)) return fault;
   return line.why.empty() ? std::nullopt : fault_of_why(line.why);
-}
-
-std::optional<std::string> read_positions(const Words& words, CommandLine& line) {
-  if (words.positions.empty()) return std::nullopt;
-  std::size_t index = 0;
-  if (auto trouble = choose("--positions", words.positions, positions_keys, index)) return trouble;
-  line.positions = static_cast<Positions>(index);
-  return std::nullopt;
 }
 
 std::optional<std::string> read_centre(const Words& words, CommandLine& line) {
@@ -547,7 +547,7 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_piece(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
-  if (const auto trouble = read_positions(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_yarn_words(words.yarn_drawn, line.yarn)) return bad_usage(*trouble);
   if (const auto trouble = read_beside(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_lesson_words(words, line)) return bad_usage(*trouble);
   if (!words.size.empty() && !parse_size(words.size, line.width, line.height)) {

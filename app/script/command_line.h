@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/script/round_words.h"
+#include "app/script/yarn_words.h"
 #include "app/session/action.h"
 #include "app/session/at.h"
 #include "app/session/preferences.h"
@@ -62,6 +63,7 @@ struct CommandLine {
   std::optional<std::size_t> checked_line;  // where the caret stands, from 1
   std::string checked_size;                 // its name or its number from 1; empty: the first
   std::optional<SetCheckedGauge> checked_gauge;
+  YarnWish yarn;                           // layers, mesh or yarn, its colours
 };
 
 // The program's answer without a window: help, a list, an error.

@@ -174,6 +174,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   if (!saved || line.centre_given) apply(session, ShowCentre{line.centre});
   apply(session, SetPatternOptions{with_options(session.view->pattern, line.pattern)});
   if (!line.pattern.piece_names.empty()) apply(session, SetPieceNames{line.pattern.piece_names});
+  apply_yarn_wish(session, line.yarn);
   if (line.positions) apply(session, SetPositions{*line.positions});
   if (line.presenting) apply(session, Present{});
   if (!line.point.empty()) apply(session, PointAt{line.point});

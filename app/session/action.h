@@ -190,6 +190,12 @@ struct ShowList {
 struct SetPositions {
   Positions positions = Positions::settled;
 };
+struct SetYarnLook {
+  YarnLook look;
+};
+struct ShowAs {
+  Looking looking = Looking::stitches;
+};  // layers and positions together: app/session/looking.h
 struct Present {
   bool on = true;
 };  // for a class: the view, one large sentence, row and count, a thin timeline
@@ -363,7 +369,7 @@ using ActionKinds =
              SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present,
              SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn, PutNoteAway, ShowChecker,
              CheckFile, SetCheckedText, RestoreCheckedText, SaveCheckedText, GoToCheckedLine, ToMistake,
-             ShowCheckedSize, SetCheckedGauge>;
+             ShowCheckedSize, SetCheckedGauge, SetYarnLook, ShowAs>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

@@ -3,14 +3,16 @@
 namespace app {
 
 namespace {
-constexpr std::array<std::string_view, layer_count> layer_names{
-    "Surface",          "Time colours",         "Isolines of time", "Critical points",
-    "Mesh edges",       "Cycle and candidates", "Anchor and band",  "Stitches",
-    "Row edges",        "Column edges",         "Faces by label",   "Edges by stretch",
-    "Moves of stitches"};
+constexpr std::array<std::string_view, layer_count> layer_names{"Surface",           "Time colours",
+                                                                "Isolines of time",  "Critical points",
+                                                                "Mesh edges",        "Cycle and candidates",
+                                                                "Anchor and band",   "Stitches",
+                                                                "Row edges",         "Column edges",
+                                                                "Faces by label",    "Edges by stretch",
+                                                                "Moves of stitches", "Yarn"};
 constexpr std::array<std::string_view, layer_count> layer_keys{
     "surface",  "times",     "isolines",     "criticals", "wire",    "cycle", "band",
-    "stitches", "row-edges", "column-edges", "faces",     "stretch", "moves"};
+    "stitches", "row-edges", "column-edges", "faces",     "stretch", "moves", "yarn"};
 }  // namespace
 
 std::string_view name_of(Layer layer) { return layer_names.at(static_cast<std::size_t>(layer)); }

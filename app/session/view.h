@@ -12,6 +12,7 @@
 
 #include "app/scene/camera.h"
 #include "app/session/side_panels.h"
+#include "app/session/yarn_look.h"
 #include "knit/insight/breaks.h"
 #include "knit/pattern/written_pattern.h"
 
@@ -31,6 +32,7 @@ enum class Layer : std::uint8_t {
   faces,    // by label
   stretch,  // of edges, while stitches settle
   moves,    // of stitches, likewise
+  yarn,     // the loops, in place of faces, edges and stitches
   count_
 };
 inline constexpr std::size_t layer_count = static_cast<std::size_t>(Layer::count_);
@@ -115,7 +117,7 @@ struct View {
   Gaze gaze;
   double aspect = 1.6;  // of the view
   std::array<bool, layer_count> layers{true, true, true, true, false, true, true,
-                                       true, true, true, true, true,  true};
+                                       true, true, true, true, true,  true, false};
   Playback playback;
   bool slow_motion = false;
   bool presenting = false;                   // for a class: the view, one large sentence, a thin timeline
@@ -131,6 +133,7 @@ struct View {
   Dialogs dialogs;
   std::shared_ptr<const Checker> checker;  // a written pattern that is checked; null: none was begun
   bool checking = false;                   // it is shown, in place of all about the mesh
+  YarnLook yarn;
   friend bool operator==(const View&, const View&) = default;
 
   [[nodiscard]] bool shows(Layer layer) const { return layers[static_cast<std::size_t>(layer)]; }

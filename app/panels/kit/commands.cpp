@@ -231,6 +231,7 @@ const std::array table{
     layer_info<Layer::faces>(Key::Digit9),
     layer_info<Layer::stretch>(Key::S),
     layer_info<Layer::moves>(Key::V),
+    layer_info<Layer::yarn>(Key::Y),
     CommandInfo{Command::side, view, "The next side panel", on(Key::R), false,
                 [](const Session& session) -> Wish {
                   return ShowSide{static_cast<SidePanel>((static_cast<std::size_t>(session.view->side) + 1) %

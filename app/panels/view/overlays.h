@@ -18,6 +18,9 @@ void draw_rescue(PanelFrame& frame);
 void draw_repair_offer(PanelFrame& frame);
 // Whether stitches are shown as placed, as settled or in the air, where there are several.
 void draw_positions(PanelFrame& frame);
+// From mesh to yarn, once there are faces; within a window.
+bool has_looking_dial(const PanelFrame& frame);
+void draw_looking_dial(PanelFrame& frame);
 // What the colours say, in the lower right corner: the time's ramp, or the labels once there are any. Inside the
 // view's window.
 void draw_view_legend(PanelFrame& frame);

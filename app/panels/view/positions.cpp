@@ -32,12 +32,34 @@ bool is_there(const PanelFrame& frame, Positions positions) {
 
 }  // namespace
 
+namespace {
+
 // Never hidden where another than the usual is shown.
-void draw_positions(PanelFrame& frame) {
+bool has_choices(const PanelFrame& frame) {
   const bool settled = positions_shown(frame.session) == Positions::settled;
   const bool relaxed = has_relaxed(frame.session);
-  if (!has_settled(frame.session) && !relaxed) return;
-  if (settled && !relaxed && !stretch_shown(frame.session) && !moves_shown(frame.session)) return;
+  if (!has_settled(frame.session) && !relaxed) return false;
+  return !settled || relaxed || stretch_shown(frame.session) || moves_shown(frame.session);
+}
+
+void draw_choices(PanelFrame& frame) {
+  faint_text("Stitches");
+  for (const PositionsChoice& choice : positions_choices) {
+    if (!is_there(frame, choice.positions)) continue;
+    const bool on = positions_shown(frame.session) == choice.positions;
+    const bool settled_here = choice.positions != Positions::settled || has_settled(frame.session);
+    if (ImGui::RadioButton(settled_here ? choice.words : "On the mesh", on) && !on)
+      frame.wish(SetPositions{choice.positions});
+    frame.mark("positions/" + std::string(positions_keys.at(static_cast<std::size_t>(choice.positions))));
+    tooltip(frame, choice.about);
+  }
+}
+
+}  // namespace
+
+void draw_positions(PanelFrame& frame) {
+  const bool dial = has_looking_dial(frame), choices = has_choices(frame);
+  if (!dial && !choices) return;
   const Box& view = frame.layout.view;
   float bottom = view.bottom() - frame.units(above_legend);
   const auto legend = frame.memory.controls.find("legend-box");
@@ -50,16 +72,8 @@ void draw_positions(PanelFrame& frame) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   pop_raised_look();
-  faint_text("Stitches");
-  for (const PositionsChoice& choice : positions_choices) {
-    if (!is_there(frame, choice.positions)) continue;
-    const bool on = positions_shown(frame.session) == choice.positions;
-    const bool settled_here = choice.positions != Positions::settled || has_settled(frame.session);
-    if (ImGui::RadioButton(settled_here ? choice.words : "On the mesh", on) && !on)
-      frame.wish(SetPositions{choice.positions});
-    frame.mark("positions/" + std::string(positions_keys.at(static_cast<std::size_t>(choice.positions))));
-    tooltip(frame, choice.about);
-  }
+  if (dial) draw_looking_dial(frame);
+  if (choices) draw_choices(frame);
   ImGui::End();
 }
 
