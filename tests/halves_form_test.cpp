@@ -6,6 +6,7 @@
 #include "knit/pattern/rounds.h"
 #include "knit/pattern/short_form.h"
 #include "knit/pattern/written_pattern.h"
+#include "knit/reader/checked_pattern.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/rhythm/joint_plan.h"
 #include "knit/stitches/operations.h"
@@ -72,6 +73,20 @@ TEST_CASE("a belly is told with markers at front and sides and read back to the 
     for (const RoundLine& line : form->lines) told += line.text().size();
     CHECK(told < characters);
   }
+}
+
+TEST_CASE("the checker reads a piece told by halves, and finds a changed number in it") {
+  const std::string text = short_text(belly_rounds(9.0));
+  const CheckedPattern checked = check_pattern(text);
+  for (const CheckedLine& line : checked.sizes.front().lines) CHECK(line.sentence.empty());
+  CHECK(checked.verdict == PatternVerdict::holds);
+  CHECK(checked.not_understood == 0);
+  CHECK(checked.rounds == belly_rounds(9.0).rounds.size());
+  std::string changed = text;
+  const std::size_t at = changed.find(", m1r, K1, m1l");
+  REQUIRE(at != std::string::npos);
+  changed.replace(at, 5, "");
+  CHECK(check_pattern(changed).verdict == PatternVerdict::does_not_add_up);
 }
 
 TEST_CASE("a marker that is set elsewhere or a named round that is changed is found out") {

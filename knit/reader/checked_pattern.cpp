@@ -5,6 +5,7 @@
 
 #include "knit/model/words.h"
 #include "knit/reader/limbs_reader.h"
+#include "knit/reader/named_rounds.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/reader/reader_grammar.h"
 #include "knit/reader/reader_text.h"
@@ -121,7 +122,12 @@ void count_lines(CheckedPattern& checked, const Text& text) {
 
 bool tells_short_row(const TextLine& line) { return short_row_line(tokens_of(line.text)).has_value(); }
 
-// This program's words, which are worked to the graph of stitches: pieces, and short rows.
+// "Place markers (m) after 8, 16 and 24 sts: side, front and side": rounds are then told by halves, to markers by name.
+bool names_markers(const TextLine& line) { return named_markers_in(tokens_of(line.text)).has_value(); }
+
+bool names_round(const TextLine& line) { return named_words_in(tokens_of(line.text)).has_value(); }
+
+// This program's words, which are worked to the graph of stitches: pieces, short rows, and rounds by halves.
 CheckedPattern checked_graph(const ReadPattern& read, const Text& text, const Lexicon& lexicon) {
   CheckedPattern checked;
   CheckedSize& size = checked.sizes.emplace_back();
@@ -133,9 +139,9 @@ CheckedPattern checked_graph(const ReadPattern& read, const Text& text, const Le
     CheckedLine& line = size.lines[number - 1];
     Atoms copy = text.atoms[i];
     const bool is_short = tells_short_row(text.lines[i]);
-    if (is_short || label_of(tokens_of(text.lines[i].text))) {
+    if (is_short || names_round(text.lines[i]) || label_of(tokens_of(text.lines[i].text))) {
       line.verdict = LineVerdict::holds;
-      if (!is_short) line.stitches = take_count(copy, lexicon).total;
+      if (!is_short && !names_round(text.lines[i])) line.stitches = take_count(copy, lexicon).total;
     } else if (const auto label = world_label(copy, lexicon);
                label && looks_like_work(copy, lexicon) && !label->bare_number) {
       line.verdict = LineVerdict::not_understood;
@@ -303,7 +309,10 @@ CheckedPattern check_pattern(std::string_view text) {
   parted.atoms.reserve(parted.lines.size());
   for (const TextLine& line : parted.lines) parted.atoms.push_back(atoms_of(line.text));
   const bool pieces = has_limb_headings(text);
-  const bool graph = pieces || std::any_of(parted.lines.begin(), parted.lines.end(), tells_short_row);
+  const bool graph =
+      pieces || std::any_of(parted.lines.begin(), parted.lines.end(), [](const TextLine& line) {
+        return tells_short_row(line) || names_markers(line);
+      });
   CheckedPattern checked =
       graph ? checked_graph(pieces ? as_pattern(read_limbs(text)) : read_pattern(text), parted, lexicon)
             : checked_world(parted, lexicon, text.size());
