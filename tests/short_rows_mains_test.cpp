@@ -1,5 +1,7 @@
 // Mains, counts in rhythm and short rows together, as someone takes a pattern home: what is read is what was worked.
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -11,6 +13,8 @@
 #include "knit/model/stitch_size.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/written_pattern.h"
+#include "knit/quality/measures.h"
+#include "knit/reader/checked_pattern.h"
 #include "knit/reader/pattern_reader.h"
 #include "knit/run/machine.h"
 #include "tests/support/bent_tubes.h"
@@ -123,4 +127,67 @@ TEST_CASE("short rows and mains: what is written for taking home reads back as w
     }
   }
   CHECK(beside > 0);
+}
+
+namespace {
+
+struct SettledPiece {
+  State state;
+  LengthFigures wales;
+  std::size_t pairs = 0;
+  double longest = 0.0;  // in h
+};
+
+// The preset as it is, but for what decides.
+SettledPiece taken_home_settled(const Piece& piece, ShortRows rows, FollowMains mains) {
+  Parameters parameters =
+      app::with_preset(*app::find_preset("hand"), default_parameters(piece.input->bounds));
+  parameters.timing.kind = TimingKind::harmonic;
+  parameters.timing.start = piece.start;
+  parameters.timing.end = piece.end;
+  parameters.short_rows.rows = rows;
+  parameters.settle.settling = Settling::on;
+  parameters.stitches.follow_mains = mains;
+  if (mains == FollowMains::on) parameters.rhythm.counts = CountPlanning::whole;
+  parameters = resolved(parameters, *piece.input);
+  SettledPiece made;
+  while (!made.state.finished()) REQUIRE_FALSE(is_stop(advance(*piece.input, parameters, made.state)));
+  made.wales = wale_figures(made.state);
+  made.longest = made.wales.high / parameters.stitch.height;
+  for (const Round& round : rounds_of(made.state).rounds) made.pairs += round.pairs.size();
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("short rows and mains: for taking home they settle more evenly than without, and read back",
+          "[short-rows]") {
+  for (const Piece& piece : pieces()) {
+    for (const FollowMains mains : {FollowMains::off, FollowMains::on}) {
+      const SettledPiece with = taken_home_settled(piece, ShortRows::automatic, mains),
+                         without = taken_home_settled(piece, ShortRows::off, mains);
+      CAPTURE(piece.name, static_cast<int>(mains), with.pairs, with.wales.cv, without.wales.cv, with.longest,
+              without.longest);
+      CHECK(with.pairs >= 4);
+      CHECK(with.wales.cv < 0.8 * without.wales.cv);
+      CHECK(with.wales.cv <= 0.07);
+      CHECK(with.longest <= std::max(1.4, without.longest));
+      if (std::getenv("KNIT_SHOW") != nullptr)
+        std::printf("%s mains %d: pairs %zu wale CV %.3f -> %.3f longest %.2f -> %.2f\n", piece.name.c_str(),
+                    static_cast<int>(mains), with.pairs, without.wales.cv, with.wales.cv, without.longest,
+                    with.longest);
+      const Rounds rounds = rounds_of(with.state);
+      const KnitGraph graph = graph_of(with.state);
+      for (const ShortRowTurns turns : {ShortRowTurns::german, ShortRowTurns::wrap}) {
+        PatternOptions options;
+        options.turns = turns;
+        const std::string text = pattern_as_text(write_pattern(rounds, {22.0, 32.0}, options, piece.name));
+        const ReadPattern read = read_pattern(text);
+        CAPTURE(text, read.mistakes.empty() ? "" : read.mistakes.front().sentence);
+        REQUIRE(read.mistakes.empty());
+        CHECK(graph_of(read.rounds) == graph);
+        CHECK(check_pattern(text).verdict == PatternVerdict::holds);
+      }
+    }
+  }
 }
