@@ -43,7 +43,7 @@ using ArcStep = std::variant<LagMeasured, ArcConsidered>;
 ArcStep advance_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
                      const PairSettings& settings, ArcSearch& search);
 
-// All steps, each gap measured once.
+// All steps.
 ArcSearch choose_arcs(const TubeChart& chart, const FullRounds& rounds, double stitch_width,
                       const PairSettings& settings);
 

@@ -9,6 +9,7 @@
 //   build/dev/benchmark --checking      (a megabyte of written pattern, and a key typed into a long one)
 //   build/dev/benchmark --sizes         (timings and contour rows on spheres up to a million triangles: minutes)
 //   build/dev/benchmark --branching [MESH.obj]  (a shape that branches; without a mesh: a bear of cubes)
+//   build/dev/benchmark --short-rows [MESH.obj...]  (runs with short rows against runs without; a minute)
 //   build/dev/benchmark --suite [MESH.obj]      (what docs/performance.md says: minutes; the mesh: one that branches)
 //   build/dev/benchmark --soak SECONDS  (the program's life over and over; fails when memory grows)
 //   build/dev/benchmark --table SUITE.json PAGE.md   (writes the suite's figures into the page)
@@ -31,6 +32,7 @@
 #include "tests/benchmark/frames.h"
 #include "tests/benchmark/large.h"
 #include "tests/benchmark/pipeline.h"
+#include "tests/benchmark/short_rows.h"
 #include "tests/benchmark/sizes.h"
 #include "tests/benchmark/soak.h"
 #include "tests/benchmark/suite.h"
@@ -76,6 +78,7 @@ std::optional<Json> measure_asked(std::string_view option, int count, char** wor
   if (option == "--large")
     return benchmark::measure_large(assets, count > 2 ? std::stoul(words[2]) : 1000000);
   if (option == "--frames") return benchmark::measure_frames(assets);
+  if (option == "--short-rows") return benchmark::measure_short_rows(assets, {words + 2, words + count});
   const fs::path mesh = count > 2 ? words[2] : "";
   if (option == "--branching") return benchmark::measure_branching(assets, mesh);
   if (option == "--suite") return benchmark::measure_suite(assets, mesh);
