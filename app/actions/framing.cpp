@@ -12,10 +12,6 @@ bool same_box(const knit::Bounds& a, const knit::Bounds& b) {
   return a.low == b.low && a.high == b.high && a.radius == b.radius;
 }
 
-bool stands_alike(const Camera& a, const Camera& b) {
-  return a.target == b.target && a.distance == b.distance;
-}
-
 }  // namespace
 
 void frame_all(Session& session) {
@@ -28,12 +24,13 @@ std::optional<FramedWhole> framed_whole(const Session& session) {
   const Camera& camera = session.view->gaze.camera;
   Camera framing = camera;
   framing.frame(bounds, session.view->aspect);
-  if (!stands_alike(framing, camera)) return std::nullopt;
-  return FramedWhole{camera, bounds};
+  if (framing.target != camera.target || framing.distance != camera.distance) return std::nullopt;
+  return FramedWhole{camera.target, camera.distance, bounds};
 }
 
 void frame_again(Session& session, const FramedWhole& before) {
-  if (!session.document || !stands_alike(before.camera, session.view->gaze.camera)) return;
+  const Camera& camera = session.view->gaze.camera;
+  if (!session.document || camera.target != before.target || camera.distance != before.distance) return;
   if (!same_box(before.bounds, bounds_shown(session))) frame_all(session);
 }
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "app/scene/camera.h"
 #include "app/session/session.h"
 #include "knit/mesh/mesh.h"
 
@@ -13,7 +12,8 @@ void frame_all(Session& session);
 
 // A camera that frames all, and what that is.
 struct FramedWhole {
-  Camera camera;
+  glm::dvec3 target{0.0};
+  double distance = 0.0;
   knit::Bounds bounds;
 };
 // None: a person or a session put it elsewhere, or nothing is open.
