@@ -101,10 +101,11 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
   glDisable(GL_CULL_FACE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   clear(viewport, scene.background);
-  draw_yarn(frame);
+  draw_yarn(frame, false);
   // Faces first: what they cover of the surface need not be lit.
   draw_faces(frame);
   draw_surface(frame);
+  draw_yarn(frame, true);
   draw_band_alone(frame);
   draw_wire(frame);
   draw_lines(frame, true);
@@ -183,17 +184,19 @@ bool Renderer::closed_from_outside(const Frame& frame) const {
   return frame.mesh != nullptr && scene.show_surface && scene.covered && !inside;
 }
 
-// Before all that it hides.
-void Renderer::draw_yarn(const Frame& frame) {
+// What looks to the eye before all that it hides, the rest after all that hides it.
+void Renderer::draw_yarn(const Frame& frame, bool behind) {
   const auto& yarn = frame.scene.yarn;
   if (yarn == nullptr || yarn->pieces.empty()) return;
   depth(true, true);
   blend(false);
   start(yarn_, frame);
   const YarnBuffers& buffers = yarns_.get(yarn);
-  const double stitch_px =
-      yarn_stitch_px(buffers.extent(), yarn->width, frame.scene.view, frame.viewport.y, frame.scale);
-  last_.triangles += yarn_drawer_.draw(yarn_, buffers, yarn, frame.scene.view, yarn_detail(stitch_px));
+  const Sight& view = frame.scene.view;
+  const double stitch_px = yarn_stitch_px(buffers.extent(), yarn->width, view, frame.viewport.y, frame.scale);
+  yarn_drawer_.list(buffers, yarn, view, yarn_detail(stitch_px));
+  last_.triangles += behind ? yarn_drawer_.draw_behind(yarn_, buffers, *yarn)
+                            : yarn_drawer_.draw_facing(yarn_, buffers, *yarn);
   ++last_.draw_calls;
 }
 

@@ -51,7 +51,7 @@ class Renderer {
   void start(const ShaderProgram& program, const Frame& frame) const;
   void draw_surface(const Frame& frame);
   bool closed_from_outside(const Frame& frame) const;
-  void draw_yarn(const Frame& frame);
+  void draw_yarn(const Frame& frame, bool behind);
   void draw_faces(const Frame& frame);
   void draw_band_alone(const Frame& frame);
   void draw_wire(const Frame& frame);

@@ -76,26 +76,27 @@ void YarnBuffers::bind() const {
 double yarn_stitch_px(const Extent& extent, float width, const Sight& view, float viewport_height,
                       float scale) {
   const glm::vec4 centre = view.view * glm::vec4(extent.centre(), 1.0F);
-  const float nearest = std::max(-centre.z - 0.5F * extent.diagonal(), -0.3F * centre.z);
+  const float nearest = std::max(-centre.z - 0.29F * extent.diagonal(), -0.3F * centre.z);
   const float clip_w = view.projection[2][3] * -nearest + view.projection[3][3];
   return static_cast<double>(width * view.projection[1][1] * viewport_height /
                              (2.0F * std::max(clip_w, 1e-6F) * scale));
 }
 
-std::vector<std::uint32_t> yarn_pieces_seen(const YarnShape& shape, std::size_t count, const Sight& view,
-                                            const Extent& extent) {
+YarnPiecesSeen yarn_pieces_seen(const YarnShape& shape, std::size_t count, const Sight& view,
+                                const Extent& extent) {
   const Frustum frustum(view.projection * view.view);
   const bool parallel = view.projection[3][3] != 0.0F;
   const glm::vec3 backward(view.view[0][2], view.view[1][2], view.view[2][2]);
   const bool outside = parallel || !(glm::all(glm::greaterThanEqual(view.eye, extent.low)) &&
                                      glm::all(glm::lessThanEqual(view.eye, extent.high)));
   const float radius = reach * shape.width;
-  std::vector<std::uint32_t> seen;
+  YarnPiecesSeen seen;
   for (std::uint32_t i = 0; i < std::min(count, shape.pieces.size()); ++i) {
     const YarnShape::Piece& piece = shape.pieces[i];
     const glm::vec3 to_eye = parallel ? backward : glm::normalize(view.eye - piece.centre);
-    if (shape.closed && outside && glm::dot(to_eye, piece.from_out) < looks_away) continue;
-    if (frustum.touches(piece.centre, radius)) seen.push_back(i);
+    const bool behind = outside && glm::dot(to_eye, piece.from_out) < looks_away;
+    if ((behind && shape.closed) || !frustum.touches(piece.centre, radius)) continue;
+    (behind ? seen.behind : seen.facing).push_back(i);
   }
   return seen;
 }
@@ -117,34 +118,52 @@ void list_piece(std::uint32_t piece, const YarnDetail& detail, std::vector<std::
 
 YarnDrawer::YarnDrawer() : array_(GlVertexArray::make()), indices_(GlBuffer::make()) {}
 
-std::size_t YarnDrawer::draw(const ShaderProgram& program, const YarnBuffers& buffers,
-                             const std::shared_ptr<const YarnShape>& shape, const Sight& view,
-                             const YarnDetail& detail) {
+void YarnDrawer::list(const YarnBuffers& buffers, const std::shared_ptr<const YarnShape>& shape,
+                      const Sight& view, const YarnDetail& detail) {
+  const bool same = !listed_.owner_before(shape) && !shape.owner_before(listed_);
+  if (same && listed_view_ == view && facing_.detail == detail) return;
+  const YarnPiecesSeen seen = yarn_pieces_seen(*shape, buffers.pieces(), view, buffers.extent());
+  std::vector<std::uint32_t> indices;
+  const auto list_part = [&](const std::vector<std::uint32_t>& pieces, const YarnDetail& fine) {
+    const std::size_t first = indices.size();
+    for (const std::uint32_t piece : pieces) list_piece(piece, fine, indices);
+    return Part{fine, first, indices.size() - first};
+  };
+  facing_ = list_part(seen.facing, detail);
+  behind_ = list_part(seen.behind, yarn_detail_behind(detail));
   glBindVertexArray(array_.id());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  const bool same = !listed_.owner_before(shape) && !shape.owner_before(listed_);
-  if (!same || listed_view_ != view || listed_detail_ != detail) {
-    std::vector<std::uint32_t> indices;
-    for (const std::uint32_t piece : yarn_pieces_seen(*shape, buffers.pieces(), view, buffers.extent()))
-      list_piece(piece, detail, indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-                 indices.data(), GL_DYNAMIC_DRAW);
-    count_ = indices.size();
-    listed_ = shape;
-    listed_view_ = view;
-    listed_detail_ = detail;
-  }
-  if (count_ == 0) return 0;
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
+               indices.data(), GL_DYNAMIC_DRAW);
+  listed_ = shape;
+  listed_view_ = view;
+}
+
+std::size_t YarnDrawer::draw_facing(const ShaderProgram& program, const YarnBuffers& buffers,
+                                    const YarnShape& shape) {
+  return draw(program, buffers, shape, facing_);
+}
+
+std::size_t YarnDrawer::draw_behind(const ShaderProgram& program, const YarnBuffers& buffers,
+                                    const YarnShape& shape) {
+  return draw(program, buffers, shape, behind_);
+}
+
+std::size_t YarnDrawer::draw(const ShaderProgram& program, const YarnBuffers& buffers, const YarnShape& shape,
+                             const Part& part) {
+  if (part.count == 0) return 0;
+  glBindVertexArray(array_.id());
   buffers.bind();
   program.set("u_points", 0);
   program.set("u_pieces", 1);
-  program.set("u_parts", detail.parts);
-  program.set("u_across", detail.across);
-  program.set("u_plies", detail.plies ? 1.0F : 0.0F);
-  program.set("u_radius", shape->radius);
-  program.set("u_width", shape->width);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count_), GL_UNSIGNED_INT, nullptr);
-  return count_ / 3;
+  program.set("u_parts", part.detail.parts);
+  program.set("u_across", part.detail.across);
+  program.set("u_plies", part.detail.plies ? 1.0F : 0.0F);
+  program.set("u_radius", shape.radius);
+  program.set("u_width", shape.width);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                 at_offset(part.first * sizeof(std::uint32_t)));
+  return part.count / 3;
 }
 
 }  // namespace app

@@ -40,25 +40,37 @@ double yarn_stitch_px(const Extent& extent, float width, const Sight& view, floa
                       float scale);
 
 // The pieces to draw, by their numbers, of the first `count`.
-std::vector<std::uint32_t> yarn_pieces_seen(const YarnShape& shape, std::size_t count, const Sight& view,
-                                            const Extent& extent);
+struct YarnPiecesSeen {
+  std::vector<std::uint32_t> facing, behind;  // that look to the eye, and away from it
+};
+YarnPiecesSeen yarn_pieces_seen(const YarnShape& shape, std::size_t count, const Sight& view,
+                                const Extent& extent);
 
 class YarnDrawer {
  public:
   YarnDrawer();
-  // With the program in use and its camera set; gives how many triangles.
-  std::size_t draw(const ShaderProgram& program, const YarnBuffers& buffers,
-                   const std::shared_ptr<const YarnShape>& shape, const Sight& view,
-                   const YarnDetail& detail);
+  // What both of the next are of; works only where something changed.
+  void list(const YarnBuffers& buffers, const std::shared_ptr<const YarnShape>& shape, const Sight& view,
+            const YarnDetail& detail);
+  // With the program in use and its camera set; gives how many triangles. What looks away is drawn after all that hides it.
+  std::size_t draw_facing(const ShaderProgram& program, const YarnBuffers& buffers, const YarnShape& shape);
+  std::size_t draw_behind(const ShaderProgram& program, const YarnBuffers& buffers, const YarnShape& shape);
 
  private:
+  // In the list of triangles.
+  struct Part {
+    YarnDetail detail;
+    std::size_t first = 0, count = 0;
+  };
+  std::size_t draw(const ShaderProgram& program, const YarnBuffers& buffers, const YarnShape& shape,
+                   const Part& part);
+
   GlVertexArray array_;
   GlBuffer indices_;
   // What the triangles listed are of.
   std::weak_ptr<const YarnShape> listed_;
   Sight listed_view_;
-  YarnDetail listed_detail_;
-  std::size_t count_ = 0;
+  Part facing_, behind_;
 };
 
 }  // namespace app

@@ -30,18 +30,23 @@ struct YarnShape {
 
 // How finely pieces are drawn, by how wide a stitch is on the screen.
 struct YarnDetail {
-  int parts = 0;   // straight ones a piece; 0: as faces, no yarn
+  int parts = 3;   // straight ones a piece
   int across = 2;  // vertices: 3 have a raised middle, so that crossings are right where they are seen to be
   bool plies = false;
   friend bool operator==(const YarnDetail&, const YarnDetail&) = default;
 };
 constexpr YarnDetail yarn_detail(double stitch_px) {
-  if (stitch_px < 3.0) return {};
-  if (stitch_px < 7.0) return {4, 2, false};
-  if (stitch_px < 12.0) return {6, 2, false};
-  if (stitch_px < 30.0) return {8, 3, true};
-  if (stitch_px < 80.0) return {12, 3, true};
+  if (stitch_px < 4.0) return {};
+  if (stitch_px < 8.0) return {4, 2, false};
+  if (stitch_px < 14.0) return {6, 2, false};
+  if (stitch_px < 30.0) return {8, 2, false};
+  if (stitch_px < 56.0) return {10, 3, true};
   return {20, 3, true};
+}
+
+// Of what looks away: it is seen through openings only.
+constexpr YarnDetail yarn_detail_behind(const YarnDetail& detail) {
+  return {detail.parts > 8 ? 6 : 3, 2, false};
 }
 
 }  // namespace app

@@ -55,9 +55,10 @@ class CurveShape {
     std::size_t begin = 0;
     std::uint32_t loop = curve_.stitches[0];  // the last one that the yarn came by
     for (std::size_t i = 1; i < curve_.points.size(); ++i) {
-      // A span belongs to what its first point is of, so that loops begin where they come out of the fabric.
+      // A span belongs to what its first point is of, so that loops begin where they come out of the fabric. Before a lifted
+      // strand a loop has one span more.
       const bool goes_on = curve_.stitches[i] == curve_.stitches[begin] &&
-                           curve_.parts[i] == curve_.parts[begin] && i - begin < knit::points_a_stitch;
+                           curve_.parts[i] == curve_.parts[begin] && i - begin <= knit::points_a_stitch;
       if (goes_on && i + 1 < curve_.points.size()) continue;
       if (curve_.parts[begin] == knit::YarnPart::loop) loop = curve_.stitches[begin];
       add_piece(begin, i, loop);
