@@ -19,8 +19,8 @@ flat out vec3 v_colour;
 vec4 texel(sampler2D from, int at) { return texelFetch(from, ivec2(at & 2047, at >> 11), 0); }
 
 void main() {
-  int piece = gl_VertexID >> 6;
-  int local = gl_VertexID & 63;
+  int piece = gl_VertexID >> 7;
+  int local = gl_VertexID & 127;
   int part = u_across == 2 ? local >> 1 : int((float(local) + 0.5) * 0.3333333333);
   int side = local - part * u_across;
   vec4 about = texel(u_pieces, 3 * piece);

@@ -373,3 +373,86 @@ TEST_CASE("one context after another in the same process") {
     CHECK(studio.at(-1.8f, 1.8f) == glm::ivec3(20, 30, 60));
   }
 }
+
+namespace {
+
+// A straight yarn along x at this height and depth, in two pieces.
+void add_strand(YarnShape& shape, float y, float z, Colour colour, const glm::vec3& out) {
+  const auto first = static_cast<std::uint32_t>(shape.points.size());
+  for (int i = 0; i < 7; ++i) shape.points.emplace_back(-1.5f + 0.5f * static_cast<float>(i), y, z, 0.0f);
+  for (const std::uint32_t begin : {1U, 3U})
+    shape.pieces.push_back({first + begin, 2, colour, {begin == 1 ? -0.5f : 0.5f, y, z}, out, out});
+}
+
+Scene scene_of_strand(const glm::vec3& out, bool closed) {
+  YarnShape shape;
+  shape.radius = 0.2f;
+  shape.width = 0.8f;
+  shape.closed = closed;
+  add_strand(shape, 0.0f, 0.0f, red, out);
+  Scene scene;
+  scene.view.eye = {0, 0, 5};
+  scene.view.view = glm::lookAt(scene.view.eye, glm::vec3(0), glm::vec3(0, 1, 0));
+  scene.view.projection = glm::ortho(-2.0f, 2.0f, -2.0f, 2.0f, 0.1f, 20.0f);
+  scene.background = background;
+  scene.yarn = std::make_shared<const YarnShape>(shape);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("yarn is a tube as wide as it is and darker at its rims") {
+  Studio studio;
+  studio.draw(scene_of_strand({0, 0, 1}, false));
+  // From -1 to 1 and 0.4 wide: 100 x 20 pixels.
+  const int area = studio.count([](glm::ivec3 c) { return c.r > c.b + 20; });
+  CHECK(area > 1800);
+  CHECK(area < 2200);
+  const glm::ivec3 middle = studio.at(0.3f, 0.0f), rim = studio.at(0.3f, -0.18f);
+  CHECK(middle.r > rim.r + 20);
+  CHECK(middle.g < 40);
+  CHECK(studio.at(0.3f, 0.3f) == glm::ivec3(20, 30, 60));
+  CHECK(studio.at(1.3f, 0.0f) == glm::ivec3(20, 30, 60));
+}
+
+TEST_CASE("yarn in front hides yarn behind whichever comes first") {
+  for (const bool near_first : {true, false}) {
+    Studio studio;
+    Scene scene = scene_of_strand({0, 0, 1}, false);
+    YarnShape shape = *scene.yarn;
+    shape.points.clear();
+    shape.pieces.clear();
+    for (const bool near : {near_first, !near_first})
+      add_strand(shape, 0.0f, near ? 0.5f : -0.5f, near ? red : green, {0, 0, 1});
+    scene.yarn = std::make_shared<const YarnShape>(shape);
+    studio.draw(scene);
+    CHECK(reddish(studio.at(0.3f, 0.0f)));
+  }
+}
+
+TEST_CASE("yarn that looks away is left out of a closed piece and drawn with less of an open one") {
+  Studio studio;
+  studio.draw(scene_of_strand({0, 0, 1}, true));
+  const std::size_t facing = studio.renderer.counters().triangles;
+  CHECK(facing > 0);
+  studio.draw(scene_of_strand({0, 0, -1}, true));
+  CHECK(studio.renderer.counters().triangles == 0);
+  CHECK(studio.at(0.3f, 0.0f) == glm::ivec3(20, 30, 60));
+  studio.draw(scene_of_strand({0, 0, -1}, false));
+  CHECK(studio.renderer.counters().triangles > 0);
+  CHECK(studio.renderer.counters().triangles < facing);
+  CHECK(studio.at(0.3f, 0.0f).r > 80);  // its inner side has light, too
+}
+
+TEST_CASE("the ground of yarn hides nothing from one who is inside") {
+  Studio studio;
+  Scene scene = scene_of_strand({0, 0, -1}, false);
+  FaceShape shape;
+  // Between the eye and the yarn, looking away.
+  shape.faces.push_back(
+      {{glm::vec3{-1, -1, 0.4f}, {-1, 1, 0.4f}, {1, 1, 0.4f}, {1, -1, 0.4f}}, {0, 0, -1}, green});
+  scene.faces = {std::make_shared<const FaceShape>(shape)};
+  studio.draw(scene);
+  CHECK_FALSE(greenish(studio.at(0.3f, 0.0f)));
+  CHECK(studio.at(0.3f, 0.0f).r > 80);
+}

@@ -32,7 +32,7 @@ class YarnBuffers {
 };
 
 // As many vertices as a piece has numbers for.
-inline constexpr std::uint32_t vertices_a_piece = 64;
+inline constexpr std::uint32_t vertices_a_piece = 128;
 static_assert((yarn_detail(1e9).parts + 1) * 3 <= static_cast<int>(vertices_a_piece));
 
 // How wide a stitch is on the screen where the piece is nearest, in pixels of a plain screen.

@@ -41,12 +41,13 @@ constexpr YarnDetail yarn_detail(double stitch_px) {
   if (stitch_px < 14.0) return {6, 2, false};
   if (stitch_px < 30.0) return {8, 2, false};
   if (stitch_px < 56.0) return {10, 3, true};
-  return {20, 3, true};
+  if (stitch_px < 90.0) return {20, 3, true};
+  return {40, 3, true};
 }
 
 // Of what looks away: it is seen through openings only.
 constexpr YarnDetail yarn_detail_behind(const YarnDetail& detail) {
-  return {detail.parts > 8 ? 6 : 3, 2, false};
+  return {detail.parts > 20 ? 20 : detail.parts > 8 ? 6 : 3, 2, false};
 }
 
 }  // namespace app
