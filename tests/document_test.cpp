@@ -109,7 +109,7 @@ Names different(const Gaze& a, const Gaze& b) {
 
 Names different(const View& a, const View& b) {
   const auto& [gaze, aspect, layers, playback, slow_motion, presenting, ring, both, following, breaks, side,
-               list, centre, positions, pattern, dialogs, checker, checking] = a;
+               list, centre, positions, pattern, dialogs, checker, checking, yarn] = a;
   return those_that_differ({{"gaze", !different(gaze, b.gaze).empty()},
                             {"aspect", aspect != b.aspect},
                             {"layers", layers != b.layers},
@@ -127,7 +127,8 @@ Names different(const View& a, const View& b) {
                             {"pattern", !(pattern == b.pattern)},
                             {"dialogs", !(dialogs == b.dialogs)},
                             {"checker", checker != b.checker},
-                            {"checking", checking != b.checking}});
+                            {"checking", checking != b.checking},
+                            {"yarn", !(yarn == b.yarn)}});
 }
 
 Names different(const Learning& a, const Learning& b) {
@@ -238,6 +239,7 @@ void fill(View& view) {
   view.ring = false;
   view.both = true;
   view.positions = Positions::placed;
+  view.yarn.stripe_rounds = 4;
   view.pattern.title = "Ball";
   view.dialogs.help_open = true;
   view.checker = std::make_shared<const Checker>();

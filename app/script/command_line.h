@@ -63,7 +63,7 @@ struct CommandLine {
   std::optional<std::size_t> checked_line;  // where the caret stands, from 1
   std::string checked_size;                 // its name or its number from 1; empty: the first
   std::optional<SetCheckedGauge> checked_gauge;
-  YarnWish yarn;                           // layers, mesh or yarn, its colours
+  YarnWish yarn;  // layers, mesh or yarn, its colours
 };
 
 // The program's answer without a window: help, a list, an error.
