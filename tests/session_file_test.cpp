@@ -233,7 +233,7 @@ TEST_CASE("what is wrong with a session file is one sentence, and the session st
   }
   const Json whole = Json::parse(good);
   for (const auto& [key, value] : whole.items()) {
-    if (key == "positions") continue;  // younger than the version
+    if (key == "positions" || key == "yarn") continue;  // younger than the version
     CAPTURE(key);
     Json json = Json::parse(good);
     json.erase(key);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/actions/looking.h"
 #include "app/actions/navigate.h"
 #include "app/base/text.h"
 #include "app/checker/checker.h"
@@ -12,7 +13,6 @@
 #include "app/scene/colour_text.h"
 #include "app/session/document.h"
 #include "app/session/jobs.h"
-#include "app/session/looking.h"
 #include "app/session/outbox.h"
 #include "app/session/pattern_pieces.h"
 #include "app/session/program.h"

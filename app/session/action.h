@@ -195,7 +195,7 @@ struct SetYarnLook {
 };
 struct ShowAs {
   Looking looking = Looking::stitches;
-};  // layers and positions together: app/session/looking.h
+};  // layers and positions together: app/actions/looking.h
 struct Present {
   bool on = true;
 };  // for a class: the view, one large sentence, row and count, a thin timeline

@@ -12,7 +12,7 @@
 
 #include "app/scene/camera.h"
 #include "app/session/side_panels.h"
-#include "app/session/yarn_look.h"
+#include "app/scene/yarn_look.h"
 #include "knit/insight/breaks.h"
 #include "knit/pattern/written_pattern.h"
 

@@ -10,7 +10,7 @@
 
 #include "app/scene/palette.h"
 #include "app/scene/scene.h"
-#include "app/session/yarn_look.h"
+#include "app/scene/yarn_look.h"
 #include "knit/fabric/fabric.h"
 #include "knit/yarn/yarn.h"
 

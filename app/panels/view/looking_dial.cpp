@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
+#include "app/actions/looking.h"
 #include "app/panels/kit/widgets.h"
 #include "app/panels/view/overlays.h"
 #include "app/session/document.h"
-#include "app/session/looking.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/session.h"
-#include "app/session/yarn_look.h"
+#include "app/session/view.h"
 
 namespace app {
 

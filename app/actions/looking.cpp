@@ -1,4 +1,4 @@
-#include "app/session/looking.h"
+#include "app/actions/looking.h"
 
 #include <algorithm>
 
