@@ -5,10 +5,10 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "app/actions/looking.h"
 #include "app/describe/describe.h"
 #include "app/scene/colour_text.h"
 #include "app/session/document.h"
-#include "app/actions/looking.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
 #include "knit/yarn/yarn.h"

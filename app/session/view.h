@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/scene/camera.h"
-#include "app/session/side_panels.h"
 #include "app/scene/yarn_look.h"
+#include "app/session/side_panels.h"
 #include "knit/insight/breaks.h"
 #include "knit/pattern/written_pattern.h"
 
