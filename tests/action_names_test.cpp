@@ -82,6 +82,13 @@ Controls all_controls() {
     apply(desk.session, PinRun{});
     look(desk);
   }
+  {
+    Desk desk(1600, 1600);
+    desk.open();
+    apply(desk.session, ToLast{});
+    apply(desk.session, SetLayer{Layer::yarn, true});
+    look(desk);  // as yarn
+  }
   Desk desk(1600, 1600);
   desk.session.program->assets = KNIT_ASSETS_DIR;
   desk.open();

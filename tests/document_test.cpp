@@ -171,7 +171,7 @@ Names different(const Program& a, const Program& b) {
                             {"rescued", rescued != b.rescued}});
 }
 
-constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 18,
+constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 19,
                       gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 10,
                       program_fields = 3;
 

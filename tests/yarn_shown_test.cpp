@@ -139,6 +139,7 @@ TEST_CASE("yarn shown: kept while nothing changes and made anew where stitches l
   parameters.relax.relaxing = knit::Relaxing::on;
   apply(session, Tune{parameters});
   apply(session, ToLast{});
+  apply(session, SetPositions{Positions::settled});
   const auto on_mesh = describer.describe(session).yarn;
   apply(session, SetPositions{Positions::relaxed});
   const auto in_the_air = describer.describe(session).yarn;

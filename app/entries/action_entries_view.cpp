@@ -90,9 +90,10 @@ void add_yarn(EntryList& list) {
     list.add({"Colour the yarn by " + std::string(yarn_colours_keys[i]), group::view, "", SetYarnLook{look},
               so ? "It is." : ""});
   }
-  list.add({"Set the yarn's colour to...", group::view, "", ask_yarn_colour(&YarnLook::wool), "", "", true});
-  list.add({"Set the yarn's second colour to...", group::view, "", ask_yarn_colour(&YarnLook::second), "", "",
-            true});
+  list.add(
+      {"Set the drawn yarn's colour to...", group::view, "", ask_yarn_colour(&YarnLook::wool), "", "", true});
+  list.add({"Set the drawn yarn's second colour to...", group::view, "", ask_yarn_colour(&YarnLook::second),
+            "", "", true});
   list.add({"Stripe the yarn by rounds...", group::view, "", ask_stripes(), "", "", true});
 }
 

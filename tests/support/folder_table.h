@@ -52,7 +52,7 @@ inline const std::vector<Arrow> arrows{
     {"knit/trade", {"knit/import", "knit/model"}, {}},
     {"knit/reader", {"knit/import", "knit/model", "knit/pattern", "knit/trade"}, {}},
 
-    {"app/base", {"knit/import", "knit/model"}, {json[0], json[1], "unistd.h"}},
+    {"app/base", {"knit/import", "knit/model"}, {"glm/", json[0], json[1], "unistd.h"}},
     {"app/scene", {"knit/mesh", "knit/model"}, {"glm/"}},
     {"app/checker", {"knit/mesh", "knit/model", "knit/reader", "app/scene"}, {"glm/"}},
     {"app/session", {"knit/", "app/base", "app/scene"}, {"glm/"}},
