@@ -54,6 +54,8 @@ lesson | --lesson what-it-does --lesson-page 4 |
 guess | --lesson picking-a-row --lesson-page 2 |
 help | --example thesis-sphere | F1
 palette | --example thesis-sphere --at rows:14 | ctrl+p "row"
+yarn | --example thesis-sphere --settle on --relax on --show-as yarn --at end |
+yarn-rows | MESHES/teddy.obj --preset best-rows --show-as yarn --at rows:40 |
 glossary | --example thesis-sphere --at rows:14 | ctrl+p "glossary" Return
 open | --example thesis-sphere | ctrl+o
 figure-named | --example thesis-sphere | ctrl+p "save a picture" Return
