@@ -17,9 +17,9 @@ namespace app {
 
 class YarnShown {
  public:
-  // `fabric`: as it is shown. Sets the scene's yarn and adds its ground to the faces; gives how many rows are there as yarn, from
+  // `shown`: the fabric as it is shown. Sets the scene's yarn and adds its ground to the faces; gives how many rows are there as yarn, from
   // the first on, and leaves the scene alone where there are none. Requires something open.
-  knit::RowId describe(const Session& session, const knit::Fabric& fabric, Scene& scene);
+  knit::RowId describe(const Session& session, const knit::Fabric& shown, Scene& scene);
 
  private:
   // What the yarn is of.
