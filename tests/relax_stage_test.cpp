@@ -17,6 +17,7 @@
 #include "app/session/remarks.h"
 #include "app/session/shown.h"
 #include "knit/insight/knitted_remarks.h"
+#include "knit/insight/narrate.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 #include "knit/relax/relax_stage.h"
@@ -154,6 +155,21 @@ TEST_CASE("relax stage: firmer stuffing makes it larger and is run anew from the
   CHECK(value_text(stuffing, parameters) == "0.04");
   CHECK(set_value(stuffing, parameters, "full")->find("none, soft, usual, firm or hard") !=
         std::string::npos);
+}
+
+TEST_CASE("relax stage: where the stuffing is more than the fabric holds it ends and says so") {
+  Parameters parameters = relaxed_parameters();
+  parameters.relax.stuffing = 0.5;
+  const Timeline timeline = run(parameters);
+  const KnittedPiece& piece = *timeline.furthest().relaxed;
+  CHECK_FALSE(piece.relaxed.settled);
+  CHECK(piece.relaxed.iterations < parameters.relax.most_iterations);
+  CHECK(std::isfinite(piece.figures.knitted.height));
+  CHECK(std::isfinite(piece.figures.volume_share));
+  std::string words;
+  for (const Step& step : timeline.steps())
+    if (get_if<RelaxDone>(step) != nullptr) words = narrate(step, parameters);
+  CHECK(words.find("Choose less stuffing.") != std::string::npos);
 }
 
 TEST_CASE("relax stage: a long step is heard and broken off without a trace") {

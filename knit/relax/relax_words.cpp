@@ -49,9 +49,10 @@ std::string RelaxDone::sentence(const Telling& at) const {
   words += ", this comes out " + cm_text(double{height}, stitch) + " high and " +
            cm_text(double{width}, stitch) + " wide; the mesh asks for " +
            cm_text(double{asked_height}, stitch) + " and " + cm_text(double{asked_width}, stitch) + ".";
-  return came_to_rest
-             ? words
-             : words + " After " + plural(iterations, "iteration", "iterations") + " stitches still move.";
+  if (came_to_rest) return words;
+  if (iterations < at.parameters.relax.most_iterations)
+    return words + " It swells without bound: no yarn would hold it. Choose less stuffing.";
+  return words + " After " + plural(iterations, "iteration", "iterations") + " stitches still move.";
 }
 StepFields RelaxDone::numbers() const {
   return {{var::relax_iteration, iterations},      {var::knitted_height, double{height}},
