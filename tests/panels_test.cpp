@@ -27,7 +27,9 @@ bool inside(const Box& a, const Box& b) {
   return a.x >= b.x && a.y >= b.y && a.right() <= b.right() && a.bottom() <= b.bottom();
 }
 
-bool inside_sideways(const Box& a, const Box& b) { return a.x >= b.x && a.right() <= b.right(); }
+bool inside_but_for_the_foot(const Box& a, const Box& b) {
+  return a.x >= b.x && a.y >= b.y && a.right() <= b.right() && a.y < b.bottom();
+}
 
 struct Size {
   float width, height, scale;
@@ -84,8 +86,8 @@ TEST_CASE("every panel is drawn at every stage, with everything open, and contro
       const bool left = name.rfind("knob/", 0) == 0 || name == "mode";
       const bool right = name.rfind("layer/", 0) == 0 || name.rfind("label/", 0) == 0;
       const bool bottom = name == "play" || name == "speed" || name == "position" || name == "track";
-      // Parameters scroll, so the lower edge may cut one.
-      if (left) CHECK((inside_sideways(box, layout.parameters) && overlap(box, layout.parameters)));
+      // Parameters scroll, and the panel's foot may cut the last one.
+      if (left) CHECK(inside_but_for_the_foot(box, layout.parameters));
       if (right) CHECK(inside(box, layout.explanation));
       if (bottom) CHECK(inside(box, layout.timeline));
     }

@@ -150,8 +150,10 @@ void say_how_it_came_out(knit::WrittenPattern& pattern, const knit::Timeline& ti
   const knit::State& state = timeline.furthest();
   if (state.relaxed) {
     const knit::Parameters parameters = knit::as_chosen(timeline.parameters_of_stop(), state);
-    pattern.size = {knit::about_size_text(state.relaxed->figures, parameters)};
-    if (pieces != nullptr) pattern.size.front() += knit::where_sizes_stand;
+    if (!knit::is_without_size(*state.relaxed, parameters)) {
+      pattern.size = {knit::about_size_text(state.relaxed->figures, parameters)};
+      if (pieces != nullptr) pattern.size.front() += knit::where_sizes_stand;
+    }
   }
   for (std::string& note : pattern_notes(timeline, coverage, pieces))
     pattern.notes.push_back(std::move(note));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "knit/model/words.h"
+#include "knit/relax/relax_stage.h"
 
 namespace knit {
 
@@ -23,6 +24,10 @@ class KnittedTold {
       : fabric_(fabric), piece_(piece), made_(piece.figures), parameters_(parameters) {}
 
   std::vector<Remark> told() {
+    if (is_without_size(piece_, parameters_)) {
+      add(0, std::string(swelled_words));
+      return std::move(remarks_);
+    }
     size();
     ends();
     rounds();
@@ -110,6 +115,10 @@ class KnittedTold {
 };
 
 }  // namespace
+
+bool is_without_size(const KnittedPiece& piece, const Parameters& parameters) {
+  return swelled_without_bound(piece.relaxed.iterations, piece.relaxed.settled, parameters.relax);
+}
 
 std::string comes_out_text(const KnittedFigures& figures, const Parameters& parameters) {
   const double cm = parameters.stitch.centimetres_per_unit;

@@ -9,6 +9,9 @@
 
 namespace knit {
 
+// Where it swelled without bound; that is then all there is to tell.
+bool is_without_size(const KnittedPiece& piece, const Parameters& parameters);
+
 // "Knitted and stuffed, this comes out 14.4 cm high and 10.5 cm wide".
 std::string comes_out_text(const KnittedFigures& figures, const Parameters& parameters);
 

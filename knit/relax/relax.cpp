@@ -208,11 +208,10 @@ class Iteration {
   RelaxMemory& m_;
 };
 
-// Pressure pulls with the area, springs with the length: past some stuffing nothing holds. Then edges of ten times their length
-// are told in place of numbers that have none.
-bool swells_without_bound(const RelaxPlan& plan, double volume) {
-  const double as_a_ball = 4.0 / 3.0 * std::numbers::pi * plan.radius * plan.radius * plan.radius;
-  return !(volume <= 1000.0 * as_a_ball);
+// Pressure pulls with the area, springs with the length: past some stuffing nothing holds, and places would run to infinity.
+bool is_past_holding(const RelaxPlan& plan, double volume) {
+  constexpr double bound = 1000.0;  // balls that its unstretched stitches would be
+  return !(volume <= bound * 4.0 / 3.0 * std::numbers::pi * plan.radius * plan.radius * plan.radius);
 }
 
 }  // namespace
@@ -246,7 +245,7 @@ RelaxIteration advance_relaxing(const RelaxSettings& settings, RelaxWork& work, 
   const RelaxIteration told = Iteration(next, heard, *memory).run();
   next.last_move = told.greatest_move;
   next.done = next.still >= still_enough || next.iteration >= settings.most_iterations ||
-              swells_without_bound(*next.plan, told.volume);
+              is_past_holding(*next.plan, told.volume);
   work = std::move(next);
   if (!work.done) work.memory.give_back(std::move(memory));
   return told;

@@ -45,6 +45,10 @@ Advanced<RelaxEvent> advance_relax(const RelaxAt& at, const RelaxSettings& setti
   return {told, Ended::stage};
 }
 
+bool swelled_without_bound(std::int32_t iterations, bool came_to_rest, const RelaxSettings& settings) {
+  return !came_to_rest && iterations < settings.most_iterations;
+}
+
 bool relaxing_sweeps(const RelaxWork& work) {
   return !work.plan || work.done || work.iteration % keyframe_every == keyframe_every - 1;
 }

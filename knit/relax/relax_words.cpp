@@ -1,5 +1,6 @@
 #include "knit/model/words.h"
 #include "knit/relax/relax_events.h"
+#include "knit/relax/relax_stage.h"
 #include "knit/relax/relax_variables.h"
 
 namespace knit {
@@ -44,15 +45,15 @@ StepFields StitchesRelaxed::numbers() const {
 }
 
 std::string RelaxDone::sentence(const Telling& at) const {
+  if (swelled_without_bound(iterations, came_to_rest, at.parameters.relax)) return std::string(swelled_words);
   const StitchSize& stitch = at.parameters.stitch;
   std::string words = at.parameters.relax.stuffing > 0.0 ? "Knitted and stuffed" : "Knitted";
   words += ", this comes out " + cm_text(double{height}, stitch) + " high and " +
            cm_text(double{width}, stitch) + " wide; the mesh asks for " +
            cm_text(double{asked_height}, stitch) + " and " + cm_text(double{asked_width}, stitch) + ".";
-  if (came_to_rest) return words;
-  if (iterations < at.parameters.relax.most_iterations)
-    return words + " It swells without bound: no yarn would hold it. Choose less stuffing.";
-  return words + " After " + plural(iterations, "iteration", "iterations") + " stitches still move.";
+  return came_to_rest
+             ? words
+             : words + " After " + plural(iterations, "iteration", "iterations") + " stitches still move.";
 }
 StepFields RelaxDone::numbers() const {
   return {{var::relax_iteration, iterations},      {var::knitted_height, double{height}},
