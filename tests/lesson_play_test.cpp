@@ -84,10 +84,11 @@ TEST_CASE("lesson: why a handle needs a split and a join, to its end") { play_bo
 TEST_CASE("lesson: what a level set cannot know, to its end") { play_both("what-a-level-set-cannot-know"); }
 TEST_CASE("lesson: what on a holder means, to its end") { play_both("on-a-holder"); }
 TEST_CASE("lesson: why a heel needs short rows, to its end") { play_both("why-a-heel"); }
+TEST_CASE("lesson: what the ideal mesh hides, to its end") { play_both("off-the-needles"); }
 
 TEST_CASE("the shipped lessons can be read, are short, and ask") {
   const auto entries = list_lessons(KNIT_ASSETS_DIR);
-  REQUIRE(entries.size() == 11);
+  REQUIRE(entries.size() == 12);
   for (const LessonEntry& entry : entries) {
     INFO(entry.title << ": " << entry.about);
     REQUIRE(!entry.key.empty());

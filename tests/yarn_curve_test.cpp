@@ -12,6 +12,7 @@
 #include "knit/model/stitch_size.h"
 #include "knit/relax/relax.h"
 #include "knit/run/timeline.h"
+#include "knit/yarn/eased_yarn.h"
 #include "knit/yarn/loop_shape.h"
 #include "knit/yarn/yarn.h"
 #include "tests/support/catch.h"
@@ -163,4 +164,43 @@ TEST_CASE("yarn curve: a relaxed sphere is knitted as its graph says") {
   CHECK(yarn.counts.drawn == 5);
   CHECK(std::abs(length_a_loop(yarn, piece.at.size()) / munden(piece.stitch) - 1.0) < 0.05);
   CHECK(yarn == yarn_of(piece));
+}
+
+TEST_CASE("yarn curve: eased, loops that overlap come apart and stay drawn through") {
+  // Shaping, where parents' heads lie on each other.
+  const Piece piece = tube_of({36, 36, 36, 36, 33, 33, 33, 33, 30, 30, 30, 30, 27, 27, 27, 27});
+  const Yarn yarn = yarn_of(piece);
+  const auto deep = [&](const Yarn& of) {
+    return test_support::overlapping(of.curves, piece.stitch.width, 0.25);
+  };
+  const Yarn eased = eased_yarn(yarn, piece.stitch.width, 30);
+  CHECK(deep(yarn) > 0.03);
+  CHECK(deep(eased) < 0.4 * deep(yarn));  // what is left is mostly of the chain at the end
+  const auto counted = test_support::crossings_of(piece.fabric, piece.at, eased.curves);
+  CHECK(counted.knit.right == counted.knit.all);
+  CHECK(counted.decrease.right == counted.decrease.all);
+  CHECK(std::abs(length_a_loop(eased, piece.at.size()) / length_a_loop(yarn, piece.at.size()) - 1.0) < 0.04);
+  REQUIRE(eased.curves.size() == yarn.curves.size());
+  CHECK(eased.curves[0].stitches == yarn.curves[0].stitches);
+  CHECK(eased == eased_yarn(yarn, piece.stitch.width, 30));
+  CHECK(yarn == eased_yarn(yarn, piece.stitch.width, 0));
+}
+
+TEST_CASE("yarn curve: in relaxed examples little of the yarn lies deep in other yarn") {
+  for (const auto& [name, preset] : {std::pair{"sphere", "best-rows"},
+                                     {"sphere", "knitters-gauge"},
+                                     {"egg", "best-rows"},
+                                     {"vase", "best-rows"},
+                                     {"capsule", "best-rows"}}) {
+    CAPTURE(name, preset);
+    const Piece piece = example(name, preset);
+    const Yarn yarn = yarn_of(piece);
+    const Yarn eased = eased_yarn(yarn, piece.stitch.width, 30);
+    CHECK(test_support::overlapping(yarn.curves, piece.stitch.width, 0.25) < 0.065);
+    CHECK(test_support::overlapping(eased.curves, piece.stitch.width, 0.25) < 0.015);
+    const auto counted = test_support::crossings_of(piece.fabric, piece.at, eased.curves);
+    CHECK(counted.knit.share() >= 0.995);
+    CHECK(counted.decrease.right == counted.decrease.all);
+    CHECK(counted.bar.share() >= 0.92);
+  }
 }

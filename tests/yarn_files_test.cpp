@@ -1,19 +1,24 @@
 // Yarn in files, each opened by a reader that knows nothing of the writer.
 #include "app/yarn/yarn_files.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/files/export.h"
 #include "app/session/document.h"
 #include "app/session/shown.h"
+#include "app/session/view.h"
+#include "app/yarn/stitch_mesh.h"
 #include "knit/relax/relax.h"
 #include "tests/support/catch.h"
 #include "tests/support/session.h"
+#include "tests/support/short_tube.h"
 
 using namespace app;
 
@@ -278,4 +283,128 @@ TEST_CASE("yarn files: the ending chooses and what is missing is said") {
   REQUIRE(yarn_missing(session));
   CHECK(export_to_file(session, {"yarn", "never.bcc"}));
   CHECK(export_to_file(session, {"yarn", "never.txt"}));
+}
+
+TEST_CASE("yarn files: of the thickness that is asked for, stuffed as the run is") {
+  Session session = finished();
+  YarnLook look;
+  look.radius = 0.1;
+  apply(session, SetYarnLook{look});
+  const double width = session.document->timeline.parameters().stitch.width;
+  CHECK(read_yarns(yarn_file(session, YarnFormat::yarns)).front().radius == static_cast<float>(0.1 * width));
+  const std::string plain = yarn_file(session, YarnFormat::bcc);
+  look.easing = 5;
+  apply(session, SetYarnLook{look});
+  const std::string eased = yarn_file(session, YarnFormat::bcc);
+  CHECK(eased.size() == plain.size());
+  CHECK(eased != plain);
+  knit::Parameters parameters = session.document->timeline.parameters();
+  parameters.relax.stuffing = 0.1;
+  apply(session, Tune{parameters});
+  apply(session, ToLast{});
+  REQUIRE_FALSE(yarn_missing(session));
+  const auto largest = [&](const std::string& file) {
+    float size = 0.0F;
+    for (const Places& curve : read_bcc(file)) {
+      for (const glm::vec3& place : curve) size = std::max(size, glm::length(place));
+    }
+    return size;
+  };
+  CHECK(largest(yarn_file(session, YarnFormat::bcc)) > 1.01F * largest(eased));
+}
+
+namespace {
+
+// A stitch mesh as its format's description has it.
+struct ReadStitchMesh {
+  struct ReadFace {
+    std::vector<std::size_t> corners;
+    std::vector<std::string> edges;  // of its kind
+    std::string name;
+  };
+  std::size_t vertices = 0;
+  std::vector<ReadFace> faces;
+  std::size_t joined = 0, loops_joined = 0;
+};
+
+ReadStitchMesh read_smobj(const std::string& text) {
+  ReadStitchMesh mesh;
+  std::vector<std::vector<std::string>> library;
+  std::istringstream lines(text);
+  std::map<std::pair<std::size_t, std::size_t>, int> used;
+  const auto side = [&](const std::string& word) {
+    const std::size_t slash = word.find('/');
+    return std::pair{std::stol(word.substr(0, slash)), std::stol(word.substr(slash + 1))};
+  };
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string mark, word;
+    words >> mark;
+    if (mark == "L") {
+      library.emplace_back();
+      while (words >> word) library.back().push_back(word);
+    } else if (mark == "v") {
+      ++mesh.vertices;
+    } else if (mark == "f") {
+      mesh.faces.emplace_back();
+      for (std::size_t corner = 0; words >> corner;) mesh.faces.back().corners.push_back(corner - 1);
+    } else if (mark == "T") {
+      std::size_t kind = 0;
+      words >> kind;
+      REQUIRE((kind >= 1 && kind <= library.size()));
+      auto& face = mesh.faces.back();
+      face.name = library[kind - 1].front();
+      face.edges.assign(library[kind - 1].begin() + 1, library[kind - 1].end());
+      REQUIRE(face.edges.size() == face.corners.size());
+    } else if (mark == "e") {
+      std::string first, second;
+      words >> first >> second;
+      const auto [a, edge_a] = side(first);
+      const auto [b, edge_b] = side(second);
+      const auto ends = [&](long face, long edge) {
+        const auto& corners = mesh.faces.at(static_cast<std::size_t>(face - 1)).corners;
+        const auto i = static_cast<std::size_t>(std::abs(edge) - 1);
+        std::pair both{corners.at(i), corners.at((i + 1) % corners.size())};
+        if (edge < 0) std::swap(both.first, both.second);
+        return both;
+      };
+      const auto kind = [&](long face, long edge) {
+        return mesh.faces.at(static_cast<std::size_t>(face - 1))
+            .edges.at(static_cast<std::size_t>(std::abs(edge) - 1));
+      };
+      CHECK(ends(a, edge_a) == ends(b, edge_b));
+      // What goes out of the one comes into the other.
+      CHECK(kind(a, edge_a).substr(1) == kind(b, edge_b).substr(1));
+      CHECK(kind(a, edge_a) != kind(b, edge_b));
+      CHECK(++used[{static_cast<std::size_t>(a), static_cast<std::size_t>(edge_a)}] == 1);
+      ++mesh.joined;
+      if (kind(a, edge_a)[1] == 'l') ++mesh.loops_joined;
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("yarn files: a stitch mesh has its loops and its yarn go from face to face") {
+  const Session session = finished();
+  const knit::Fabric& fabric = session.document->timeline.state().fabric;
+  const ReadStitchMesh mesh = read_smobj(smobj_text(fabric));
+  CHECK(mesh.vertices == fabric.stitch_count());
+  std::size_t faces = 0, columns = 0, inner = 0;
+  for (const auto& strip : fabric.strips()) {
+    faces += strip->faces.size();
+    columns += strip->column_edges.size();
+  }
+  for (std::size_t i = 1; i + 1 < fabric.rows().size(); ++i) inner += fabric.rows()[i]->stitches.size();
+  CHECK(mesh.faces.size() == faces);
+  // The yarn goes over each column edge, a loop through each edge of a row but the first and the last.
+  CHECK(mesh.joined - mesh.loops_joined == columns);
+  CHECK(mesh.loops_joined == inner);
+  std::map<std::string, std::size_t> named;
+  for (const auto& face : mesh.faces) ++named[face.name];
+  CHECK(named["knit-to-left"] > 0);
+  CHECK(named["increase-to-left"] > 0);
+  CHECK(named["decrease-to-left"] > 0);
+  CHECK(named.size() == 3);
 }

@@ -4,6 +4,7 @@
 
 #include "app/session/shown.h"
 #include "app/session/view.h"
+#include "knit/yarn/eased_yarn.h"
 
 namespace app {
 
@@ -40,6 +41,9 @@ void show_as(Session& session, Looking looking) {
 YarnLook within_limits(const YarnLook& look) {
   YarnLook within = look;
   within.stripe_rounds = std::clamp(look.stripe_rounds, 0, most_stripe_rounds);
+  within.easing = std::clamp(look.easing, 0, knit::most_yarn_easing);
+  // Not above 0 stands for the usual one, and so does what is no number.
+  within.radius = look.radius > 0.0 ? std::clamp(look.radius, least_yarn_radius, most_yarn_radius) : 0.0;
   within.wool = opaque(look.wool);
   within.second = opaque(look.second);
   return within;

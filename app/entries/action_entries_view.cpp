@@ -82,6 +82,19 @@ ActionPrompt ask_yarn_colour(Colour YarnLook::*which) {
           }};
 }
 
+ActionPrompt ask_yarn_radius() {
+  return {"Radius in widths of a stitch, or auto", "auto",
+          [](const Session& session, const std::string& typed) -> Read {
+            YarnLook look = session.view->yarn;
+            const auto radius = read_yarn_radius(typed);
+            if (!radius)
+              return "A radius is auto or from " + knit::number_text(least_yarn_radius) + " to " +
+                     knit::number_text(most_yarn_radius) + " widths of a stitch, not \"" + typed + "\".";
+            look.radius = *radius;
+            return SetYarnLook{look};
+          }};
+}
+
 void add_yarn(EntryList& list) {
   for (std::size_t i = 0; i < yarn_colours_keys.size(); ++i) {
     YarnLook look = list.session.view->yarn;
@@ -95,6 +108,12 @@ void add_yarn(EntryList& list) {
   list.add({"Set the drawn yarn's second colour to...", group::view, "", ask_yarn_colour(&YarnLook::second),
             "", "", true});
   list.add({"Stripe the yarn by rounds...", group::view, "", ask_stripes(), "", "", true});
+  list.add({"Set the drawn yarn's radius to...", group::view, "", ask_yarn_radius(), "", "", true});
+  YarnLook eased = list.session.view->yarn;
+  const bool room = eased.easing > 0;
+  eased.easing = room ? 0 : usual_yarn_easing;
+  list.add({room ? "Draw the yarn as it is worked" : "Make room where the yarn overlaps", group::view, "",
+            SetYarnLook{eased}});
 }
 
 void add_shown(EntryList& list) {

@@ -194,6 +194,12 @@ std::optional<std::string> write_yarn(const Session& session, const std::filesys
   return write_file(path, yarn_file(session, *yarn_format_of(path)));
 }
 
+// By the ending: a stitch mesh, else OBJ.
+std::optional<std::string> write_relaxed(const Session& session, const std::filesystem::path& path,
+                                         Png /*picture*/) {
+  return write_file(path, path.extension() == ".smobj" ? relaxed_smobj(session) : relaxed_text(session));
+}
+
 template <auto format_of>
 bool has_format(const std::filesystem::path& path) {
   return format_of(path).has_value();
@@ -207,8 +213,9 @@ const std::array export_table{
     ExportInfo{"mesh", "knit mesh", "-knit.obj", About::piece,
                "write the knit mesh as OBJ (\"-\": standard output)", as_text<mesh_text>},
     ExportInfo{"relaxed", "stuffed shape", "-relaxed.obj", About::piece,
-               "write the knit mesh as it will come off the needles and be stuffed, as OBJ",
-               as_text<relaxed_text>, relaxed_missing},
+               "write the knit mesh as it will come off the needles and be stuffed, as OBJ, or as a stitch "
+               "mesh where the name ends in .smobj",
+               write_relaxed, relaxed_missing},
     ExportInfo{"yarn", "yarn", "-yarn.glb", About::piece,
                "write the piece as yarn, as it will come off the needles and be stuffed", write_yarn,
                yarn_missing, ExportEndings{"yarn", yarn_endings, has_format<yarn_format_of>}},

@@ -3,6 +3,8 @@
 #include "app/files/export.h"
 #include "app/session/document.h"
 #include "app/session/shown.h"
+#include "app/yarn/relaxed_piece.h"
+#include "app/yarn/stitch_mesh.h"
 #include "knit/insight/knitted_remarks.h"
 #include "knit/model/stitch_size.h"
 
@@ -12,28 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The stage's own where it ran; else worked out now, from the positions that are shown.
-knit::Shared<knit::KnittedPiece> piece_of(const Session& session) {
-  const knit::Timeline& timeline = session.document->timeline;
-  if (timeline.state().relaxed) return timeline.state().relaxed;
-  const knit::Parameters& parameters = timeline.parameters();
-  const knit::Fabric fabric = shown_fabric(session);
-  knit::RelaxWork work;
-  knit::begin_relaxing(fabric, parameters.stitch, parameters.relax, work);
-  while (!work.done) knit::advance_relaxing(parameters.relax, work);
-  knit::KnittedPiece piece{knit::finish_relaxing(work), {}};
-  piece.figures = knit::knitted_figures(fabric, *work.plan, piece.relaxed,
-                                        knit::knitting_direction(parameters.timing, timeline.input().mesh));
-  return knit::Shared(std::move(piece));
-}
-
 }  // namespace
 
 Json knitted_json(const Session& session) {
   if (relaxed_missing(session)) return nullptr;
   const knit::Timeline& timeline = session.document->timeline;
   const knit::Parameters& parameters = timeline.parameters();
-  const auto piece = piece_of(session);
+  const auto piece = relaxed_piece(session);
   const knit::KnittedFigures& made = piece->figures;
   const double cm = parameters.stitch.centimetres_per_unit;
   Json json;
@@ -52,10 +39,10 @@ Json knitted_json(const Session& session) {
 }
 
 std::string relaxed_text(const Session& session) {
-  return mesh_text_of(
-      session.document->timeline.state().fabric.moved_to(piece_of(session)->relaxed.positions),
-      "# Stitches where they come to lie in the air, stuffed.\n");
+  return mesh_text_of(relaxed_fabric(session), "# Stitches where they come to lie in the air, stuffed.\n");
 }
+
+std::string relaxed_smobj(const Session& session) { return smobj_text(relaxed_fabric(session)); }
 
 std::optional<std::string> relaxed_missing(const Session& session) {
   if (session.document->timeline.state().finished()) return std::nullopt;

@@ -15,8 +15,9 @@ namespace app {
 // Null before the piece is finished.
 nlohmann::ordered_json knitted_json(const Session& session);
 
-// OBJ, as the knit mesh. Requires that nothing is missing.
+// OBJ, as the knit mesh; or a stitch mesh [app/yarn/stitch_mesh.h]. Require that nothing is missing.
 std::string relaxed_text(const Session& session);
+std::string relaxed_smobj(const Session& session);
 std::optional<std::string> relaxed_missing(const Session& session);
 
 }  // namespace app

@@ -4,6 +4,7 @@
 
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
+#include "app/scene/colour_text.h"
 #include "app/session/at.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
@@ -53,6 +54,28 @@ void add_place(Link& link, const knit::Timeline& timeline) {
   const knit::Place at = timeline.sought().value_or(timeline.place());
   if (at.stage == knit::Stage::done) return link.add("--at", "end");
   link.add("--at", text_of(at));
+}
+
+void add_yarn(Link& link, const YarnLook& look) {
+  const YarnLook usual;
+  if (look.by != usual.by)
+    link.add("--yarn-shows", std::string(yarn_colours_keys.at(static_cast<std::size_t>(look.by))));
+  if (look.wool != usual.wool) link.add("--yarn-colour", hex_text(look.wool));
+  if (look.second != usual.second) link.add("--yarn-second", hex_text(look.second));
+  if (look.stripe_rounds != usual.stripe_rounds)
+    link.add("--yarn-stripes", std::to_string(look.stripe_rounds));
+  if (look.radius != usual.radius) link.add("--yarn-radius", knit::number_text(look.radius));
+  if (look.easing != usual.easing) link.add("--yarn-relax", std::to_string(look.easing));
+}
+
+// All of them where any differs from what is shown at first.
+void add_layers(Link& link, const View& view) {
+  if (view.layers == View{}.layers) return;
+  std::string layers;
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    if (view.layers[i]) layers += (layers.empty() ? "" : ",") + std::string(key_of(static_cast<Layer>(i)));
+  }
+  link.add("--layers", layers.empty() ? "none" : layers);
 }
 
 void add_pattern(Link& link, const knit::PatternOptions& pattern, const PatternPieces& pieces) {
@@ -126,6 +149,8 @@ std::optional<std::string> link_by_options(const Session& session) {
              std::string(positions_keys.at(static_cast<std::size_t>(session.view->positions))));
   if (session.view->gaze.knit_along)
     link.add("--knit-along", round_words(timeline.furthest().fabric, *session.view->gaze.knit_along));
+  add_layers(link, *session.view);
+  add_yarn(link, session.view->yarn);
   add_pattern(link, session.view->pattern, session.document->pieces);
   return link.text();
 }

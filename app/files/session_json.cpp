@@ -11,6 +11,7 @@
 #include "knit/model/hash.h"
 #include "knit/model/settings_table.h"
 #include "knit/pattern/limb_words.h"
+#include "knit/yarn/eased_yarn.h"
 
 namespace app {
 
@@ -117,7 +118,9 @@ Json yarn_json(const YarnLook& look) {
   return {{"colours", yarn_colours_keys.at(static_cast<std::size_t>(look.by))},
           {"wool", hex_text(look.wool)},
           {"second", hex_text(look.second)},
-          {"stripe-rounds", look.stripe_rounds}};
+          {"stripe-rounds", look.stripe_rounds},
+          {"radius", look.radius},
+          {"easing", look.easing}};
 }
 
 }  // namespace
@@ -334,6 +337,8 @@ YarnLook read_yarn(JsonFields fields) {
   look.wool = read_colour(fields, "wool");
   look.second = read_colour(fields, "second");
   look.stripe_rounds = static_cast<int>(fields.whole("stripe-rounds", 0, most_stripe_rounds));
+  if (fields.has("radius")) look.radius = fields.number("radius", 0.0, most_yarn_radius);
+  if (fields.has("easing")) look.easing = static_cast<int>(fields.whole("easing", 0, knit::most_yarn_easing));
   return look;
 }
 

@@ -106,6 +106,10 @@ void read_centre(JsonFields& fields, Deeds& deeds) {
   deeds.emplace_back(Action(ShowCentre{static_cast<CentrePanel>(fields.choice("centre", centres))}));
 }
 
+void read_show_as(JsonFields& fields, Deeds& deeds) {
+  deeds.emplace_back(Action(ShowAs{static_cast<Looking>(fields.choice("show-as", looking_keys))}));
+}
+
 // Steps a second; 0: pause.
 void read_play(JsonFields& fields, Deeds& deeds) {
   const double speed = fields.number("play", 0.0, fastest_steps_per_second);
@@ -151,7 +155,8 @@ constexpr std::array deed_readers{DeedReader{"open", read_open},       DeedReade
                                   DeedReader{"centre", read_centre},   DeedReader{"play", read_play},
                                   DeedReader{"speed", read_speed},     DeedReader{"select", read_select},
                                   DeedReader{"predict", read_predict}, DeedReader{"slow-motion", read_slow},
-                                  DeedReader{"pin", read_pin},         DeedReader{"break", read_breaks}};
+                                  DeedReader{"show-as", read_show_as}, DeedReader{"pin", read_pin},
+                                  DeedReader{"break", read_breaks}};
 
 // --- waits: an "ask" and one field -------------------------------------------------------------------------
 

@@ -35,6 +35,7 @@ constexpr std::array deed_table{
     DeedName{"undo", is_a<Undo>},
     DeedName{"preset", is_a<ApplyPreset>},
     DeedName{"layer", is_a<SetLayer>},
+    DeedName{"show-as", is_a<ShowAs>},
     DeedName{"side", is_a<ShowSide>},
     DeedName{"list", is_a<ShowList>},
     DeedName{"centre", is_a<ShowCentre>},

@@ -73,6 +73,7 @@ Truth yarn_broken(const Session& session, const JudgeCall& call);
 Truth join_vertex(const Session& session, const JudgeCall& call);
 Truth stretched_row(const Session& session, const JudgeCall& call);
 Truth longest_wale(const Session& session, const JudgeCall& call);
+Truth knitted_size(const Session& session, const JudgeCall& call);
 Truth short_rows(const Session& session, const JudgeCall& call);
 Truth what_if(const Session& session, const JudgeCall& call);
 Truth what_if_stops(const Session& session, const JudgeCall& call);

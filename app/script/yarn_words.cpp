@@ -7,6 +7,8 @@
 #include "app/scene/colour_text.h"
 #include "app/session/action.h"
 #include "knit/import/quoting.h"
+#include "knit/model/settings_table.h"
+#include "knit/yarn/eased_yarn.h"
 
 namespace app {
 
@@ -48,6 +50,15 @@ std::optional<std::string> choose_word(const char* option, const std::string& wo
   return std::nullopt;
 }
 
+std::optional<std::string> read_count(const char* option, const std::string& word, const char* of, int most,
+                                      std::optional<int>& count) {
+  if (word.empty()) return std::nullopt;
+  count = whole_number<int>(word);
+  if (count && *count >= 0 && *count <= most) return std::nullopt;
+  return std::string(option) + " cannot be " + knit::quoted(word) + "; give a number of " + of +
+         " from 0 to " + std::to_string(most) + ".";
+}
+
 std::optional<std::string> read_colour_word(const char* option, const std::string& word,
                                             std::optional<Colour>& colour) {
   if (word.empty()) return std::nullopt;
@@ -65,6 +76,9 @@ void declare_yarn(CLI::App& app, YarnWords& words) {
   app.add_option("--yarn-colour", words.colour, "the drawn yarn's colour, like #d8b48c");
   app.add_option("--yarn-second", words.second, "the second colour of its stripes");
   app.add_option("--yarn-stripes", words.stripes, "so many rounds of each colour by turns; 0: no stripes");
+  app.add_option("--yarn-radius", words.radius, "its radius in widths of a stitch, or auto: an eighth");
+  app.add_option("--yarn-relax", words.easing,
+                 "iterations that make room where its loops overlap; 30 are enough, 0: none");
   app.add_option("--yarn-shows", words.shows, "what its colour tells: " + one_of(yarn_colours_keys));
 }
 
@@ -74,12 +88,17 @@ std::optional<std::string> read_yarn_words(const YarnWords& words, YarnWish& wis
   if (auto fault = choose_word("--yarn-shows", words.shows, yarn_colours_keys, wish.by)) return fault;
   if (auto fault = read_colour_word("--yarn-colour", words.colour, wish.wool)) return fault;
   if (auto fault = read_colour_word("--yarn-second", words.second, wish.second)) return fault;
-  if (words.stripes.empty()) return std::nullopt;
-  wish.stripe_rounds = whole_number<int>(words.stripes);
-  if (wish.stripe_rounds && *wish.stripe_rounds >= 0 && *wish.stripe_rounds <= most_stripe_rounds)
-    return std::nullopt;
-  return "--yarn-stripes cannot be " + knit::quoted(words.stripes) + "; give a number of rounds from 0 to " +
-         std::to_string(most_stripe_rounds) + ".";
+  if (auto fault =
+          read_count("--yarn-stripes", words.stripes, "rounds", most_stripe_rounds, wish.stripe_rounds))
+    return fault;
+  if (auto fault =
+          read_count("--yarn-relax", words.easing, "iterations", knit::most_yarn_easing, wish.easing))
+    return fault;
+  if (words.radius.empty()) return std::nullopt;
+  wish.radius = read_yarn_radius(words.radius);
+  if (wish.radius) return std::nullopt;
+  return "--yarn-radius cannot be " + knit::quoted(words.radius) + "; give a number of stitch widths from " +
+         knit::number_text(least_yarn_radius) + " to " + knit::number_text(most_yarn_radius) + ", or auto.";
 }
 
 void apply_yarn_wish(Session& session, const YarnWish& wish) {
@@ -92,6 +111,8 @@ void apply_yarn_wish(Session& session, const YarnWish& wish) {
   look.second = wish.second.value_or(look.second);
   look.stripe_rounds = wish.stripe_rounds.value_or(look.stripe_rounds);
   look.by = wish.by.value_or(look.by);
+  look.radius = wish.radius.value_or(look.radius);
+  look.easing = wish.easing.value_or(look.easing);
   if (look != session.view->yarn) apply(session, SetYarnLook{look});
 }
 

@@ -15,7 +15,7 @@ class App;
 namespace app {
 
 struct YarnWords {
-  std::string layers, show_as, colour, second, stripes, shows;
+  std::string layers, show_as, colour, second, stripes, shows, radius, easing;
 };
 
 // None: as it is.
@@ -23,7 +23,8 @@ struct YarnWish {
   std::optional<std::array<bool, layer_count>> layers;
   std::optional<Looking> looking;
   std::optional<Colour> wool, second;
-  std::optional<int> stripe_rounds;
+  std::optional<int> stripe_rounds, easing;
+  std::optional<double> radius;
   std::optional<YarnColours> by;
 };
 

@@ -7,8 +7,9 @@
 
 #include "app/base/little_endian.h"
 #include "app/session/document.h"
-#include "app/session/shown.h"
-#include "knit/relax/relax.h"
+#include "app/session/view.h"
+#include "app/yarn/relaxed_piece.h"
+#include "app/yarn/yarn_shape.h"
 
 namespace app {
 
@@ -151,10 +152,9 @@ std::string yarn_yarns(const knit::Yarn& yarn) {
 }
 
 std::string yarn_file(const Session& session, YarnFormat format) {
-  const knit::Fabric fabric = shown_fabric(session);
+  const knit::Fabric fabric = relaxed_fabric(session);
   const knit::StitchSize& stitch = session.document->timeline.parameters().stitch;
-  const knit::Relaxed relaxed = knit::relax(fabric, stitch, knit::RelaxSettings{});
-  const knit::Yarn yarn = knit::make_yarn(fabric, relaxed.positions, stitch);
+  const knit::Yarn yarn = yarn_as_looked(fabric, knit::knitting_path(fabric), stitch, session.view->yarn);
   switch (format) {
     case YarnFormat::obj:
       return yarn_obj(fabric, yarn);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/scene/stretch_colour.h"
+#include "knit/yarn/eased_yarn.h"
 #include "knit/yarn/worked_from.h"
 
 namespace app {
@@ -114,6 +115,12 @@ class CurveShape {
 };
 
 }  // namespace
+
+knit::Yarn yarn_as_looked(const knit::Fabric& fabric, std::span<const glm::dvec3> positions,
+                          const knit::StitchSize& stitch, const YarnLook& look) {
+  return knit::eased_yarn(knit::make_yarn(fabric, positions, stitch, look.radius * stitch.width),
+                          stitch.width, look.easing);
+}
 
 std::vector<glm::vec3> outwards(const knit::Fabric& fabric, std::span<const glm::dvec3> positions) {
   std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0.0));

@@ -16,6 +16,10 @@
 
 namespace app {
 
+// The yarn as thick as it should look, and eased as often.
+knit::Yarn yarn_as_looked(const knit::Fabric& fabric, std::span<const glm::dvec3> positions,
+                          const knit::StitchSize& stitch, const YarnLook& look);
+
 // Of each stitch, of length 1: the mean of the faces around it, by their areas. Bridges and what has no face have 0.
 std::vector<glm::vec3> outwards(const knit::Fabric& fabric, std::span<const glm::dvec3> positions);
 

@@ -56,10 +56,10 @@ knit::RowId rows_before(const knit::Fabric& fabric, const YarnUpTo& until) {
 
 }  // namespace
 
-void YarnShown::make_yarn(const knit::Fabric& fabric, Of of) {
+void YarnShown::make_yarn(const knit::Fabric& fabric, const YarnLook& look, Of of) {
   of_ = std::move(of);
   positions_ = knit::knitting_path(fabric);
-  yarn_ = knit::make_yarn(fabric, positions_, of_.stitch);
+  yarn_ = yarn_as_looked(fabric, positions_, of_.stitch, look);
   out_ = outwards(fabric, positions_);
   closed_ = !has_openings(fabric, yarn_.counts);
   shape_ = nullptr;
@@ -91,7 +91,8 @@ knit::RowId YarnShown::describe(const Session& session, const knit::Fabric& show
   const YarnUpTo until =
       ahead ? YarnUpTo{static_cast<std::uint32_t>(state.fabric.stitch_count()) + picked(state), false}
             : until_strips(fabric, state.stage() > knit::Stage::faces);
-  Of of{{}, {}, timeline.parameters().stitch};
+  const YarnLook& yarn_look = session.view->yarn;
+  Of of{{}, {}, timeline.parameters().stitch, yarn_look.radius, yarn_look.easing};
   if (ahead) {
     // A fabric of placed stitches is made anew by each asking: what it is made of tells it.
     for (const auto& row : furthest.fabric.rows()) of.rows.push_back(row.pointer());
@@ -99,8 +100,8 @@ knit::RowId YarnShown::describe(const Session& session, const knit::Fabric& show
     for (const auto& row : fabric.rows()) of.rows.push_back(row.pointer());
   }
   for (const auto& strip : fabric.strips()) of.strips.push_back(strip.pointer());
-  if (of != of_) make_yarn(fabric, std::move(of));
-  const Look look{session.view->yarn, scene.theme, until};
+  if (of != of_) make_yarn(fabric, yarn_look, std::move(of));
+  const Look look{yarn_look, scene.theme, until};
   if (shape_ == nullptr || look != look_) make_shapes(fabric, look);
   scene.yarn = shape_;
   scene.faces.push_back(ground_);

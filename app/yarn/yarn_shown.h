@@ -17,8 +17,8 @@ namespace app {
 
 class YarnShown {
  public:
-  // `shown`: the fabric as it is shown. Sets the scene's yarn and adds its ground to the faces; gives how many rows are there as yarn, from
-  // the first on, and leaves the scene alone where there are none. Requires something open.
+  // `shown`: the fabric as it is shown. Sets the scene's yarn and adds its ground to the faces; gives how many rows are there as
+  // yarn, from the first on, and leaves the scene alone where there are none. Requires something open.
   knit::RowId describe(const Session& session, const knit::Fabric& shown, Scene& scene);
 
  private:
@@ -27,6 +27,8 @@ class YarnShown {
     std::vector<std::shared_ptr<const knit::Row>> rows;
     std::vector<std::shared_ptr<const knit::Strip>> strips;
     knit::StitchSize stitch;
+    double radius = 0.0;  // as the look has it
+    int easing = 0;
     friend bool operator==(const Of&, const Of&) = default;
   };
   struct Look {
@@ -35,7 +37,7 @@ class YarnShown {
     YarnUpTo until;
     friend bool operator==(const Look&, const Look&) = default;
   };
-  void make_yarn(const knit::Fabric& fabric, Of of);
+  void make_yarn(const knit::Fabric& fabric, const YarnLook& look, Of of);
   void make_shapes(const knit::Fabric& fabric, const Look& look);
 
   Of of_;

@@ -9,6 +9,7 @@
 #include "app/session/document.h"
 #include "app/session/shown.h"
 #include "app/session/view.h"
+#include "knit/yarn/yarn.h"
 
 namespace app {
 
@@ -69,6 +70,24 @@ bool draw_colour(PanelFrame& frame, const char* key, const char* words, const ch
   return changed;
 }
 
+bool draw_thickness(PanelFrame& frame, YarnLook& look) {
+  auto radius = static_cast<float>(look.radius > 0.0 ? look.radius : knit::radius_of_width);
+  ImGui::SetNextItemWidth(frame.units(96.0f));
+  const bool thicker =
+      ImGui::SliderFloat("##radius", &radius, static_cast<float>(least_yarn_radius),
+                         static_cast<float>(most_yarn_radius), "radius %.3f", ImGuiSliderFlags_NoInput);
+  if (thicker) look.radius = radius;
+  frame.mark("yarn/radius");
+  tooltip(frame, "The yarn's radius in widths of a stitch. At an eighth, 0.125, neighbours just touch.");
+  ImGui::SameLine();
+  bool eased = look.easing > 0;
+  const bool switched = ImGui::Checkbox("make room", &eased);
+  if (switched) look.easing = eased ? usual_yarn_easing : 0;
+  frame.mark("yarn/easing");
+  tooltip(frame, "Loops that overlap come apart a little. For a look from near.");
+  return thicker || switched;
+}
+
 void draw_yarn_look(PanelFrame& frame) {
   YarnLook look = frame.session.view->yarn;
   bool changed = false;
@@ -92,6 +111,7 @@ void draw_yarn_look(PanelFrame& frame) {
     frame.mark("yarn/stripes");
     tooltip(frame, "So many rounds of each colour by turns.");
   }
+  changed = draw_thickness(frame, look) || changed;
   if (changed) frame.wish(SetYarnLook{look});
 }
 
