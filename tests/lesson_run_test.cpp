@@ -183,7 +183,7 @@ TEST_CASE("the command line begins a lesson at a page") {
     CHECK(is_one_sentence(std::get<Answer>(refused).error));
   }
   const auto list = parse_command_line({"--list-lessons"}, KNIT_ASSETS_DIR);
-  CHECK(lines_of(std::get<Answer>(list).out).size() == 11);
+  CHECK(lines_of(std::get<Answer>(list).out).size() == 12);
 }
 
 TEST_CASE("a what-if question asks what tuning would make of the run, changes on the way included") {
