@@ -1,8 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs knit-mesh with the arguments given.
 # Without arguments it opens the thesis sphere. Without a display it works headless.
+# ./run.sh --web serves it as a page on this machine; --web --single-file makes one HTML file of it.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/tools/setup.sh"
+
+if [ "${1:-}" = --web ]; then
+  [ "${2:-}" != --single-file ] || exec "$root/tools/web.sh" single
+  exec "$root/tools/web.sh" serve "${2:-}"
+fi
 
 install_packages "${build_packages[@]}"
 build dev knit-mesh

@@ -9,7 +9,7 @@ uniform float u_scale;
 uniform float u_toward;
 uniform float u_chord;    // a chord of length L runs up to u_chord * L * L below the surface,
 uniform float u_deepest;  // or this, for lines that are no chords at all
-noperspective out vec2 v_place;  // pixels along and across
+out vec2 v_place;  // pixels along and across
 flat out float v_length;
 flat out float v_half;
 flat out vec4 v_colour;

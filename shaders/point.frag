@@ -1,4 +1,4 @@
-noperspective in vec2 v_place;
+in vec2 v_place;
 flat in float v_radius;
 flat in float v_rim;
 flat in vec4 v_colour;

@@ -5,7 +5,7 @@ layout(location = 1) in vec4 a_colour;
 layout(location = 2) in float a_diameter;
 uniform float u_scale;
 uniform float u_toward;
-noperspective out vec2 v_place;  // pixels from the middle
+out vec2 v_place;  // pixels from the middle
 flat out float v_radius;
 flat out float v_rim;
 flat out vec4 v_colour;

@@ -4,7 +4,6 @@
 #include <map>
 #include <numbers>
 
-#include "knit/model/bug.h"
 #include "tests/support/catch.h"
 #include "tests/support/rough_sphere.h"
 
@@ -42,15 +41,34 @@ IntrinsicMesh unflipped(const Mesh& mesh) {
   return net;
 }
 
+// An edge by its ends, the lower first.
+std::array<VertexId, 2> ends_of(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
 std::map<std::array<VertexId, 2>, double> weights_of(const IntrinsicMesh& net) {
   std::map<std::array<VertexId, 2>, double> weights;
   for (std::size_t t = 0; t < net.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(net.triangles[t][k], net.triangles[t][(k + 1) % 3]);
-      weights[{low, high}] += 0.5 * cotangents_of(net.lengths[t])[(k + 2) % 3];
+      weights[ends_of(net.triangles[t][k], net.triangles[t][(k + 1) % 3])] +=
+          0.5 * cotangents_of(net.lengths[t])[(k + 2) % 3];
     }
   }
   return weights;
+}
+
+std::map<std::array<VertexId, 2>, int> sides_of(const IntrinsicMesh& net) {
+  std::map<std::array<VertexId, 2>, int> sides;
+  for (const Triangle& t : net.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++sides[ends_of(t[k], t[(k + 1) % 3])];
+  return sides;
+}
+
+// Of the edges that have triangles on both sides.
+double least_inner_weight(const IntrinsicMesh& net) {
+  auto sides = sides_of(net);
+  double least = 0.0;
+  for (const auto& [edge, weight] : weights_of(net))
+    if (sides[edge] % 2 == 0) least = std::min(least, weight);
+  return least;
 }
 
 double least_weight(const IntrinsicMesh& net) {
@@ -182,8 +200,19 @@ TEST_CASE("intrinsic: triangles without area vanish into their neighbours, and c
   for (const SideLengths& lengths : net.lengths) CHECK(area_of(lengths) > 1e-4);
 }
 
-TEST_CASE("intrinsic: an open surface is refused", "[intrinsic]") {
-  Mesh open = icosphere(1);
-  open.triangles.pop_back();
-  CHECK_THROWS_AS(make_intrinsic(*make_input(open)), Bug);
+TEST_CASE("intrinsic: the open edges of a surface stay, all others become Delaunay", "[intrinsic]") {
+  Mesh open = rough_sphere(3, 1);
+  open.triangles.resize(open.triangles.size() - 40);
+  const std::shared_ptr<const Input> input = make_input(open);
+  REQUIRE(least_inner_weight(unflipped(open)) < -1.0);
+  const IntrinsicMesh net = make_intrinsic(*input);
+  CHECK(least_inner_weight(net) > -1e-7);
+  CHECK(change_of(open, net) < 1e-6);
+  std::size_t around = 0;
+  for (const MeshRim& rim : input->rims) around += rim.vertices.size();
+  REQUIRE(around > 0);
+  auto sides = sides_of(net);
+  for (const MeshRim& rim : input->rims)
+    for (std::size_t i = 0; i < rim.vertices.size(); ++i)
+      CHECK(sides[ends_of(rim.vertices[i], rim.vertices[(i + 1) % rim.vertices.size()])] % 2 == 1);
 }

@@ -133,3 +133,13 @@ TEST_CASE("a drag to the end of its range gives exactly that, and moves no other
     CHECK(after.timeline.height == std::floor(bottom));
   }
 }
+
+TEST_CASE("in a narrow window one side alone takes all but the view's share") {
+  const float width = 390.0f;
+  REQUIRE(width < narrow_window);
+  const Layout parameters = layout_of(width, 844, 1, {true, false, true});
+  CHECK(parameters.parameters.width == Approx(260.0f).margin(1.0));
+  CHECK(parameters.view.width >= width / 3.0f - 1.0f);
+  const Layout both = layout_of(width, 844, 1, {true, true, true});
+  CHECK(both.parameters.width < 0.31f * width);
+}

@@ -259,9 +259,9 @@ TEST_CASE("every reason to stop has its own sentence and its own word") {
   const Parameters p = small_parameters();
   std::set<std::string> sentences, words;
   std::size_t reasons = 0;
-  for (const StopReason reason :
-       {StopReason::no_extent, StopReason::no_row_levels, StopReason::not_a_ring, StopReason::splits,
-        StopReason::stall, StopReason::changes_too_much, StopReason::too_many_tubes, StopReason::too_fine}) {
+  for (const StopReason reason : {StopReason::no_extent, StopReason::no_row_levels, StopReason::not_a_ring,
+                                  StopReason::splits, StopReason::stall, StopReason::changes_too_much,
+                                  StopReason::too_many_tubes, StopReason::too_fine, StopReason::open_edge}) {
     ++reasons;
     const bool of_tubes = reason == StopReason::too_many_tubes || reason == StopReason::too_fine;
     const Step stop{of_tubes ? Place{Stage::tubes, 0, 1} : Place{Stage::rows, 7, 1},

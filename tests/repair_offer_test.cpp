@@ -298,6 +298,22 @@ TEST_CASE("of several pieces any one may be opened, as by --piece") {
   CHECK(desk.session.document->timeline.input().mesh.triangles.size() == 4);
 }
 
+TEST_CASE("an open edge can be closed flat by a click, and opened again") {
+  const Folder folder;
+  Desk desk;
+  apply(desk.session, OpenFile{bad_file(folder, "open-bowl.obj")});
+  REQUIRE(desk.session.document);
+  CHECK(desk.session.document->timeline.input().rims.size() == 1);
+  desk.session.view->list = RunList::problems;
+  desk.settle();
+  desk.act(desk.click("repair/openings"));
+  CHECK(desk.session.document->timeline.input().rims.empty());
+  CHECK(desk.session.document->source.repairs == std::vector{knit::RepairKind::openings});
+  desk.settle();
+  desk.act(desk.click("repair/undo-here"));
+  CHECK(desk.session.document->timeline.input().rims.size() == 1);
+}
+
 TEST_CASE("repairs are offered in the list for what is only warned of too") {
   const Folder folder;
   for (const auto& [name, control, kind] :

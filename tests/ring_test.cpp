@@ -1,6 +1,7 @@
 // Rings: order, start, orientation, and levels that are none.
 #include "knit/rows/ring.h"
 
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -88,7 +89,7 @@ TEST_CASE("along z the ring begins at -x, along any axis it keeps its sense") {
 }
 
 TEST_CASE("a loop that is not star-shaped is ordered along its edges") {
-  // A bent prism: a C-shaped outline extruded upwards, closed by its own copies of the outline's ends.
+  // A bent prism: a C-shaped outline extruded upwards, with a floor and a roof of three bars each.
   const std::vector<glm::dvec2> outline{{0, -3}, {3, -3}, {3, 3}, {0, 3}, {0, 2}, {2, 2}, {2, -2}, {0, -2}};
   Mesh mesh;
   const auto n = static_cast<VertexId>(outline.size());
@@ -103,6 +104,14 @@ TEST_CASE("a loop that is not star-shaped is ordered along its edges") {
       mesh.triangles.push_back({a, a + n, b + n});
     }
   }
+  for (const auto& [a, b, c, d] :
+       std::vector<std::array<VertexId, 4>>{{0, 1, 6, 7}, {1, 2, 5, 6}, {2, 3, 4, 5}}) {
+    const VertexId roof = 3 * n;
+    mesh.triangles.insert(
+        mesh.triangles.end(),
+        {{a, b, c}, {a, c, d}, {roof + a, roof + c, roof + b}, {roof + a, roof + d, roof + c}});
+  }
+  REQUIRE(make_input(mesh)->rims.empty());
   const Timed t = timed(mesh);
   const Ring ring = ring_of(t, 1);
   CHECK(ring.ordered_by == OrderedBy::edges);

@@ -63,7 +63,11 @@ TEST_CASE("a tie among extreme vertices goes to the one nearest to the centroid'
   Mesh mesh;
   mesh.positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1},  {-1, 0, 1}, {-1, 2, -1},
                     {1, 2, -1},  {1, 2, 1},  {-1, 2, 1}, {0, 2, 0}};
-  for (VertexId i = 0; i < 9; ++i) mesh.triangles.push_back({i, (i + 1) % 9, (i + 2) % 9});
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (VertexId a = 0; a < 4; ++a) {
+    const VertexId b = (a + 1) % 4;
+    mesh.triangles.insert(mesh.triangles.end(), {{b, a, a + 4}, {b, a + 4, b + 4}, {b + 4, a + 4, 8}});
+  }
   CHECK(ends_of(mesh, {}).end == 8);
 }
 
@@ -87,7 +91,7 @@ TEST_CASE("picked vertices: the time runs along their line, and what lies beyond
 TEST_CASE("a mesh without extent along the axis stops with a word") {
   Mesh flat;
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
-  flat.triangles = {{0, 1, 2}, {1, 3, 2}};
+  flat.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 2, 3}, {0, 3, 1}};
   const Timeline timeline = run(make_input(flat), {});
   REQUIRE(timeline.stop() != nullptr);
   CHECK(timeline.known() == 0);

@@ -19,6 +19,7 @@ import sys
 
 import ledger
 
+BUILT_ELSEWHERE = ["app/web"]  # for the page alone (tools/web.sh)
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -108,6 +109,8 @@ def main():
     settings = [ledger.version_of("clang-tidy-14"), ledger.installed_version("clang-tidy-14"),
                 *ledger.own_scripts(__file__)]
     folders = dict(folders_with_sources(["knit", "app", "assets"]))
+    for folder in BUILT_ELSEWHERE:
+        folders.pop(folder, None)
     digests, tasks = {}, []
     for folder, files in folders.items():
         if wanted and folder not in wanted:

@@ -13,6 +13,7 @@
 #include "app/actions/navigate.h"
 #include "app/actions/opening.h"
 #include "app/actions/playing.h"
+#include "app/base/outside.h"
 #include "app/facing/step_place.h"
 #include "app/files/export.h"
 #include "app/files/load.h"
@@ -335,7 +336,9 @@ struct Apply {
     session.view->dialogs.glossary_term = a.term;
   }
   void operator()(const ShowHelp& a) { session.view->dialogs.help_open = a.open; }
-  void operator()(const ShowOpenDialog& a) { session.view->dialogs.open_dialog_open = a.open; }
+  void operator()(const ShowOpenDialog& a) {
+    session.view->dialogs.open_dialog_open = a.open && !tell_wanted();
+  }
   void operator()(const DismissNotice& a) {
     if (a.index < session.outbox->notices.size()) {
       session.outbox->notices.erase(session.outbox->notices.begin() + static_cast<std::ptrdiff_t>(a.index));

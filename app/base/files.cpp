@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/base/outside.h"
 #include "app/base/text.h"
 
 namespace app {
@@ -76,6 +77,7 @@ std::optional<std::string> put_in_place(const std::filesystem::path& aside,
                                         const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::rename(aside, path, error);
+  if (!error) tell_written(path);
   if (!error) return std::nullopt;
   std::error_code ignored;
   std::filesystem::remove(aside, ignored);
@@ -146,6 +148,7 @@ std::optional<std::string> AsideFile::finish() {
     if (aside_ == target_) return std::nullopt;
     std::error_code error;
     fs::rename(aside_, target_, error);
+    if (!error) tell_written(target_);
     if (!error) return std::nullopt;
     trouble_ = error.message();
   }

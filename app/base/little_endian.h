@@ -1,9 +1,10 @@
 // Numbers as the bytes of binary files: the least first, whatever the machine.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <string>
+
+#include "knit/base/bits.h"
 
 namespace app {
 
@@ -16,7 +17,7 @@ inline void append_u64(std::string& bytes, std::uint64_t value) {
   append_u32(bytes, static_cast<std::uint32_t>(value >> 32U));
 }
 inline void append_f32(std::string& bytes, float value) {
-  append_u32(bytes, std::bit_cast<std::uint32_t>(value));
+  append_u32(bytes, knit::bits_as<std::uint32_t>(value));
 }
 
 }  // namespace app

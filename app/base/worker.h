@@ -9,10 +9,10 @@
 #include <exception>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
+#include "app/base/beside.h"
 #include "knit/model/heard.h"
 
 namespace app {
@@ -26,24 +26,25 @@ class Work {
   Work() = default;
   template <class Function>
   explicit Work(Function function) : shared_(std::make_shared<Box>()) {
-    std::thread([waiting = std::weak_ptr(shared_), function = std::move(function)]() mutable {
-      std::optional<Result> result;
-      std::exception_ptr error;
-      try {
-        if constexpr (std::is_invocable_v<Function&, const knit::Heard&>) {
-          result.emplace(function(heard_by(waiting)));
-        } else {
-          result.emplace(function());
-        }
-      } catch (...) {
-        error = std::current_exception();
-      }
-      const auto box = waiting.lock();
-      if (!box) return;
-      box->result = std::move(result);
-      box->error = error;
-      box->done.store(true, std::memory_order_release);
-    }).detach();
+    start_beside(
+        [waiting = std::weak_ptr(shared_), function = std::make_shared<Function>(std::move(function))] {
+          std::optional<Result> result;
+          std::exception_ptr error;
+          try {
+            if constexpr (std::is_invocable_v<Function&, const knit::Heard&>) {
+              result.emplace((*function)(heard_by(waiting)));
+            } else {
+              result.emplace((*function)());
+            }
+          } catch (...) {
+            error = std::current_exception();
+          }
+          const auto box = waiting.lock();
+          if (!box) return;
+          box->result = std::move(result);
+          box->error = error;
+          box->done.store(true, std::memory_order_release);
+        });
   }
 
   [[nodiscard]] bool running() const { return shared_ != nullptr; }

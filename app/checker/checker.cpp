@@ -1,9 +1,9 @@
 #include "app/checker/checker.h"
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
+#include "knit/base/number_text.h"
 #include "knit/model/words.h"
 
 namespace app {
@@ -13,7 +13,7 @@ std::optional<CheckedGauge> checked_gauge(std::string_view text) {
   if (cross == std::string_view::npos) return std::nullopt;
   CheckedGauge gauge;
   const auto read = [](std::string_view part, double& value) {
-    const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
+    const auto result = knit::number_from(part.data(), part.data() + part.size(), value);
     return result.ec == std::errc() && result.ptr == part.data() + part.size() && value >= least_gauge &&
            value <= most_gauge;
   };

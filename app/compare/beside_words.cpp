@@ -1,12 +1,12 @@
 #include "app/compare/beside_words.h"
 
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <system_error>
 
 #include "app/session/changes.h"
 #include "app/session/document.h"
+#include "knit/base/number_text.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
@@ -24,11 +24,10 @@ std::string shortened(const std::string& text) {
   constexpr int digits = 5;
   double value = 0.0;
   const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
+  const auto read = knit::number_from(text.data(), end, value);
   if (text.size() <= short_enough || read.ec != std::errc() || read.ptr != end) return text;
   std::array<char, 32> room{};
-  const auto written =
-      std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::general, digits);
+  const auto written = knit::number_into(room.data(), room.data() + room.size(), value, digits);
   return {room.data(), written.ptr};
 }
 

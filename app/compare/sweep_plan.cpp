@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "app/base/text.h"
 #include "app/session/sweep.h"
+#include "knit/base/number_text.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto result = knit::number_from(text.data(), text.data() + text.size(), value);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value))
     return std::nullopt;
   return value;
@@ -64,8 +64,7 @@ bool can_be_swept(const knit::ParameterInfo& info) {
 
 double tidied(double value, int digits) {
   std::array<char, 64> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
+  const auto end = knit::number_into(text.data(), text.data() + text.size(), value, digits).ptr;
   return number_of({text.data(), static_cast<std::size_t>(end - text.data())}).value_or(value);
 }
 

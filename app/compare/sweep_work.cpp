@@ -1,5 +1,6 @@
 #include "app/compare/sweep_work.h"
 
+#include "app/base/beside.h"
 #include "knit/model/settings_table.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <thread>
 
 namespace app {
 
@@ -79,15 +79,22 @@ struct SweepWork::Shared {
     }
   }
 
-  void work_on() {
-    for (;;) {
-      const std::size_t index = next.fetch_add(1, std::memory_order_relaxed);
-      if (index >= runs.size() || cancelled.load(std::memory_order_relaxed)) return;
-      runs[index].values = values_at(index);
-      if (!work_out(runs[index])) return;
-      ready[index].store(true, std::memory_order_release);
-      done.fetch_add(1, std::memory_order_release);
-    }
+  // The next run. False: there is none, or it is no longer wanted.
+  bool work_on() {
+    const std::size_t index = next.fetch_add(1, std::memory_order_relaxed);
+    if (index >= runs.size() || cancelled.load(std::memory_order_relaxed)) return false;
+    runs[index].values = values_at(index);
+    if (!work_out(runs[index])) return false;
+    ready[index].store(true, std::memory_order_release);
+    done.fetch_add(1, std::memory_order_release);
+    return true;
+  }
+
+  // One run, or the end of this hand's work.
+  bool work_or_leave() {
+    if (work_on()) return true;
+    leave();
+    return false;
   }
 
   // The runs between two neighbours, each once although both kinds may ask for it. Null: no longer wanted.
@@ -149,23 +156,22 @@ SweepWork::SweepWork(SweepBase base, const SweepPlan& plan, unsigned threads)
   if (plan.second) shared.second = values_of(*plan.second);
   shared.runs.resize(shared.first.size() * std::max<std::size_t>(1, shared.second.size()));
   shared.ready = std::make_unique<std::atomic<bool>[]>(shared.runs.size());
-  const unsigned wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned wanted = threads > 0 ? threads : hands_beside();
   shared.threads = static_cast<unsigned>(std::min<std::size_t>(wanted, shared.runs.size()));
   // The first thread runs what is shared, then all of them take runs.
-  std::thread([box = shared_, count = shared.threads] {
-    if (box->work_out_prefix()) {
-      for (unsigned i = 1; i < count; ++i) {
-        std::thread([box] {
-          box->work_on();
-          box->leave();
-        }).detach();
-      }
-      box->work_on();
-    } else {
-      for (unsigned i = 1; i < count; ++i) box->leave();
+  start_in_pieces([box = shared_, count = shared.threads, begun = false]() mutable {
+    if (begun) return box->work_or_leave();
+    begun = true;
+    const bool wanted_still = box->work_out_prefix();
+    for (unsigned i = 1; i < count; ++i) {
+      if (wanted_still)
+        start_in_pieces([box] { return box->work_or_leave(); });
+      else
+        box->leave();
     }
-    box->leave();
-  }).detach();
+    if (!wanted_still) box->leave();
+    return wanted_still;
+  });
 }
 
 SweepWork::~SweepWork() { cancel(); }

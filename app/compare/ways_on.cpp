@@ -8,9 +8,9 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "app/base/beside.h"
 #include "app/session/presets.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
@@ -123,6 +123,14 @@ void add_by_reason(Ways& ways, const knit::Input& input, const knit::Parameters&
       return;
     case knit::StopReason::too_fine:
       return add_sizes(ways, input, at_stop);
+    case knit::StopReason::open_edge:
+      ways.push_back({"harmonic", "Harmonic timing, rows from contours",
+                      [](knit::Parameters& p) {
+                        p.timing.kind = knit::TimingKind::harmonic;
+                        p.rows.source = knit::RowSource::contours;
+                      },
+                      ""});
+      return;
     case knit::StopReason::no_row_levels:
       add_contours(ways, input);
       return add_sizes(ways, input, at_stop);
@@ -175,7 +183,7 @@ struct WaysOnWork::Shared {
   Ways ways;
   mutable std::mutex mutex;
   std::condition_variable ended;
-  std::vector<FoundWay> found;  // these three are guarded by the mutex
+  std::vector<FoundWay> found;  // these three are guarded by the mutex; only the one at it changes them
   std::size_t tried = 0;
   bool done = false;
   std::atomic<bool> cancelled{false};
@@ -200,22 +208,23 @@ struct WaysOnWork::Shared {
     });
   }
 
-  void try_all() {
-    for (const WayOn& way : ways) {
-      std::optional<FoundWay> one;
-      try {
-        one = worked_out(way);
-      } catch (const std::exception&) {
-        one.reset();  // a way that goes wrong is none
-      }
-      const std::lock_guard lock(mutex);
-      ++tried;
-      if (one && !is_known(*one)) found.push_back(std::move(*one));
-      if (found.size() >= enough_ways || cancelled.load(std::memory_order_relaxed)) break;
+  [[nodiscard]] std::optional<FoundWay> worked_out_soundly(const WayOn& way) const {
+    try {
+      return worked_out(way);
+    } catch (const std::exception&) {
+      return std::nullopt;  // a way that goes wrong is none
     }
+  }
+
+  // True while there is another.
+  bool try_next() {
+    auto one = tried < ways.size() ? worked_out_soundly(ways[tried]) : std::nullopt;
     const std::lock_guard lock(mutex);
-    done = true;
-    ended.notify_all();
+    tried = std::min(tried + 1, ways.size());
+    if (one && !is_known(*one)) found.push_back(std::move(*one));
+    done = tried == ways.size() || found.size() >= enough_ways || cancelled.load(std::memory_order_relaxed);
+    if (done) ended.notify_all();
+    return !done;
   }
 };
 
@@ -223,7 +232,7 @@ WaysOnWork::WaysOnWork(const knit::Timeline& timeline) : shared_(std::make_share
   shared_->base = sweep_base_of(timeline);
   shared_->base.current = timeline.parameters_of_stop();
   shared_->ways = ways_to_try(*shared_->base.input, shared_->base.current, *timeline.stop());
-  std::thread([box = shared_] { box->try_all(); }).detach();
+  start_in_pieces([box = shared_] { return box->try_next(); });
 }
 
 WaysOnWork::~WaysOnWork() { shared_->cancelled.store(true, std::memory_order_relaxed); }

@@ -159,6 +159,7 @@ void add_stop(const knit::Stopped& stop, Values& values) {
     case knit::StopReason::no_row_levels:
     case knit::StopReason::too_many_tubes:
     case knit::StopReason::too_fine:
+    case knit::StopReason::open_edge:
       return;
   }
 }

@@ -1,6 +1,5 @@
 #include "app/files/pattern_export.h"
 
-#include <charconv>
 #include <string_view>
 
 #include "app/files/chart_svg.h"
@@ -10,6 +9,7 @@
 #include "app/session/planned_pieces.h"
 #include "app/session/remarks.h"
 #include "app/session/view.h"
+#include "knit/base/number_text.h"
 #include "knit/pattern/chart.h"
 #include "knit/pattern/limb_chart.h"
 #include "knit/pattern/limb_words.h"
@@ -108,7 +108,7 @@ std::optional<PatternFormat> pattern_format_of(const std::filesystem::path& path
 std::optional<double> needle_mm_of(std::string_view text) {
   double needle = 0.0;
   const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, needle);
+  const auto result = knit::number_from(text.data(), end, needle);
   if (result.ec != std::errc() || result.ptr != end || !(needle >= 0.5 && needle <= 50.0))
     return std::nullopt;
   return needle;

@@ -163,7 +163,7 @@ void PiecesJsonReader::drop_needle() {
 bool PiecesJsonReader::hold(const std::string& place, const std::string& holder, Loop loop) {
   if (!holders_.emplace(holder, std::move(loop)).second)
     return fail(place, "the holder of " + holder + " is not empty.");
-  held_most_ = std::max(held_most_, std::ssize(holders_));
+  held_most_ = std::max<std::int64_t>(held_most_, std::ssize(holders_));
   return true;
 }
 
@@ -203,7 +203,7 @@ bool PiecesJsonReader::make(std::size_t piece) {
   }
   if (fails()) return false;
   if (!begun_) return fail(piece_ + ".begin", "nothing says how " + names_[piece] + " begins.");
-  held_ = std::max(held_, std::ssize(holders_));
+  held_ = std::max<std::int64_t>(held_, std::ssize(holders_));
   return check_live() && rounds() && check_rows() && end();
 }
 

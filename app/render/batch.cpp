@@ -129,15 +129,14 @@ void draw_runs(std::span<const Run> runs) {
       offsets.push_back(at_offset(corners * run.first * sizeof(GLuint)));
       counts.push_back(static_cast<GLsizei>(corners * run.count));
     }
-    glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                        static_cast<GLsizei>(runs.size()));
+    draw_many_indexed(counts, offsets);
   } else {
     std::vector<GLint> firsts;
     for (const Run& run : runs) {
       firsts.push_back(static_cast<GLint>(Kind<Shape>::vertices * run.first));
       counts.push_back(static_cast<GLsizei>(Kind<Shape>::vertices * run.count));
     }
-    glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(runs.size()));
+    draw_many(firsts, counts);
   }
 }
 

@@ -2,11 +2,11 @@
 // lives and dies while its OpenGL context is current.
 #pragma once
 
-#include <glad/gl.h>
-
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
+
+#include "app/render/gl.h"
 
 namespace app {
 

@@ -1,7 +1,5 @@
 #include "app/render/headless_gl.h"
 
-#include <glad/gl.h>
-
 #if KNIT_HAVE_EGL
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -10,6 +8,8 @@
 #include <array>
 #include <string_view>
 #include <utility>
+
+#include "app/render/gl.h"
 
 namespace app {
 

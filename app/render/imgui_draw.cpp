@@ -23,7 +23,7 @@ void keep_libgl() {
 
 void start() {
   keep_libgl();
-  if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+  if (!ImGui_ImplOpenGL3_Init(shader_version)) {
     throw GlError("The panels cannot be drawn: libGL.so.1 could not be loaded. On Debian install libgl1.");
   }
 }

@@ -51,7 +51,7 @@ std::string log_of(GLuint id, GetNumber get_number, GetLog get_log) {
 }
 
 GlShader compile(GLenum kind, const ShaderProgram::Pieces& pieces) {
-  std::string text = "#version 330 core\n";
+  std::string text = std::string(shader_version) + shader_precision;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     text += "#line 1 " + std::to_string(i) + "\n" + piece_text(pieces[i]);
   }

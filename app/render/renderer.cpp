@@ -46,7 +46,6 @@ void clear(const Rect& viewport, const Colour& background) {
   glDepthMask(GL_TRUE);
   // Colours are premultiplied where the ground is not opaque: that is what blending makes of them.
   glClearColor(colour.r * colour.a, colour.g * colour.a, colour.b * colour.a, colour.a);
-  glClearDepth(1.0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
 }
@@ -99,7 +98,6 @@ void Renderer::draw(const Scene& scene, Rect viewport, float ui_scale) {
 
   glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
   glDisable(GL_CULL_FACE);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   clear(viewport, scene.background);
   draw_yarn(frame, false);
   // Faces first: what they cover of the surface need not be lit.

@@ -47,7 +47,7 @@ MeshBuffers::MeshBuffers(const MeshShape& shape)
       vertices_(shape.positions.size()),
       mean_edge_(mean_edge_length(shape)) {
   Extent box;
-  std::ranges::for_each(shape.positions, [&](const glm::vec3& place) { box.add(place); });
+  for (const glm::vec3& place : shape.positions) box.add(place);
   extent_ = box.diagonal();
   centre_ = box.centre();
   // A shape without normals is still drawn: nothing may be read past a buffer's end.
@@ -109,7 +109,8 @@ void MeshBuffers::put_in_order(const MeshShape& shape,
     const auto [earliest, latest] = std::minmax({time(0), time(1), time(2)});
     order.push_back({earliest, latest, i});
   }
-  std::ranges::stable_sort(order, {}, &Timed::earliest);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Timed& a, const Timed& b) { return a.earliest < b.earliest; });
   order_ = {times, {}, {}};
   std::vector<std::uint32_t> triangles;
   triangles.reserve(shape.triangles.size());
@@ -132,10 +133,12 @@ std::size_t MeshBuffers::draw_uncovered(const MeshShape& shape,
   glBindVertexArray(triangles_.id());
   take_times(&buffer);
   if (!is_same(order_.times, told)) put_in_order(shape, told);
-  const auto below = static_cast<std::size_t>(std::ranges::lower_bound(order_.earliest, covered.from) -
-                                              order_.earliest.begin());
-  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(order_.latest_so_far, covered.to) -
-                                              order_.latest_so_far.begin());
+  const auto below = static_cast<std::size_t>(
+      std::lower_bound(order_.earliest.begin(), order_.earliest.end(), covered.from) -
+      order_.earliest.begin());
+  const auto above = static_cast<std::size_t>(
+      std::upper_bound(order_.latest_so_far.begin(), order_.latest_so_far.end(), covered.to) -
+      order_.latest_so_far.begin());
   if (above <= below) return draw_triangles(&buffer);
   const auto draw = [](std::size_t first, std::size_t count) {
     if (count == 0) return;

@@ -1,6 +1,6 @@
 #include "app/scene/yarn_look.h"
 
-#include <charconv>
+#include "knit/base/number_text.h"
 
 namespace app {
 
@@ -8,7 +8,7 @@ std::optional<double> read_yarn_radius(std::string_view text) {
   if (text == "auto") return 0.0;
   double value = 0.0;
   const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
+  const auto read = knit::number_from(text.data(), end, value);
   if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
   if (!(value >= least_yarn_radius && value <= most_yarn_radius)) return std::nullopt;
   return value;

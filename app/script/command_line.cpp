@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "app/base/text.h"
 #include "app/checker/checker.h"
@@ -19,6 +18,7 @@
 #include "app/session/pattern_pieces.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
+#include "knit/base/number_text.h"
 #include "knit/import/quoting.h"
 #include "knit/model/stage.h"
 #include "knit/pattern/limb_words.h"
@@ -236,7 +236,7 @@ bool parse_size(const std::string& text, int& width, int& height) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return false;
   const auto number = [](std::string_view part, int& value) {
-    const auto result = std::from_chars(part.data(), part.data() + part.size(), value);
+    const auto result = knit::number_from(part.data(), part.data() + part.size(), value);
     return result.ec == std::errc() && result.ptr == part.data() + part.size() && value >= 64 &&
            value <= 16384;
   };
@@ -314,7 +314,7 @@ std::optional<std::string> read_look(const Words& words, CommandLine& line) {
   if (words.scale.empty()) return std::nullopt;
   double scale = 0.0;
   const char* end = words.scale.data() + words.scale.size();
-  const auto result = std::from_chars(words.scale.data(), end, scale);
+  const auto result = knit::number_from(words.scale.data(), end, scale);
   if (result.ec != std::errc() || result.ptr != end || !(scale >= smallest_scale && scale <= largest_scale))
     return "--scale cannot be \"" + words.scale + "\"; give a number from 0.75 to 2.5.";
   line.scale = scale;

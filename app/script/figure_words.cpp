@@ -1,13 +1,13 @@
 #include "app/script/figure_words.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "app/actions/hosting.h"
 #include "app/actions/navigate.h"
 #include "app/base/text.h"
 #include "app/files/figures.h"
 #include "app/session/document.h"
+#include "knit/base/number_text.h"
 
 namespace app {
 
@@ -60,7 +60,7 @@ std::optional<std::string> read_animation(const FigureWords& words, bool size_gi
   }
   if (!words.rate.empty()) {
     const char* end = words.rate.data() + words.rate.size();
-    const auto result = std::from_chars(words.rate.data(), end, wish.frames_per_second);
+    const auto result = knit::number_from(words.rate.data(), end, wish.frames_per_second);
     const bool fits = wish.frames_per_second >= slowest_rate && wish.frames_per_second <= fastest_rate;
     if (result.ec != std::errc() || result.ptr != end || !fits)
       return "--fps cannot be \"" + words.rate + "\"; give a number from 0.5 to 50.";

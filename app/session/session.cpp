@@ -1,13 +1,12 @@
 #include "app/session/session.h"
 
-#include <bit>
-
 #include "app/session/document.h"
 #include "app/session/jobs.h"
 #include "app/session/learning.h"
 #include "app/session/outbox.h"
 #include "app/session/program.h"
 #include "app/session/view.h"
+#include "knit/base/bits.h"
 #include "knit/insight/narrate.h"
 #include "knit/model/hash.h"
 #include "knit/model/words.h"
@@ -59,8 +58,8 @@ Change change_of(const Document& document) { return {knobs_of(document.timeline)
 std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters) {
   knit::Hasher hasher;
   hasher.add(knit::hash_of(state));
-  hasher.add(std::bit_cast<std::uint64_t>(parameters.stitch.width));
-  hasher.add(std::bit_cast<std::uint64_t>(parameters.stitch.height));
+  hasher.add(knit::bits_as<std::uint64_t>(parameters.stitch.width));
+  hasher.add(knit::bits_as<std::uint64_t>(parameters.stitch.height));
   return hasher.value();
 }
 

@@ -212,6 +212,11 @@ Image FrameDrawer::finished(const Session& session, int side) {
   return target_.read();
 }
 
+const Box* FrameDrawer::place_of(std::string_view control) const {
+  const auto found = panels_.controls.find(control);
+  return found != panels_.controls.end() ? &found->second : nullptr;
+}
+
 std::variant<Image, std::string> finished_picture_of(const Session& session, int side) {
   auto opened = HeadlessGl::open();
   if (auto* error = std::get_if<std::string>(&opened)) return std::move(*error);

@@ -73,6 +73,8 @@ class FrameDrawer {
   [[nodiscard]] bool waits_for_panels() { return panels_are_working(panels_); }
   // How often the view was drawn: not where the picture of before shows the same.
   [[nodiscard]] std::size_t views_drawn() const { return views_drawn_; }
+  // Where a control stood in the last frame, by its name (PanelMemory::controls); null: it was not there.
+  [[nodiscard]] const Box* place_of(std::string_view control) const;
   void set_clipboard(Clipboard clipboard) { glue_.set_clipboard(std::move(clipboard)); }
 
  private:

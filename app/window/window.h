@@ -1,4 +1,4 @@
-// The one window: GLFW, with an OpenGL 3.3 core context that is current. It collects what hands and keyboard
+// The one window: GLFW, with an OpenGL 3.3 core context that is current (in a page: a canvas with WebGL 2). It collects what hands and keyboard
 // do and decides nothing. Drawing goes to a Target, so the window itself has neither depth nor samples.
 #pragma once
 
@@ -55,6 +55,7 @@ class Window {
   void set_clipboard(const std::string& text);
 
  private:
+  friend struct PageEvents;  // in a page
   struct Inside;
   explicit Window(std::unique_ptr<Inside> inside);
   std::unique_ptr<Inside> inside_;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
 #include <utility>
 
+#include "knit/base/number_text.h"
 #include "knit/import/check_topology.h"
 #include "knit/import/quoting.h"
 #include "knit/mesh/edge_table.h"
@@ -23,11 +23,15 @@ constexpr double smallest_diagonal = 1e-50;
 constexpr double no_thickness = 1e-9;
 constexpr double no_area = 1e-14;
 constexpr std::size_t vertices_shown = 8;
+// An open edge is one to knit from if it is at least so long, as a share of the diagonal: six stitches of the usual width;
+// and no single triangle's.
+constexpr double least_rim = 0.18;
+constexpr std::size_t least_rim_sides = 4;
+constexpr std::size_t most_rims = 2;
 
 std::string text(double value) {
   std::array<char, 32> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6);
+  const auto end = number_into(buffer.data(), buffer.data() + buffer.size(), value, 6);
   return {buffer.data(), end.ptr};
 }
 
@@ -212,7 +216,41 @@ void report_pieces(const Topology& topology, Report& report) {
                  ". Join them, or keep only one" + which);
 }
 
-void report_edges(const Topology& topology, Report& report) {
+// Long edges are where a piece begins and ends; short ones are holes.
+void report_open_edges(const Mesh& mesh, const Topology& topology, std::span<const VertexId> twin,
+                       const Bounds& bounds, Report& report) {
+  const auto is_long = [&](const std::vector<VertexId>& loop) {
+    double length = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
+    return loop.size() >= least_rim_sides && length >= least_rim * bounds.diagonal();
+  };
+  const std::vector<std::vector<VertexId>> loops = boundary_loops(mesh.triangles, twin);
+  const auto edges = static_cast<std::size_t>(std::count_if(loops.begin(), loops.end(), is_long));
+  const bool sound = topology.crowded_edges.empty() && topology.pinched.empty() &&
+                     topology.one_sided_at == no_vertex && topology.pieces.size() == 1;
+  const std::string first = "; the first is at " + report.place(topology.holes.front());
+  const std::string sides = " (" + counted(topology.open_edges, "open edge", "open edges") + ")";
+  if (sound && edges == loops.size() && edges <= most_rims) {
+    const char* const what = edges == 1 ? ". It is cast on there, and closed at the far end"
+                                        : ". It is cast on at one and bound off at the other";
+    return report.add(FindingKind::open_edges, Severity::warning, edges, topology.holes,
+                      "The mesh is open at " + counted(edges, "edge", "edges") + sides + first + what +
+                          "; --swap-ends on turns that round. An edge that is a hole: close it with --mend "
+                          "openings.");
+  }
+  if (sound && edges == loops.size())
+    return report.add(FindingKind::open_edges, Severity::error, edges, topology.holes,
+                      "The mesh is open at " + counted(edges, "edge", "edges") + sides + first +
+                          ". A piece begins at one edge and ends at one other: close all but two of them and "
+                          "open the mesh again.");
+  report.add(FindingKind::open_edges, Severity::error, topology.holes.size(), topology.holes,
+             "The surface has " + counted(topology.holes.size(), "hole", "holes") + sides + first +
+                 ". A hole so small is no edge to knit from: close every hole and open the mesh again.");
+}
+
+void report_edges(const Mesh& mesh, const Topology& topology, std::span<const VertexId> twin,
+                  const Bounds& bounds, Report& report) {
   const auto& crowded = topology.crowded_edges;
   if (!crowded.empty()) {
     std::vector<VertexId> where;
@@ -223,13 +261,7 @@ void report_edges(const Topology& topology, Report& report) {
                    " to " + report.place(crowded.front()[1]) +
                    ". Remove doubled faces, inner walls and fins there, and open the mesh again.");
   }
-  if (topology.open_edges > 0) {
-    report.add(FindingKind::open_edges, Severity::error, topology.holes.size(), topology.holes,
-               "The surface has " + counted(topology.holes.size(), "hole", "holes") + " (" +
-                   counted(topology.open_edges, "open edge", "open edges") + "); the first is at " +
-                   report.place(topology.holes.front()) +
-                   ". Only a closed surface can be knitted: close every hole and open the mesh again.");
-  }
+  if (topology.open_edges > 0) report_open_edges(mesh, topology, twin, bounds, report);
   if (!topology.pinched.empty()) {
     report.add(FindingKind::vertex_not_manifold, Severity::error, topology.pinched.size(), topology.pinched,
                counted(topology.pinched.size(), "vertex joins", "vertices join") +
@@ -308,7 +340,7 @@ CheckResult check(const Mesh& mesh, Progress* progress) {
   report_pieces(topology, report);
   report_orientation(mesh, topology, bounds,
                      report);  // before holes: closing those of a one-sided surface is no help
-  report_edges(topology, report);
+  report_edges(mesh, topology, twin, bounds, report);
   check_areas(mesh, bounds.diagonal(), report);
   check_vertices(used, twin, report);
   return report.finish();

@@ -16,10 +16,10 @@ enum class Severity { warning, error };
 
 enum class FindingKind {
   no_triangles,
-  not_finite,           // error
-  index_out_of_range,   // error
-  several_pieces,       // error
-  open_edges,           // error: holes; says how many boundary loops and where
+  not_finite,          // error
+  index_out_of_range,  // error
+  several_pieces,      // error
+  open_edges,  // says how many boundary loops and where. Warning: one or two long ones, to knit from; else error
   edge_not_manifold,    // error: an edge of three or more triangles
   vertex_not_manifold,  // error: a bow-tie
   not_orientable,       // error: a Moebius strip

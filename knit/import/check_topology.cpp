@@ -169,6 +169,11 @@ std::size_t handles_of(const Input& input) {
   for (const HalfEdge corner : input.first_corner) vertices += corner != no_half_edge ? 1 : 0;
   std::ptrdiff_t sides = 0;
   for (const HalfEdge other : input.across) sides += other != no_half_edge ? 1 : 0;
+  // Each rim closed by a cone: as many triangles and edges as it has vertices, and the apex.
+  for (const MeshRim& rim : input.rims) {
+    ++vertices;
+    sides += 4 * static_cast<std::ptrdiff_t>(rim.vertices.size());
+  }
   // A triangle has three sides, an edge two.
   const std::ptrdiff_t euler = vertices - sides / 2 + sides / 3;
   return euler < 2 ? static_cast<std::size_t>(2 - euler) / 2 : 0;

@@ -1,12 +1,12 @@
 // Closing cracks and small holes: parts of repair.h.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <unordered_map>
 #include <utility>
 
+#include "knit/base/number_text.h"
 #include "knit/import/check_topology.h"
 #include "knit/import/quoting.h"
 #include "knit/import/repair_parts.h"
@@ -26,8 +26,7 @@ double length_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 std::string short_text(double value) {
   std::array<char, 32> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 2);
+  const auto end = number_into(buffer.data(), buffer.data() + buffer.size(), value, 2);
   return {buffer.data(), end.ptr};
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/base/number_text.h"
 #include "knit/model/words.h"
 
 namespace knit {
@@ -57,7 +57,7 @@ std::string plain(std::string_view text) {
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number value{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto result = number_from(text.data(), text.data() + text.size(), value);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return std::nullopt;
   return value;
 }

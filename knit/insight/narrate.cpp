@@ -12,7 +12,8 @@ struct Sentence {
   Telling at;
 
   std::string operator()(const Stopped& stop) const {
-    if (stop.reason == StopReason::no_extent) return timing_stop_sentence(stop);
+    if (stop.reason == StopReason::no_extent || stop.reason == StopReason::open_edge)
+      return timing_stop_sentence(stop);
     return at.place.stage == Stage::tubes ? tubes_stop_sentence(stop) : rows_stop_sentence(stop, at);
   }
   std::string operator()(const auto& event) const { return event.sentence(at); }

@@ -1,10 +1,10 @@
 #include "knit/insight/sized.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/base/number_text.h"
 #include "knit/model/words.h"
 #include "knit/quality/quality.h"
 
@@ -60,7 +60,7 @@ void add_corners(const State& state, const SizeRange& range, std::vector<SizedTh
 
 std::optional<double> size_number(std::string_view text) {
   double value = 0.0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, fault] = number_from(text.data(), text.data() + text.size(), value);
   if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

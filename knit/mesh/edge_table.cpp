@@ -62,6 +62,56 @@ EdgeTable make_edge_table(std::span<const Triangle> triangles, std::span<const V
   return table;
 }
 
+std::vector<std::vector<VertexId>> boundary_loops(std::span<const Triangle> triangles,
+                                                  std::span<const VertexId> twin) {
+  const EdgeTable table = make_edge_table(triangles, twin);
+  struct OpenSide {
+    VertexId from, to;
+    bool leaves;  // the triangle runs that way
+  };
+  std::vector<OpenSide> sides;  // each edge twice, once from either end
+  for (std::size_t v = 0; v < twin.size(); ++v) {
+    for (std::uint32_t i = table.first[v], end = i; i < table.first[v + 1]; i = end) {
+      while (end < table.first[v + 1] && table.uses[end].high == table.uses[i].high) ++end;
+      if (end - i != 1) continue;
+      const HalfEdge h = table.uses[i].half_edge;
+      const auto low = static_cast<VertexId>(v);
+      const bool up = twin[triangles[h / 3][h % 3]] == low;
+      sides.push_back({low, table.uses[i].high, up});
+      sides.push_back({table.uses[i].high, low, !up});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const OpenSide& a, const OpenSide& b) {
+    return a.from != b.from ? a.from < b.from : a.leaves != b.leaves ? a.leaves : a.to < b.to;
+  });
+  std::vector<std::uint8_t> gone(sides.size(), 0);
+  const auto first_at = [&](VertexId v) {
+    return static_cast<std::size_t>(
+        std::lower_bound(sides.begin(), sides.end(), v,
+                         [](const OpenSide& side, VertexId from) { return side.from < from; }) -
+        sides.begin());
+  };
+  // The next side from a vertex that nobody has walked.
+  const auto next_from = [&](VertexId v) {
+    std::size_t i = first_at(v);
+    while (i < sides.size() && sides[i].from == v && gone[i] != 0) ++i;
+    return i < sides.size() && sides[i].from == v ? i : sides.size();
+  };
+  std::vector<std::vector<VertexId>> loops;
+  for (const OpenSide& begun : sides) {
+    if (next_from(begun.from) == sides.size()) continue;
+    std::vector<VertexId>& loop = loops.emplace_back();
+    for (std::size_t at = next_from(begun.from); at != sides.size(); at = next_from(sides[at].to)) {
+      loop.push_back(sides[at].from);
+      gone[at] = 1;
+      std::size_t back = first_at(sides[at].to);
+      while (sides[back].to != sides[at].from || gone[back] != 0) ++back;
+      gone[back] = 1;
+    }
+  }
+  return loops;
+}
+
 std::vector<std::array<VertexId, 2>> unique_edges(std::span<const std::array<VertexId, 2>> edges,
                                                   std::size_t vertex_count) {
   std::vector<std::uint32_t> first(vertex_count + 1, 0);

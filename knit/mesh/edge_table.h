@@ -37,4 +37,9 @@ bool collapsed(const Triangle& triangle);
 std::vector<std::array<VertexId, 2>> unique_edges(std::span<const std::array<VertexId, 2>> edges,
                                                   std::size_t vertex_count);
 
+// The edges of one triangle only, joined into loops: each from its lowest vertex on, in the direction in which the triangle
+// there runs; by their lowest vertices. Where more than two such edges meet, somehow.
+std::vector<std::vector<VertexId>> boundary_loops(std::span<const Triangle> triangles,
+                                                  std::span<const VertexId> twin);
+
 }  // namespace knit

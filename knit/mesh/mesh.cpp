@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "knit/base/bits.h"
 #include "knit/mesh/edge_table.h"
 #include "knit/mesh/elementary.h"
 
@@ -18,8 +20,8 @@ using PlaceKey = std::array<std::uint64_t, 3>;
 // A position's bits, with -0 as 0. Comparing bits makes even NaNs equal to themselves, so that no input is
 // slow.
 PlaceKey place_key(const glm::dvec3& p) {
-  return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
-          std::bit_cast<std::uint64_t>(p.z + 0.0)};
+  return {bits_as<std::uint64_t>(p.x + 0.0), bits_as<std::uint64_t>(p.y + 0.0),
+          bits_as<std::uint64_t>(p.z + 0.0)};
 }
 
 std::uint64_t mixed(std::uint64_t h) {
@@ -68,6 +70,17 @@ void fill_neighbours(Input& input, const EdgeTable& table) {
     input.neighbours[next[low]++] = high;
     input.neighbours[next[high]++] = low;
   });
+}
+
+void fill_rims(Input& input) {
+  for (std::vector<VertexId>& loop : boundary_loops(input.mesh.triangles, input.twin)) {
+    MeshRim rim;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      rim.length +=
+          glm::distance(input.mesh.positions[loop[i]], input.mesh.positions[loop[(i + 1) % loop.size()]]);
+    rim.vertices = std::move(loop);
+    input.rims.push_back(std::move(rim));
+  }
 }
 
 void fill_boxes(Input& input) {
@@ -191,6 +204,7 @@ std::shared_ptr<const Input> make_input(Mesh mesh) {
   const EdgeTable table = make_edge_table(input->mesh.triangles, input->twin);
   fill_neighbours(*input, table);
   fill_across(*input, table);
+  fill_rims(*input);
   fill_boxes(*input);
   return input;
 }

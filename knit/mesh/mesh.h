@@ -41,6 +41,17 @@ struct Mesh {
       edges;  // of the file's polygons, each once, low index first: for drawing
 };
 
+// What becomes of an open edge: the first row, the last one, or whatever the run finds best.
+enum class RimRole : std::uint8_t { by_itself, start, end };
+
+// An edge that a mesh is open at, all the way round.
+struct MeshRim {
+  std::vector<VertexId>
+      vertices;         // lowest indices at their places, in order round the rim, from the lowest on
+  double length = 0.0;  // all the way round
+  RimRole role = RimRole::by_itself;  // what who cut it open says
+};
+
 // A checked mesh with what every stage reads. Immutable; shared by all states of a run.
 struct Input {
   Mesh mesh;
@@ -55,6 +66,7 @@ struct Input {
   // Walking from triangle to triangle, by twins; triangles with two corners at one place are left out.
   std::vector<HalfEdge> across;        // per side: the same edge in the triangle beyond, if there is just one
   std::vector<HalfEdge> first_corner;  // per lowest-index vertex: one of its corners, if it has any
+  std::vector<MeshRim> rims;           // by their lowest vertices; empty: the surface is closed
   // Around the triangles [i * boxed, (i + 1) * boxed): what a ray or a search may pass over.
   static constexpr std::size_t boxed = 64;
   struct Box {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <utility>
 
+#include "knit/base/number_text.h"
 #include "knit/mesh/edge_table.h"
 #include "knit/mesh/elementary.h"
 
@@ -236,7 +236,7 @@ void write_obj(std::ostream& out, const Mesh& mesh, std::string_view comment) {
   std::string text;
   const auto append = [&](auto value) {
     std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    const auto end = number_into(buffer.data(), buffer.data() + buffer.size(), value);
     text.append(1, ' ').append(buffer.data(), end.ptr);
   };
   for (std::size_t at = 0; at < comment.size();) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -14,6 +13,8 @@
 #include <type_traits>
 #include <variant>
 #include <vector>
+
+#include "knit/base/bits.h"
 
 namespace knit {
 
@@ -61,7 +62,7 @@ template <class T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
 void hash_into(Hasher& hasher, T value) {
   if constexpr (std::is_floating_point_v<T>) {
-    hasher.add(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+    hasher.add(bits_as<std::uint64_t>(static_cast<double>(value)));
   } else {
     hasher.add(static_cast<std::uint64_t>(value));
   }

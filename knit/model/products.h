@@ -27,6 +27,9 @@ struct Ends {
   VertexId end = no_vertex;
   glm::dvec3 origin{0.0};
   glm::dvec3 direction{0.0};  // from start to end, not normalised
+  // Of an open mesh: the rim (Input::rims) that is the start or the end, whose first vertex stands for it; -1: a vertex.
+  // They follow from the mesh and the settings.
+  std::int32_t start_rim = -1, end_rim = -1;
   [[nodiscard]] auto fields() const { return std::tie(start, end, origin, direction); }
   friend bool operator==(const Ends&, const Ends&) = default;
 };

@@ -45,7 +45,8 @@ enum class GraftBy : std::uint8_t { kitchener, three_needle };  // how two live 
 enum class ShortRows : std::uint8_t { off, automatic };
 // Rows that a tube keeps as they are beside an event; by_itself: what settles best, no short rows among it.
 enum class KeptBeside : std::uint8_t { by_itself, none, one, two };
-enum class Weld : std::uint8_t { off, on };  // merge coincident vertices on import
+enum class SwapEnds : std::uint8_t { off, on };  // of an open mesh: where it begins and where it ends
+enum class Weld : std::uint8_t { off, on };      // merge coincident vertices on import
 
 struct MeshSettings {
   Weld weld = Weld::off;
@@ -58,6 +59,7 @@ struct TimingSettings {
   VertexId end = no_vertex;
   TimingKind kind = TimingKind::linear;
   double level_tolerance = 1e-5;  // vertices whose times differ by less are of one level
+  SwapEnds swap_ends = SwapEnds::off;
   friend bool operator==(const TimingSettings&, const TimingSettings&) = default;
 };
 

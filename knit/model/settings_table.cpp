@@ -108,6 +108,11 @@ constexpr std::array table{
                   "Where the time is 1: a vertex of the mesh, counted from 0, or auto for the highest along "
                   "the axis (with geodesic timing: the farthest from the start).",
                   "Timing", Stage::timing, PickedVertex{field<&Settings::timing, &TimingSettings::end>()}},
+    ParameterInfo{"swap-ends", "Swap the ends", "",
+                  "Of a mesh with open edges: whether start and end change places, so that a hat is knitted "
+                  "from the crown. A closed mesh does not read it.",
+                  "Timing", Stage::timing,
+                  choice<&Settings::timing, &TimingSettings::swap_ends>(off_on_names)},
     ParameterInfo{
         "timing", "Timing", "",
         "How the time rises. linear: along the axis, Algorithm 1. arc-length: the same levels, with "

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "knit/base/number_text.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/stitch_size.h"
 
@@ -16,7 +16,7 @@ namespace {
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result = number_from(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
@@ -76,7 +76,7 @@ bool set_from(const Count& count, Parameters& p, std::string_view text) {
   }
   int value = 0;
   const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result = number_from(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || value < count.low || value > count.high) return false;
   count.set(p, value);
   return true;
@@ -89,7 +89,7 @@ bool set_from(const PickedVertex& picked, Parameters& p, std::string_view text) 
   }
   VertexId value = 0;
   const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
+  const auto result = number_from(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end || value == no_vertex) return false;
   picked.set(p, value);
   return true;
@@ -407,7 +407,7 @@ Parameters with_change(const Parameters& base, const Parameters& from, const Par
 
 std::string number_text(double value) {
   std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  const auto result = number_into(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), result.ptr};
 }
 

@@ -20,6 +20,8 @@ std::string_view name_of(StopReason reason) {
       return "too many tubes";
     case StopReason::too_fine:
       return "too fine";
+    case StopReason::open_edge:
+      return "open edge";
   }
   return "";
 }

@@ -17,6 +17,7 @@ enum class StopReason : std::uint8_t {
   changes_too_much,  // more than double or less than half, and resampling is off
   too_many_tubes,    // the level sets fall into more tubes than a shape has
   too_fine,          // more rows or stitches than can be held
+  open_edge,         // of an open mesh, and the time that is asked for does not run from edge to edge
 };
 std::string_view name_of(StopReason reason);  // "no extent"
 

@@ -255,7 +255,7 @@ std::string end_sentence(const LimbPlan& plan, const LimbNames& names, const Lim
     case LimbEndKind::closed:
       break;
   }
-  return closing_sentence(count) + (is_drawn_in(count) ? "" : " Fasten off.");
+  return closing_sentence(count, is_drawn_in(count)) + (is_drawn_in(count) ? "" : " Fasten off.");
 }
 
 }  // namespace knit

@@ -63,6 +63,11 @@ Round round_of(const Fabric& fabric, const Join& join) {
 Rounds rounds_of(const State& state) {
   Rounds rounds;
   rounds.cast_on = size_of(state.fabric.row(1));
+  if (state.tubes && !state.tubes->tubes.empty()) {
+    const Tube& tube = state.tubes->tubes.front();
+    rounds.begins_open = state.tubes->event(tube.bottom).rim;
+    rounds.ends_open = state.tubes->event(tube.top).rim;
+  }
   for (const auto& join : state.fabric.joins()) {
     if (is_short(state.fabric.row(join->to))) continue;
     rounds.rounds.push_back(round_of(state.fabric, *join));

@@ -25,8 +25,13 @@ struct Round {
 struct Rounds {
   std::int32_t cast_on = 0;
   std::vector<Round> rounds;  // the second row on
+  // At an open edge of the mesh: not drawn in, however few stitches there are.
+  bool begins_open = false, ends_open = false;
   [[nodiscard]] std::int32_t last_count() const { return rounds.empty() ? cast_on : rounds.back().after; }
-  friend bool operator==(const Rounds&, const Rounds&) = default;
+  // The same work.
+  friend bool operator==(const Rounds& a, const Rounds& b) {
+    return a.cast_on == b.cast_on && a.rounds == b.rounds;
+  }
 };
 
 // Whether nothing is done in it but knit stitches.

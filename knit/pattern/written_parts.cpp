@@ -226,8 +226,8 @@ std::string start_sentence(std::int32_t cast_on, const Gauge& gauge, const std::
          " (Rnd 1). Join to work in the round, being careful not to twist. " + place_marker;
 }
 
-std::string closing_sentence(std::int32_t stitches) {
-  if (!is_drawn_in(stitches)) return "BO all " + stitches_text(stitches) + ".";
+std::string closing_sentence(std::int32_t stitches, bool drawn_in) {
+  if (!drawn_in) return "BO all " + stitches_text(stitches) + ".";
   return "Break yarn, thread through remaining " + stitches_text(stitches) + " and pull tightly. Fasten off.";
 }
 

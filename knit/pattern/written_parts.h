@@ -60,7 +60,7 @@ void add_short_row_notes(const Used& used, std::vector<std::string>& notes);
 // `place_marker`: how the markers are placed.
 std::string start_sentence(std::int32_t cast_on, const Gauge& gauge,
                            const std::string& place_marker = "Place marker.");
-std::string closing_sentence(std::int32_t stitches);
+std::string closing_sentence(std::int32_t stitches, bool drawn_in);
 inline constexpr const char* stuff_and_close =
     "Stuff the piece firmly now, while the opening is wide; add more as it closes.";
 

@@ -87,13 +87,13 @@ std::vector<WrittenPattern::Instruction> instructions_of(const Rounds& rounds, s
     instructions.push_back({std::move(line), {}});
     if (complete) tell_stuffing(first, last);
   }
-  instructions.push_back({std::nullopt, closing_sentence(rounds.last_count())});
+  instructions.push_back({std::nullopt, closing_sentence(rounds.last_count(), ends_drawn_in(rounds))});
   return instructions;
 }
 
 std::vector<std::string> finishing_lines(const Rounds& rounds) {
   std::vector<std::string> lines;
-  if (is_drawn_in(rounds.cast_on)) {
+  if (begins_drawn_in(rounds)) {
     lines.emplace_back("Thread the cast-on tail through the " + stitches_text(rounds.cast_on) +
                        " of the cast-on edge, pull the hole shut and fasten off.");
   } else {
@@ -138,7 +138,7 @@ WrittenPattern write_pattern(const Rounds& rounds, const Gauge& gauge, const Pat
   pattern.size = size_lines(sizes, !stuffed_after(rounds).empty());
   pattern.materials = material_lines(rounds, sizes, options, used);
   pattern.gauge = gauge_line(gauge, options);
-  pattern.abbreviations = abbreviations_of(used, !is_drawn_in(rounds.last_count()));
+  pattern.abbreviations = abbreviations_of(used, !ends_drawn_in(rounds));
   pattern.notes = note_lines(rounds, lines, used);
   pattern.start = form ? start_sentence(rounds.cast_on, gauge, place_sections(*form))
                        : start_sentence(rounds.cast_on, gauge);
@@ -159,11 +159,12 @@ namespace {
 // about the end point: a smooth tip does so itself.
 class Profile {
  public:
-  Profile(const std::vector<std::int32_t>& counts, double stitches_per_cm) {
-    if (is_drawn_in(counts.front())) radii_.push_back(0.0);
+  Profile(const Rounds& rounds, double stitches_per_cm) {
+    const std::vector<std::int32_t> counts = counts_of(rounds);
+    if (begins_drawn_in(rounds)) radii_.push_back(0.0);
     for (const std::int32_t count : counts)
       radii_.push_back(count / stitches_per_cm / (2.0 * std::numbers::pi));
-    if (is_drawn_in(counts.back())) radii_.push_back(0.0);
+    if (ends_drawn_in(rounds)) radii_.push_back(0.0);
   }
 
   [[nodiscard]] double height(double step) const {
@@ -229,9 +230,9 @@ PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge) {
   sizes.gauge = gauge;
   sizes.length_cm = static_cast<double>(counts.size()) * step;
   sizes.around_cm = *std::max_element(counts.begin(), counts.end()) / stitches_per_cm;
-  sizes.height_cm = Profile(counts, stitches_per_cm).height(step);
-  if (!is_drawn_in(counts.front())) sizes.height_cm += step / 2.0;
-  if (!is_drawn_in(counts.back())) sizes.height_cm += step / 2.0;
+  sizes.height_cm = Profile(rounds, stitches_per_cm).height(step);
+  if (!begins_drawn_in(rounds)) sizes.height_cm += step / 2.0;
+  if (!ends_drawn_in(rounds)) sizes.height_cm += step / 2.0;
   const PairsOver pairs = pairs_over_places(rounds);
   sizes.longer_cm = sizes.height_cm + 2.0 * pairs.most * step;
   sizes.height_cm += 2.0 * pairs.fewest * step;
@@ -245,7 +246,7 @@ PatternSizes sizes_of(const Rounds& rounds, const Gauge& gauge) {
 }
 
 std::vector<std::int32_t> stuffed_after(const Rounds& rounds) {
-  if (!is_drawn_in(rounds.cast_on) || !is_drawn_in(rounds.last_count())) return {};
+  if (!begins_drawn_in(rounds) || !ends_drawn_in(rounds)) return {};
   constexpr double fewest = 12.0;
   const std::vector<std::int32_t> counts = counts_of(rounds);
   const double most = *std::max_element(counts.begin(), counts.end());

@@ -72,6 +72,13 @@ PatternSizes sizes_of(const LimbPlan& plan, const Gauge& gauge);
 inline constexpr std::int32_t most_drawn_in = 12;
 inline bool is_drawn_in(std::int32_t stitches) { return stitches <= most_drawn_in; }
 
+inline bool begins_drawn_in(const Rounds& rounds) {
+  return !rounds.begins_open && is_drawn_in(rounds.cast_on);
+}
+inline bool ends_drawn_in(const Rounds& rounds) {
+  return !rounds.ends_open && is_drawn_in(rounds.last_count());
+}
+
 // After which rounds (their numbers) a piece closed at both ends is stuffed: the last one that still has 40 %
 // of the most stitches, and 12 at least; and alike before a neck of fewer than a quarter of them, or than 12.
 // Empty: the piece stays open, or is too narrow all over.

@@ -39,6 +39,7 @@ std::string rows_stop_sentence(const Stopped& s, const Telling& at) {
     case StopReason::no_extent:
     case StopReason::too_many_tubes:
     case StopReason::too_fine:
+    case StopReason::open_edge:
       break;
     case StopReason::no_row_levels:
       if (s.time > 0.0) {

@@ -327,7 +327,9 @@ Taken take_settling(const Input& input, const Parameters& parameters, State& sta
 Taken take_relaxing(const Input& input, const Parameters& parameters, State& state, const Heard& heard) {
   const glm::dvec3 along = knitting_direction(parameters.timing, input.mesh);
   std::optional<KnittedPiece> piece;
-  Taken taken = advance_relax({state.fabric, parameters.stitch, along}, parameters.relax,
+  RelaxSettings relax = parameters.relax;
+  if (!input.rims.empty()) relax.stuffing = 0.0;  // it would fall out
+  Taken taken = advance_relax({state.fabric, parameters.stitch, along}, relax,
                               std::get<RelaxWork>(state.work), piece, heard);
   if (piece) state.relaxed = Shared(std::move(*piece));
   return taken;

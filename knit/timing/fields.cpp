@@ -122,7 +122,7 @@ Matrix summed(LaplacianEntries all, const Heard& heard) {
     hear_at(heard, j, columns);
     const auto begin = all.entries.begin() + static_cast<std::ptrdiff_t>(all.first[j]);
     const auto end = all.entries.begin() + static_cast<std::ptrdiff_t>(all.first[j + 1]);
-    sort_column({begin, end});
+    sort_column(std::span(all.entries).subspan(all.first[j], all.first[j + 1] - all.first[j]));
     matrix.startVec(static_cast<Eigen::Index>(j));
     for (auto at = begin; at != end;) {
       const int row = at->row;
@@ -275,11 +275,22 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
 
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                    VertexId end, const Heard& heard) {
+  return solve_harmonic(input, intrinsic, std::span(&start, 1), std::span(&end, 1), heard);
+}
+
+std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic,
+                                   std::span<const VertexId> start, std::span<const VertexId> end,
+                                   const Heard& heard) {
   const Unknowns unknowns = number_unknowns(
       input, spokes_of(intrinsic, input.twin.size(), part_of(heard, 0.0, share_of_spokes)), heard);
-  const std::array<Pin, 2> pins{Pin{unknown_at(input, unknowns, start), 0.0},
-                                Pin{unknown_at(input, unknowns, end), 1.0}};
-  if (pins[0].unknown == pins[1].unknown) throw Bug("a harmonic field begins and ends at one place");
+  std::vector<Pin> pins;
+  pins.reserve(start.size() + end.size());
+  for (const VertexId v : start) pins.push_back({unknown_at(input, unknowns, v), 0.0});
+  for (const VertexId v : end) {
+    pins.push_back({unknown_at(input, unknowns, v), 1.0});
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (pins[i].unknown == pins.back().unknown) throw Bug("a harmonic field begins and ends at one place");
+  }
   const Vector zero = Vector::Zero(unknowns.count);
   return to_vertices(input, unknowns.of_vertex,
                      solve_pinned(intrinsic, unknowns, zero, pins, heard).cwiseMin(1.0));

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "knit/mesh/mesh.h"
@@ -41,6 +42,10 @@ std::vector<double> distance_from(const Input& input, const IntrinsicMesh& intri
 // 0 at `start`, 1 at `end`, and in between at every vertex the weighted mean of its neighbours.
 std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic, VertexId start,
                                    VertexId end, const Heard& heard = {});
+// Likewise from all of some vertices to all of others; no vertex is among both.
+std::vector<double> solve_harmonic(const Input& input, const IntrinsicMesh& intrinsic,
+                                   std::span<const VertexId> start, std::span<const VertexId> end,
+                                   const Heard& heard = {});
 
 // Smooths fields on one surface. What does not depend on the field and the length is worked out once: the order of
 // elimination, Laplacian and masses. Copies share it.

@@ -42,9 +42,10 @@ double cosine_product(double a, double b, double c) {
 struct Net {
   std::vector<Triangle> triangles;
   std::vector<SideLengths> lengths;
-  std::vector<HalfEdge> across;
+  std::vector<HalfEdge> across;  // no_half_edge where the surface is open
 
   [[nodiscard]] VertexId origin(HalfEdge h) const { return triangles[h / 3][h % 3]; }
+  [[nodiscard]] VertexId end(HalfEdge h) const { return origin(next_in_triangle(h)); }
   [[nodiscard]] double length(HalfEdge h) const { return lengths[h / 3][h % 3]; }
   [[nodiscard]] double cotangent_opposite(HalfEdge h) const {
     const double product =
@@ -60,16 +61,16 @@ bool breaks_delaunay(double one_cotangent, double other_cotangent) {
 
 // --- from the mesh
 
-// Calls visit(low end's first use, second use) for each edge; false as soon as a visit says so.
+// Calls visit(low end's first use, second use) for each edge, of an open one its only use twice; false as soon as a visit
+// says so.
 template <class Visit>
 bool for_each_edge(const EdgeTable& table, Visit visit) {
   for (std::size_t v = 0; v + 1 < table.first.size(); ++v) {
     const std::uint32_t end = table.first[v + 1];
-    for (std::uint32_t i = table.first[v]; i < end; i += 2) {
-      const bool paired = i + 1 < end && table.uses[i].high == table.uses[i + 1].high;
-      const bool crowded = i + 2 < end && table.uses[i].high == table.uses[i + 2].high;
-      if (!paired || crowded) throw Bug("an edge of the mesh has not two triangles");
-      if (!visit(table.uses[i].half_edge, table.uses[i + 1].half_edge)) return false;
+    for (std::uint32_t i = table.first[v], next = i; i < end; i = next) {
+      while (next < end && table.uses[next].high == table.uses[i].high) ++next;
+      if (next - i > 2) throw Bug("an edge of the mesh has more than two triangles");
+      if (!visit(table.uses[i].half_edge, table.uses[next - 1].half_edge)) return false;
     }
   }
   return true;
@@ -89,7 +90,8 @@ std::vector<Triangle> merged_triangles(const Input& input) {
 EdgeTable orient(std::vector<Triangle>& triangles, const std::vector<VertexId>& twin) {
   EdgeTable table = make_edge_table(triangles, twin);
   const auto origin = [&](HalfEdge h) { return triangles[h / 3][h % 3]; };
-  if (for_each_edge(table, [&](HalfEdge a, HalfEdge b) { return origin(a) != origin(b); })) return table;
+  if (for_each_edge(table, [&](HalfEdge a, HalfEdge b) { return a == b || origin(a) != origin(b); }))
+    return table;
   for (const std::size_t t : study_topology(triangles, twin).minority)
     std::swap(triangles[t][1], triangles[t][2]);
   return make_edge_table(triangles, twin);
@@ -112,10 +114,10 @@ Net make_net(const Input& input, const Heard& heard) {
   const Heard lengths = part_of(heard, 0.5, 1.0);
   for_each_edge(table, [&](HalfEdge a, HalfEdge b) {
     hear_at(lengths, edge++, net.across.size() / 2);
-    net.across[a] = b;
-    net.across[b] = a;
+    net.across[a] = a != b ? b : no_half_edge;
+    net.across[b] = a != b ? a : no_half_edge;
     const double length =
-        glm::distance(input.mesh.positions[net.origin(a)], input.mesh.positions[net.origin(b)]);
+        glm::distance(input.mesh.positions[net.origin(a)], input.mesh.positions[net.end(a)]);
     net.lengths[a / 3][a % 3] = net.lengths[b / 3][b % 3] = length;
     return true;
   });
@@ -132,6 +134,7 @@ struct Flip {
 
 std::optional<Flip> plan_flip(const Net& net, HalfEdge h) {
   const HalfEdge g = net.across[h];
+  if (g == no_half_edge) return std::nullopt;
   // An edge that folds a triangle onto itself closes a cone; angles against it never reach a half turn.
   if (h / 3 == g / 3) return std::nullopt;
   if (!breaks_delaunay(net.cotangent_opposite(h), net.cotangent_opposite(g))) return std::nullopt;
@@ -167,7 +170,7 @@ std::array<HalfEdge, 4> apply_flip(Net& net, HalfEdge h, const Flip& flip) {
   }
   for (std::size_t i = 0; i < 4; ++i) {
     net.across[after[i]] = others[i];
-    net.across[others[i]] = after[i];
+    if (others[i] != no_half_edge) net.across[others[i]] = after[i];
   }
   net.across[t + 2] = s + 2;
   net.across[s + 2] = t + 2;

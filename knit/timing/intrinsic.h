@@ -54,7 +54,8 @@ struct Spoke {
   double length;
 };
 
-// Those of vertex v are spokes[first[v] .. first[v + 1]); every edge is one at each of its ends.
+// Those of vertex v are spokes[first[v] .. first[v + 1]); every edge is one at each of its ends, an open one at
+// that from which its triangle runs.
 struct Spokes {
   std::vector<std::uint32_t> first;
   std::vector<Spoke> spokes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "knit/model/ties.h"
 #include "knit/timing/choice.h"
@@ -26,7 +27,8 @@ Advanced<TimingEvent> find_ends_of_knitting(const Input& input, const TimingSett
   auto found = find_ends(input, settings);
   if (const auto* stopped = std::get_if<Stopped>(&found)) return *stopped;
   work.ends = std::get<Ends>(found);
-  work.kind = settings.kind;
+  const bool open = work.ends->start_rim >= 0 || work.ends->end_rim >= 0;
+  work.kind = open ? TimingKind::harmonic : settings.kind;
   return EndsFound{work.ends->start, work.ends->end, glm::length(work.ends->direction)};
 }
 
@@ -65,7 +67,13 @@ Advanced<TimingEvent> solve_next(const Input& input, const TimingSettings& setti
     return FieldSolved{FieldStep::net, start, static_cast<std::int64_t>(work.net->triangles.size()), 0.0};
   }
   if (work.kind == TimingKind::harmonic) {
-    work.field = Shared(solve_harmonic(input, *work.net, start, work.ends->end, heard));
+    const auto all_of = [&](std::int32_t rim, const VertexId& vertex) {
+      return rim >= 0 ? std::span<const VertexId>(input.rims[static_cast<std::size_t>(rim)].vertices)
+                      : std::span(&vertex, 1);
+    };
+    const Ends& ends = *work.ends;
+    work.field = Shared(solve_harmonic(input, *work.net, all_of(ends.start_rim, ends.start),
+                                       all_of(ends.end_rim, ends.end), heard));
     return FieldSolved{FieldStep::harmonic, start, vertices, 1.0};
   }
   if (!work.heat) {

@@ -122,7 +122,18 @@ StepFields LevelsGrouped::numbers() const {
           {var::split_loops, split_loops}};
 }
 
-std::string timing_stop_sentence(const Stopped& /*stop*/) {
+std::string timing_stop_sentence(const Stopped& stop) {
+  if (stop.reason == StopReason::open_edge && stop.count > 2)
+    return "Timing: the mesh has " + std::to_string(stop.count) + " open edges, the first at " +
+           vertex_text(stop.vertex) +
+           ", and a piece begins at one and ends at one other: close all others (--mend openings closes "
+           "all).";
+  if (stop.reason == StopReason::open_edge)
+    return "Timing: the mesh has " + plural(stop.count, "open edge", "open edges") + ", the first at " +
+           vertex_text(stop.vertex) +
+           ", and only harmonic timing runs from edge to edge, with rows from contours: take --timing auto "
+           "or "
+           "harmonic and --rows auto or contours, or close the mesh (--mend openings).";
   return "Timing: start and end lie at the same time along this axis; choose another axis or other end "
          "vertices.";
 }

@@ -84,7 +84,7 @@ std::optional<WorldCount> loose_end(Atoms& line, const Lexicon& lexicon) {
   while (begin > 0 && !is_any(line[begin - 1], {".", "-", "=", ";", ")", "]", ","})) --begin;
   if (begin == 0 || begin == line.size()) return std::nullopt;
   const bool sign = is_any(line[begin - 1], {"-", "="});
-  const std::span<const Atom> part(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
+  const auto part = std::span<const Atom>(line).subspan(begin);
   if (line[begin - 1].is("-") && line[begin - 1].glued && part[0].glued && begin > 1 &&
       line[begin - 2].is_number())
     return std::nullopt;  // "rnds 1-2"
@@ -116,7 +116,7 @@ WorldCount take_count(Atoms& line, const Lexicon& lexicon) {
     if (is_any(line.back(), {")", "]"})) {
       const std::size_t open = opening_of(line, line.size() - 1);
       if (open + 1 >= line.size()) return found;
-      const std::span<const Atom> part(line.begin() + static_cast<std::ptrdiff_t>(open) + 1, line.end() - 1);
+      const auto part = std::span<const Atom>(line).subspan(open + 1, line.size() - open - 2);
       const auto count = count_in(part, true);
       const bool words = open > 0;
       if (!count || !words) return found;

@@ -85,8 +85,12 @@ std::vector<glm::dvec3> curve_at(const TubeGraph& graph, std::int32_t tube, doub
   const auto rank_of = [&](std::int32_t node) {
     return surface.rank[graph.nodes[static_cast<std::size_t>(node)].vertex];
   };
-  const auto above = std::partition_point(surface.by_rank.begin(), surface.by_rank.end(),
-                                          [&](VertexId v) { return surface.values[v] <= value; });
+  // At an open edge on top the curve is the edge itself, below all that has its value.
+  const GraphNode& end = graph.nodes[static_cast<std::size_t>(top)];
+  const bool on_rim = end.rim && value >= end.value;
+  const auto above = std::partition_point(surface.by_rank.begin(), surface.by_rank.end(), [&](VertexId v) {
+    return on_rim ? surface.values[v] < end.value : surface.values[v] <= value;
+  });
   const auto rank = std::clamp(static_cast<std::uint32_t>(above - surface.by_rank.begin()),
                                rank_of(bottom) + 1, rank_of(top));
   const std::vector<CurveCrossing> crossings = crossings_at(graph, tube, rank);

@@ -96,7 +96,10 @@ class TubeCutter {
     for (std::uint32_t r = 0; r < middles.size(); ++r) {
       if (middles[r] == 2) continue;
       node_at_[r] = static_cast<std::int32_t>(nodes_.size());
-      nodes_.push_back({surface_.by_rank[r], surface_.values[surface_.by_rank[r]], {}, {}});
+      const VertexId vertex = surface_.by_rank[r];
+      const bool rim = std::any_of(surface_.caps.begin(), surface_.caps.end(),
+                                   [&](const RimCap& cap) { return cap.apex == vertex; });
+      nodes_.push_back({vertex, surface_.values[vertex], {}, {}, rim});
     }
   }
 

@@ -24,6 +24,7 @@ struct GraphNode {
   VertexId vertex = 0;  // of the Morse surface
   double value = 0.0;
   std::vector<std::int32_t> below, above;  // tubes that end and that begin here, rising
+  bool rim = false;                        // the mesh is open here: a minimum or a maximum
   [[nodiscard]] NodeKind kind() const {
     if (below.empty()) return NodeKind::minimum;
     if (above.empty()) return NodeKind::maximum;

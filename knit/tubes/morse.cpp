@@ -50,6 +50,44 @@ void take_triangles(const Input& input, MorseSurface& surface, const Heard& hear
 // The sides of a triangle that is turned, in their new order: 2, 1, 0.
 HalfEdge turned_side(HalfEdge h) { return h - h % 3 + (2 - h % 3); }
 
+// A cone on each open edge, whose apex stands amid it and comes before or after all of its corners.
+void close_rims(const Input& input, MorseSurface& surface, const std::vector<VertexId>& number,
+                std::span<const double> field) {
+  if (input.rims.empty()) return;
+  std::vector<VertexId> itself(surface.positions.size());
+  std::iota(itself.begin(), itself.end(), VertexId{0});
+  const auto [least, greatest] = std::minmax_element(surface.values.begin(), surface.values.end());
+  const double low = *least, high = *greatest;
+  std::vector<std::int32_t> rim_of(itself.size(), -1);
+  for (std::size_t r = 0; r < input.rims.size(); ++r) {
+    glm::dvec3 middle(0.0);
+    const std::vector<VertexId>& around = input.rims[r].vertices;
+    const double value = field[around.front()];
+    if (value != low && value != high) throw Bug("an open edge lies neither at the start nor at the end");
+    for (const VertexId v : around) {
+      if (field[v] != value) throw Bug("an open edge is no level of the field");
+      rim_of[number[v]] = static_cast<std::int32_t>(r);
+      middle += input.mesh.positions[v] / static_cast<double>(around.size());
+    }
+    surface.caps.push_back({static_cast<VertexId>(surface.positions.size()), static_cast<std::int32_t>(r)});
+    surface.positions.push_back(middle);
+    surface.values.push_back(value);
+    surface.origin.push_back(around.front());
+  }
+  const EdgeTable table = make_edge_table(surface.triangles, itself);
+  for (std::size_t v = 0; v < itself.size(); ++v) {
+    for (std::uint32_t i = table.first[v], end = i; i < table.first[v + 1]; i = end) {
+      while (end < table.first[v + 1] && table.uses[end].high == table.uses[i].high) ++end;
+      if (end - i != 1) continue;
+      const HalfEdge h = table.uses[i].half_edge;
+      const VertexId from = surface.triangles[h / 3][h % 3];
+      const VertexId to = surface.triangles[h / 3][next_in_triangle(h) % 3];
+      surface.triangles.push_back({to, from, surface.caps[static_cast<std::size_t>(rim_of[v])].apex});
+    }
+  }
+  surface.across.clear();
+}
+
 void turn_outwards(MorseSurface& surface, const Bounds& bounds) {
   Mesh mesh;
   mesh.positions.swap(surface.positions);
@@ -66,8 +104,9 @@ void turn_outwards(MorseSurface& surface, const Bounds& bounds) {
 
 // --- the order
 
-// The vertices by (value, index).
-std::vector<std::uint32_t> by_value(const std::vector<double>& values, const Heard& heard) {
+// The vertices by (value, index), but for the apex of a cap that closes the surface below, which comes first of its value.
+std::vector<std::uint32_t> by_value(const MorseSurface& surface, const Heard& heard) {
+  const std::vector<double>& values = surface.values;
   struct Ranked {
     double value;
     std::uint32_t vertex;
@@ -85,6 +124,11 @@ std::vector<std::uint32_t> by_value(const std::vector<double>& values, const Hea
   std::vector<std::uint32_t> order;
   order.reserve(values.size());
   for (const Ranked& each : ranked) order.push_back(each.vertex);
+  for (const RimCap& cap : surface.caps) {
+    if (values[cap.apex] != ranked.front().value) continue;
+    const auto at = std::find(order.begin(), order.end(), cap.apex);
+    std::rotate(order.begin(), at, at + 1);
+  }
   return order;
 }
 
@@ -257,6 +301,7 @@ MorseSurface make_morse(const Input& input, std::span<const double> field, const
   }
   hear(heard, 0.3);
   for (Triangle& t : surface.triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
+  close_rims(input, surface, number, field);
   hear(heard, 0.35);
   turn_outwards(surface, input.bounds);
   return order_and_unfold(std::move(surface), part_of(heard, 0.4, 1.0));
@@ -269,7 +314,7 @@ MorseSurface order_and_unfold(MorseSurface surface, const Heard& heard) {
   }
   surface.unfolded = 0;
   hear(heard, 0.0);
-  surface.by_rank = by_value(surface.values, part_of(heard, 0.0, 0.7));
+  surface.by_rank = by_value(surface, part_of(heard, 0.0, 0.7));
   hear(heard, 0.7);
   number_ranks(surface);
   MultiSaddles(surface).unfold();

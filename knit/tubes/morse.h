@@ -4,6 +4,7 @@
 // part is ordered like any other. A vertex whose link changes sides more than four times (a multi-saddle) is unfolded:
 // one vertex after another is split off at the same place, with the next rank, until each has two runs of upper
 // neighbours; two triangles without area join the halves. The surface stays what it was.
+// Open edges, at each of which the field is the same all the way round, are closed by a cone (RimCap).
 // Flat parts are cut into triangles anew (knit/mesh/flat_flips.h), so that level curves do not hang on how a file cut them.
 // algorithm: triangles by the corner that is their middle by rank (T. Banchoff, "Critical points and curvature for
 // embedded polyhedra", 1970); a vertex that is the middle of two triangles is regular, of none an extremum.
@@ -20,6 +21,13 @@
 
 namespace knit {
 
+// An open edge is closed by a cone without area of time: all its corners have the rim's value.
+struct RimCap {
+  VertexId apex = 0;     // of the Morse surface: a minimum or a maximum
+  std::int32_t rim = 0;  // of Input::rims
+  friend bool operator==(const RimCap&, const RimCap&) = default;
+};
+
 struct MorseSurface {
   std::vector<glm::dvec3> positions;
   std::vector<double> values;          // of the field
@@ -28,6 +36,7 @@ struct MorseSurface {
   std::vector<std::uint32_t> rank;     // of each vertex, from 0 without a gap
   std::vector<std::uint32_t> by_rank;  // and back
   std::int32_t unfolded = 0;           // vertices added
+  std::vector<RimCap> caps;            // as the mesh and the field say
   std::vector<HalfEdge>
       across;  // each half-edge's other side, until tubes are found; empty: to be worked out
   [[nodiscard]] auto fields() const {
@@ -37,7 +46,7 @@ struct MorseSurface {
 };
 
 // Requires a mesh without errors (check.h) and a value for each vertex of it. Faces that point the other way are turned;
-// collapsed ones and vertices of no face are left out.
+// collapsed ones and vertices of no face are left out. At each open edge the field is at its least or its greatest.
 MorseSurface make_morse(const Input& input, std::span<const double> field, const Heard& heard = {});
 
 // Of a surface made by hand: `positions`, `values` and `triangles` are there, the rest is worked out.

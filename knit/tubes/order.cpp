@@ -34,7 +34,10 @@ class TubeSet {
   [[nodiscard]] bool has_all(const std::vector<TubeId>& ids) const {
     return std::all_of(ids.begin(), ids.end(), [&](TubeId id) { return has(id); });
   }
-  friend auto operator<=>(const TubeSet&, const TubeSet&) = default;
+  friend bool operator==(const TubeSet&, const TubeSet&) = default;
+  friend bool operator<(const TubeSet& a, const TubeSet& b) {
+    return std::tie(a.mix_, a.words_) < std::tie(b.mix_, b.words_);
+  }
 
  private:
   std::uint64_t mix_ = 0;  // of the tubes added, each once
@@ -154,8 +157,7 @@ class OrderSearch {
     // Of each set and last tube the best; of them the best.
     const auto by_cost = [&](const OrderState& a, const OrderState& b) { return is_better(a, b); };
     std::sort(next.begin(), next.end(), [&](const OrderState& a, const OrderState& b) {
-      const auto by_key = a.key() <=> b.key();
-      return by_key != 0 ? by_key < 0 : by_cost(a, b);
+      return a.key() != b.key() ? a.key() < b.key() : by_cost(a, b);
     });
     const auto same = [](const OrderState& a, const OrderState& b) { return a.key() == b.key(); };
     next.erase(std::unique(next.begin(), next.end(), same), next.end());

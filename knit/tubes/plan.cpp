@@ -24,6 +24,9 @@ double value_at_height(const TubeProfile& profile, double height) {
   return profile.values[i - 1] + share * (profile.values[i] - profile.values[i - 1]);
 }
 
+// Of one row on an open edge, which leaves no height to share out: the whole.
+double spacing_of(double height, double steps) { return steps > 0.0 ? height / steps : height; }
+
 Shared<Ring> ring_at(const TubeGraph& graph, std::int32_t part, double value) {
   Ring ring;
   ring.ordered_by = OrderedBy::cut;
@@ -142,7 +145,8 @@ class TubePlanner {
             graph_.surface.positions[node.vertex],
             node.value,
             node.below,
-            node.above};
+            node.above,
+            node.rim};
   }
 
   // Its ends still as nodes.
@@ -164,17 +168,17 @@ class TubePlanner {
     if (chain.rows == 0) return;
     const EventKind bottom = simple_.kind_of(chain.bottom);
     const EventKind top = simple_.kind_of(chain.top);
-    RowOffsets offsets = row_offsets(simple_.node(chain.bottom).kind(), simple_.node(chain.top).kind());
+    RowOffsets offsets = row_offsets(simple_.node(chain.bottom), simple_.node(chain.top));
     if (bottom == EventKind::ring_cast_on) offsets.low = beside_ring;
     if (top == EventKind::ring_bind_off) offsets.high = beside_ring;
-    tube.spacing = chain.height / (chain.rows + offsets.more());
+    tube.spacing = spacing_of(chain.height, chain.rows + offsets.more());
     for (std::int32_t row = 0; row < chain.rows; ++row) {
       const ChainPlace place = place_in(chain, profiles_, tube.spacing * (offsets.low + row));
       tube.values.push_back(value_at_height(profile(place.part), place.height));
       tube.curves.push_back(ring_at(graph_, place.part, tube.values.back()));
     }
-    if (bottom == EventKind::cast_on) pass_over_short(tube);
-    if (top == EventKind::bind_off) {
+    if (bottom == EventKind::cast_on && !simple_.node(chain.bottom).rim) pass_over_short(tube);
+    if (top == EventKind::bind_off && !simple_.node(chain.top).rim) {
       while (tube.curves.size() > 1 && too_short(*tube.curves.back(), settings_.width)) {
         tube.curves.pop_back();
         tube.values.pop_back();
@@ -223,18 +227,29 @@ class TubePlanner {
   TubePlan plan_;
 };
 
+// An end of a tube as far as rows beside it go: a pole or an open edge, else where tubes part or meet.
+GraphNode node_like(const TubeEvent& event) {
+  GraphNode node;
+  const bool begins = event.kind == EventKind::cast_on, ends = event.kind == EventKind::bind_off;
+  if (!begins) node.below.push_back(0);
+  if (!ends) node.above.push_back(0);
+  if (!begins && !ends) node.above.push_back(1);
+  node.rim = event.rim;
+  return node;
+}
+
 // A tube of a plan, to be given other rows.
 class RowChanger {
  public:
   RowChanger(const TubeGraph& graph, const TubePlan& plan, const TubeSettingsNow& settings, const Tube& tube)
       : graph_(graph), settings_(settings), tube_(tube) {
     for (const std::int32_t part : tube.parts) profiles_.push_back(profile_of(graph, part));
-    const EventKind bottom = plan.event(tube.bottom).kind, top = plan.event(tube.top).kind;
-    offsets_ = row_offsets(bottom == EventKind::cast_on ? NodeKind::minimum : NodeKind::split,
-                           top == EventKind::bind_off ? NodeKind::maximum : NodeKind::join);
+    const TubeEvent &below = plan.event(tube.bottom), &above = plan.event(tube.top);
+    const EventKind bottom = below.kind, top = above.kind;
+    offsets_ = row_offsets(node_like(below), node_like(above));
     if (bottom == EventKind::ring_cast_on) offsets_.low = beside_ring;
     if (top == EventKind::ring_bind_off) offsets_.high = beside_ring;
-    drawn_in_ = top == EventKind::bind_off;
+    drawn_in_ = top == EventKind::bind_off && !above.rim;
   }
 
   Tube with_rows_above(std::int32_t made) {
@@ -249,7 +264,7 @@ class RowChanger {
                  : offsets_.low - 1.0;  // the first row of a tube stands where it may, the next a row up
     const double rows = std::floor(left / settings_.height - offsets_.high - below + 0.5);
     const auto count = static_cast<std::int32_t>(std::clamp(rows, made > 0 ? 0.0 : 1.0, 1e6));
-    tube_.spacing = left / (count + offsets_.high + below);
+    tube_.spacing = spacing_of(left, count + offsets_.high + below);
     for (std::int32_t row = 1; row <= count; ++row) add_row(from + tube_.spacing * (row + below));
     while (drawn_in_ && tube_.curves.size() > std::max<std::size_t>(kept, 1) &&
            too_short(*tube_.curves.back(), settings_.width)) {

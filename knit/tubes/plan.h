@@ -1,7 +1,7 @@
 // Which tubes are knitted, and with how many rows: the graph of tubes, simplified for one stitch size.
 //
 // Offsets, in rows: a row beside a minimum or maximum stands 1 from it, the first row above an event 0.25, the last below
-// one 0.75, beside a ring 0.5. A tube of height H with n rows has them H / (n - 1 + o1 + o2) apart, so
+// one 0.75, beside a ring 0.5; at an open edge of the mesh a row lies on the edge itself. A tube of height H with n rows has them H / (n - 1 + o1 + o2) apart, so
 //   wanted = floor(H / h - (o1 + o2 - 1) + 1/2), at least 0; 0 too if its longest curve is under 2.5 w, if it is a leaf of
 //   fewer than `smallest_limb` rows, or a leaf of at most one row that is a plateau (a slope under 6 % of the median).
 // A leaf gets its one row from H / h = sqrt(m (1 + m)) on, m = o1 + o2 - 1: there its rows would be as much too near to each
@@ -36,6 +36,7 @@ struct TubeEvent {
   glm::dvec3 position{0.0};
   double value = 0.0;
   std::vector<TubeId> below, above;
+  bool rim = false;  // an open edge of the mesh, which is cast on or bound off; as the graph says
   [[nodiscard]] auto fields() const { return std::tie(kind, node, vertex, position, value, below, above); }
   friend bool operator==(const TubeEvent&, const TubeEvent&) = default;
 };

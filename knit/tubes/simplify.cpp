@@ -14,6 +14,7 @@ namespace {
 
 constexpr double above_event = 0.25;  // rows
 constexpr double beside_pole = 1.0;
+constexpr double on_rim = 0.0;
 constexpr double least_girth = 2.5;         // stitches: what rounds to three
 constexpr double least_handle_girth = 1.5;  // stitches
 constexpr double plateau_share = 0.06;      // of the usual slope
@@ -77,7 +78,7 @@ class Simplifier {
   [[nodiscard]] GraphNode& node(std::int32_t id) { return graph_.nodes[static_cast<std::size_t>(id)]; }
   [[nodiscard]] NodeKind kind(std::int32_t node) const { return graph_.node(node).kind(); }
   [[nodiscard]] RowOffsets offsets(const TubeChain& chain) const {
-    return row_offsets(kind(chain.bottom), kind(chain.top));
+    return row_offsets(graph_.node(chain.bottom), graph_.node(chain.top));
   }
   [[nodiscard]] bool is_leaf(const TubeChain& chain) const {
     return (kind(chain.bottom) == NodeKind::minimum) != (kind(chain.top) == NodeKind::maximum);
@@ -269,9 +270,10 @@ SimpleGraph simplify_tubes(std::span<const GraphNode> nodes, std::span<const Gra
   return Simplifier(nodes, tubes, sizes, settings).run();
 }
 
-RowOffsets row_offsets(NodeKind bottom, NodeKind top) {
-  return {bottom == NodeKind::minimum ? beside_pole : above_event,
-          top == NodeKind::maximum ? beside_pole : 1.0 - above_event};
+RowOffsets row_offsets(const GraphNode& bottom, const GraphNode& top) {
+  const auto beside_end = [](const GraphNode& end) { return end.rim ? on_rim : beside_pole; };
+  return {bottom.kind() == NodeKind::minimum ? beside_end(bottom) : above_event,
+          top.kind() == NodeKind::maximum ? beside_end(top) : 1.0 - above_event};
 }
 
 std::int32_t rows_that_fit(double height, const RowOffsets& offsets, double stitch_height) {

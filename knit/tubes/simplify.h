@@ -50,7 +50,7 @@ struct RowOffsets {
   // What a tube is higher by, in rows, than its number of rows.
   [[nodiscard]] double more() const { return low + high - 1.0; }
 };
-RowOffsets row_offsets(NodeKind bottom, NodeKind top);
+RowOffsets row_offsets(const GraphNode& bottom, const GraphNode& top);
 
 // In a tube so high.
 std::int32_t rows_that_fit(double height, const RowOffsets& offsets, double stitch_height);

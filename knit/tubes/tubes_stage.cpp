@@ -81,8 +81,13 @@ FieldSmoothed smooth(const Input& input, const Timing& timing, const TubeSetting
                      const StitchSize& stitch, TubesWork& work, const Heard& heard) {
   const FieldSmoothed step{static_cast<std::int32_t>(work.graph->tubes.size()),
                            settings.smoothing_length * stitch.height};
-  const std::vector<double> field =
+  std::vector<double> field =
       work.smoother->smooth(input, timing.cut_field(), step.length, part_of(heard, 0.0, 0.8));
+  // An open edge stays a level curve.
+  for (VertexId v = 0; v < field.size() && !input.rims.empty(); ++v) {
+    const double before = timing.cut_field()[v];
+    if (before <= 0.0 || before >= 1.0) field[v] = before;
+  }
   work.graph = graph_of(input, field, part_of(heard, 0.8, 1.0));
   work.smoother.reset();
   work.phase = TubesPhase::found;

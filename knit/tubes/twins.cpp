@@ -43,7 +43,9 @@ bool have_like_girths(const Girths& a, const Girths& b) {
 
 bool have_like_ends(const SimpleGraph& graph, const TubeChain& a, const TubeChain& b) {
   const auto kind = [&](std::int32_t node) { return graph.node(node).kind(); };
-  return kind(a.bottom) == kind(b.bottom) && kind(a.top) == kind(b.top);
+  const auto rim = [&](std::int32_t node) { return graph.node(node).rim; };
+  return kind(a.bottom) == kind(b.bottom) && kind(a.top) == kind(b.top) && rim(a.bottom) == rim(b.bottom) &&
+         rim(a.top) == rim(b.top);
 }
 
 bool have_like_heights(const TubeChain& a, const TubeChain& b) {
@@ -100,7 +102,7 @@ std::vector<std::vector<TubeId>> match_twins(SimpleGraph& graph, std::span<const
     double height = 0.0;
     for (const TubeId id : alike) height += graph.chain(id).height / static_cast<double>(alike.size());
     const TubeChain& first = graph.chain(alike.front());
-    const RowOffsets offsets = row_offsets(graph.node(first.bottom).kind(), graph.node(first.top).kind());
+    const RowOffsets offsets = row_offsets(graph.node(first.bottom), graph.node(first.top));
     const std::int32_t rows = std::max(rows_that_fit(height, offsets, stitch_height), 1);
     for (const TubeId id : alike) graph.chains[static_cast<std::size_t>(id)].rows = rows;
   }

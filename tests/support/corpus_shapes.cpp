@@ -173,8 +173,8 @@ void add_topology(std::vector<Case>& all) {
   all.push_back(refused("two-holes-and-a-flipped-face.obj",
                         flipped(without(without(whole, 300, 302), 100, 101), 50, 51),
                         {"2 holes", "close every hole"}, "reorient,holes"));
-  all.push_back(refused("open-bowl.obj", without(whole, 264, 528),
-                        {"1 hole (24 open edges)", "close every hole"}, "openings"));
+  all.push_back(
+      opens("open-bowl.obj", without(whole, 264, 528), {"open at 1 edge (24 open edges)", "belong"}));
   all.push_back(refused("two-pieces.obj", with(whole, tetrahedron(), {3, 0, 0}),
                         {"2 pieces", "528, 4 triangles", "Join them, or keep only one"}, "largest-piece"));
   all.push_back(refused("one-inside-another.obj", with(whole, whole, {}, 0.5), {"2 pieces", "528, 528"},

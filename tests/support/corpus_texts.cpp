@@ -1,5 +1,7 @@
 // Files that are no OBJ, or OBJ written oddly.
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <sstream>
 
 #include "tests/support/corpus.h"
@@ -108,7 +110,10 @@ void add_cut_short(std::vector<Case>& all) {
                         {"line 4", "three coordinates"}));
   all.push_back(refused("cut-before-the-faces.obj", whole.substr(0, first_face), {"no faces"}));
   all.push_back(refused("cut-in-a-face.obj", whole.substr(0, some_face + 5), {"three corners", "has 1"}));
-  all.push_back(refused("cut-between-faces.obj", whole.substr(0, some_face), {"hole", "close every hole"}));
+  const std::string to_a_face = whole.substr(0, some_face);
+  const auto kept = static_cast<std::size_t>(
+      std::count(to_a_face.begin() + static_cast<std::ptrdiff_t>(first_face), to_a_face.end(), '\n'));
+  all.push_back(opens("cut-between-faces.obj", to_a_face, {266, kept, {"open at 1 edge", "belong"}}));
   all.push_back(refused("vertices-missing.obj", whole.substr(whole.find("\nv ", whole.size() / 4) + 1),
                         {"a face asks for vertex"}));
 }

@@ -19,9 +19,10 @@ struct Arrow {
 inline const Strings json{"nlohmann/json.hpp", "nlohmann/json_fwd.hpp"};
 
 inline const std::vector<Arrow> arrows{
-    {"knit/mesh", {}, {"glm/"}},
-    {"knit/import", {"knit/mesh"}, {"glm/", "tiny_obj_loader.h"}},
-    {"knit/model", {"knit/mesh"}, {"glm/"}},
+    {"knit/base", {}, {}},
+    {"knit/mesh", {"knit/base"}, {"glm/"}},
+    {"knit/import", {"knit/base", "knit/mesh"}, {"glm/", "tiny_obj_loader.h"}},
+    {"knit/model", {"knit/base", "knit/mesh"}, {"glm/"}},
     {"knit/fabric", {"knit/mesh", "knit/model"}, {"glm/"}},
     {"knit/timing", {"knit/mesh", "knit/import", "knit/model"}, {"glm/", "Eigen/"}},
     {"knit/tubes", {"knit/mesh", "knit/import", "knit/model", "knit/fabric", "knit/timing"}, {"glm/"}},
@@ -43,7 +44,7 @@ inline const std::vector<Arrow> arrows{
      {"glm/"}},
     {"knit/quality", {"knit/mesh", "knit/model", "knit/settle", "knit/run"}, {"glm/"}},
     {"knit/insight",
-     {"knit/model", "knit/tubes", "knit/rows", "knit/relax", "knit/run", "knit/quality"},
+     {"knit/base", "knit/model", "knit/tubes", "knit/rows", "knit/relax", "knit/run", "knit/quality"},
      {"glm/"}},
     {"knit/limbs", {"knit/model", "knit/fabric", "knit/stitches", "knit/order", "knit/run"}, {}},
     {"knit/pattern",
@@ -52,9 +53,9 @@ inline const std::vector<Arrow> arrows{
     {"knit/trade", {"knit/import", "knit/model"}, {}},
     {"knit/reader", {"knit/import", "knit/model", "knit/pattern", "knit/trade"}, {}},
 
-    {"app/base", {"knit/import", "knit/model"}, {"glm/", json[0], json[1], "unistd.h"}},
-    {"app/scene", {"knit/mesh", "knit/model"}, {"glm/"}},
-    {"app/checker", {"knit/mesh", "knit/model", "knit/reader", "app/scene"}, {"glm/"}},
+    {"app/base", {"knit/base", "knit/import", "knit/model"}, {"glm/", json[0], json[1], "unistd.h"}},
+    {"app/scene", {"knit/base", "knit/mesh", "knit/model"}, {"glm/"}},
+    {"app/checker", {"knit/base", "knit/mesh", "knit/model", "knit/reader", "app/scene"}, {"glm/"}},
     {"app/session", {"knit/", "app/base", "app/scene"}, {"glm/"}},
     {"app/explain", {"knit/", "app/base", "app/session"}, {"glm/"}},
     {"app/compare", {"knit/", "app/base", "app/session"}, {}},
@@ -103,11 +104,12 @@ inline const std::vector<Arrow> arrows{
 
     {"app/render",
      {"knit/", "app/base", "app/scene", "app/files", "shaders_embedded.h"},
-     {"glm/", "glad/", "EGL/", "imgui", "stb_image.h", "stb_image_write.h", "gif_lib.h", "dlfcn.h",
+     {"glm/", "glad/", "GLES3/", "EGL/", "imgui", "stb_image.h", "stb_image_write.h", "gif_lib.h", "dlfcn.h",
       "malloc.h", "unistd.h"}},
     {"app/window",
      {"knit/", "app/", "app/panels", "app/panels/kit", "app/panels/offers", "app/render"},
      {"glm/", "glad/", "GLFW/"}},
+    {"app/web", {"knit/", "app/", "app/panels/kit", "app/render", "app/window"}, {"emscripten.h", "emscripten/html5.h"}},
     {"app", {"knit/", "app/session", "app/actions", "app/script", "app/window"}, {}}};
 
 // Folders of the app that "app/" stands for: all that knows no window.

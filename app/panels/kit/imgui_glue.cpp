@@ -112,7 +112,8 @@ void map_keys(ImGuiIO& io) {
 }
 #endif
 
-// Greek letters, dashes, arrows and mathematical signs that the panels write, besides Latin-1.
+// Greek letters, dashes, arrows and mathematical signs that the panels write, besides Latin-1. tools/web.sh cuts the fonts of
+// a page down to these.
 const ImWchar* glyph_ranges() {
   static constexpr std::array<ImWchar, 15> ranges = {0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010,
                                                      0x2027, 0x2030, 0x203a, 0x2190, 0x21ff,
@@ -319,7 +320,7 @@ void ImGuiGlue::feed(const Text& event) {
 }
 void ImGuiGlue::feed(const Focus& event) {
   if (!event.gained) {  // their releases go to another window
-    std::ranges::fill(ImGui::GetIO().KeysDown, false);
+    for (bool& down : ImGui::GetIO().KeysDown) down = false;
     set_mods({});
   }
 }

@@ -46,13 +46,19 @@ struct Sides {
 // Two sides that ask for too much give way alike.
 Sides sides_of(const LayoutWish& wish, float width, float s) {
   Sides sides;
+  // On a telephone one side alone takes what it can get.
+  const bool alone = width < narrow_window * s && wish.parameters != wish.explanation;
+  const auto of = [&](Side side) {
+    if (alone) side.share = 1.0f - view_share;
+    return side;
+  };
   if (wish.parameters) {
     const float automatic = std::clamp(0.2f * width, 292.0f * s, 360.0f * s);
-    sides.left = side_width(left_side, wish.left, automatic, width, s);
+    sides.left = side_width(of(left_side), wish.left, automatic, width, s);
   }
   if (wish.explanation) {
     const float automatic = std::clamp(0.24f * width, 344.0f * s, 460.0f * s);
-    sides.right = side_width(right_side, wish.right, automatic, width, s);
+    sides.right = side_width(of(right_side), wish.right, automatic, width, s);
   }
   const float room = std::floor((1.0f - view_share) * width);
   if (sides.left + sides.right <= room) return sides;

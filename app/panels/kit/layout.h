@@ -18,6 +18,9 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
+// Plain units. A window that is not so wide, a telephone's say, begins with its sides closed.
+inline constexpr float narrow_window = 640.0f;
+
 // What a person has made of it, in plain units; 0: as there is room.
 struct LayoutWish {
   bool parameters = true, explanation = true, timeline = true;  // shown

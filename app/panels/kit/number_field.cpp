@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
 #include "app/base/text.h"
+#include "knit/base/number_text.h"
 
 namespace app {
 
@@ -163,7 +163,7 @@ std::optional<double> read_number(std::string_view words) {
   while (!words.empty() && words.front() == ' ') words.remove_prefix(1);
   while (!words.empty() && words.back() == ' ') words.remove_suffix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), value);
+  const auto [end, error] = knit::number_from(words.data(), words.data() + words.size(), value);
   if (error != std::errc() || end != words.data() + words.size() || !std::isfinite(value))
     return std::nullopt;
   return value;

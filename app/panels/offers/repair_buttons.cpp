@@ -18,9 +18,16 @@ std::optional<knit::RepairKind> repair_of(knit::FindingKind what) {
       return knit::RepairKind::reorient;
     case knit::FindingKind::unreferenced:
       return knit::RepairKind::unreferenced;
+    case knit::FindingKind::open_edges:
+      return knit::RepairKind::openings;
     default:
       return std::nullopt;
   }
+}
+
+std::string name_of(knit::RepairKind kind) {
+  if (kind == knit::RepairKind::reorient) return "Repair: turn faces round";
+  return kind == knit::RepairKind::openings ? "Repair: close openings flat" : "Repair: drop stray vertices";
 }
 
 }  // namespace
@@ -33,9 +40,7 @@ bool draw_repair_buttons(PanelFrame& frame, const std::string& mark) {
     const auto kind = repair_of(warned.kind);
     if (!kind) continue;
     any = true;
-    const bool faces = kind == knit::RepairKind::reorient;
-    std::string button = faces ? "Repair: turn faces round##" : "Repair: drop stray vertices##";
-    button += mark;
+    const std::string button = name_of(*kind) + "##" + mark;
     if (ImGui::SmallButton(button.c_str())) {
       knit::RepairWish wish{false, source.repairs};
       wish.kinds.push_back(*kind);

@@ -1,7 +1,6 @@
 // One parameter's control, drawn from its line in knit::parameter_table().
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -24,6 +23,7 @@
 #include "app/panels/parameters/rhythm_dial.h"
 #include "app/session/document.h"
 #include "app/session/view.h"
+#include "knit/base/number_text.h"
 #include "knit/model/settings_table.h"
 #include "knit/model/words.h"
 #include "knit/rows/frame.h"
@@ -273,7 +273,7 @@ std::string default_words(const PanelFrame& frame, const knit::ParameterInfo& in
   for (std::size_t at = 0; at < whole.size();) {
     double value = 0.0;
     const char* begin = whole.data() + at;
-    const auto read = std::from_chars(begin, whole.data() + whole.size(), value);
+    const auto read = knit::number_from(begin, whole.data() + whole.size(), value);
     const auto length = static_cast<std::size_t>(read.ptr - begin);
     const bool is_number = read.ec == std::errc() && whole[at] >= '0' && whole[at] <= '9';
     const bool is_long =
