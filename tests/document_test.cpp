@@ -165,15 +165,16 @@ Names different(const Jobs& a, const Jobs& b) {
 }
 
 Names different(const Program& a, const Program& b) {
-  const auto& [assets, preferences, rescued] = a;
+  const auto& [assets, preferences, rescued, embedded] = a;
   return those_that_differ({{"assets", assets != b.assets},
                             {"preferences", !(preferences == b.preferences)},
-                            {"rescued", rescued != b.rescued}});
+                            {"rescued", rescued != b.rescued},
+                            {"embedded", embedded != b.embedded}});
 }
 
 constexpr std::size_t document_fields = 19, travel_fields = 9, change_fields = 5, view_fields = 19,
                       gaze_fields = 11, learning_fields = 3, outbox_fields = 7, job_fields = 10,
-                      program_fields = 3;
+                      program_fields = 4;
 
 // --- a session with something in every field ---------------------------------------------------------------
 
@@ -269,6 +270,7 @@ Session full_session() {
   session.jobs->animation = std::make_shared<const AnimationRun>();
   session.jobs->pattern_check.emplace();
   session.program->rescued = Rescued{"a.json", "egg"};
+  session.program->embedded = true;
   return session;
 }
 

@@ -143,3 +143,13 @@ TEST_CASE("in a narrow window one side alone takes all but the view's share") {
   const Layout both = layout_of(width, 844, 1, {true, true, true});
   CHECK(both.parameters.width < 0.31f * width);
 }
+
+TEST_CASE("without menus the view begins at the top") {
+  LayoutWish wish;
+  const float before = layout_of(1280, 720, 1, wish).view.height;
+  wish.menus = false;
+  const Layout layout = layout_of(1280, 720, 1, wish);
+  CHECK(layout.menu.height == 0.0f);
+  CHECK(layout.view.y == 0.0f);
+  CHECK(layout.view.height > before);
+}

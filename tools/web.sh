@@ -6,6 +6,7 @@
 #   tools/web.sh serve [PORT]    serves build/web/page/ on this machine and prints the address (8000)
 #   tools/web.sh bits            whether six runs give the same bits here and there
 #   tools/web.sh times           how long reading and six runs take here and there, under Node
+#   tools/web.sh sizes           bytes that a page fetches: as they are, by gzip, by brotli
 #   tools/web.sh test            bits, and drives headless Chromium through the page; keeps in tools/clean that all held
 #   tools/web.sh check           the same, as in CI: nothing where tools/clean knows these files, and writes nothing
 #
@@ -122,6 +123,13 @@ case ${1:-} in
     build_page
     print_times
     ;;
+  sizes)
+    build_page
+    install_packages brotli
+    for file in "$page"/{index.html,page.js,knit-mesh.js,knit-mesh.wasm,knit-mesh.data}; do
+      echo "$(basename "$file") $(stat -c %s "$file") $(gzip -9 -c "$file" | wc -c) $(brotli -q 11 -c "$file" | wc -c)"
+    done | awk '{ print; for (i = 2; i <= 4; ++i) sum[i] += $i } END { print "all", sum[2], sum[3], sum[4] }'
+    ;;
   test)
     test_page
     echo "page $(digest)" >"$ledger"
@@ -134,7 +142,7 @@ case ${1:-} in
     fi
     ;;
   *)
-    sed -n '2,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
     ;;
 esac

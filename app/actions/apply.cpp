@@ -43,6 +43,7 @@ Document document_of(Loaded loaded, Source source, std::chrono::steady_clock::ti
   document.source = std::move(source);
   document.source.repairs.clear();
   for (const knit::RepairStep& step : loaded.repaired) document.source.repairs.push_back(step.kind);
+  document.source.curves = std::move(loaded.curves);
   document.original = std::move(loaded.original);
   document.mesh_hash = std::move(loaded.mesh_hash);
   document.findings = std::move(loaded.findings);
@@ -165,17 +166,17 @@ struct Apply {
     remember_knobs(session);
     note_before_change(session);
     show_as_relaxed(session, relaxes(timeline().parameters()), relaxes(a.parameters));
-    if (a.parameters.mesh.weld != timeline().parameters().mesh.weld) {
+    if (!made_alike(a.parameters, timeline().parameters(), session.document->source.curves)) {
       reload(a);
     } else {
       tune_run(session, a.parameters);
     }
   }
-  // Welding changes the mesh itself: the run begins anew on the other mesh, at the same place. Edits are
-  // kept.
+  // Welding changes the mesh itself, and a stitch's width may change where it is cut: the run begins anew on the other
+  // mesh, at the same place. Edits are kept.
   void reload(const Tune& a) {
     const knit::Parameters& parameters = a.parameters;
-    const auto result = welded_for(session, a, parameters);
+    const auto result = made_with(session, a, parameters, session.document->source.curves);
     if (!result) return;
     if (const auto* error = std::get_if<std::string>(&*result)) {
       notify(session, Notice::Kind::error, *error);

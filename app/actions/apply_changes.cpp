@@ -15,20 +15,27 @@ namespace app {
 namespace {
 
 // Shows exactly these again. False, and nothing done, where the mesh must be made for it first or cannot be.
-bool restore(Session& session, const Action& action, const Knobs& knobs) {
+bool restore(Session& session, const Action& action, const Change& change) {
   knit::Timeline& timeline = session.document->timeline;
-  std::shared_ptr<const knit::Input> input;
-  if (knobs.base.mesh.weld != timeline.base_parameters().mesh.weld) {
-    const auto loaded = welded_for(session, action, knobs.base);
-    if (!loaded) return false;
-    if (const auto* error = std::get_if<std::string>(&*loaded)) {
-      notify(session, Notice::Kind::error, *error);
-      return false;
-    }
-    input = std::get<Loaded>(*loaded).input;
+  const Knobs& knobs = change.knobs;
+  const bool cut = change.curves != session.document->source.curves;
+  if (!cut && made_alike(knobs.base, timeline.base_parameters(), change.curves)) {
+    note_before_change(session);
+    timeline.set_knobs(knobs.base, knobs.edits);
+    return true;
+  }
+  const auto made = made_with(session, action, knobs.base, change.curves);
+  if (!made) return false;
+  if (const auto* error = std::get_if<std::string>(&*made)) {
+    notify(session, Notice::Kind::error, *error);
+    return false;
   }
   note_before_change(session);
-  timeline.set_knobs(knobs.base, knobs.edits, std::move(input));
+  const auto& loaded = std::get<Loaded>(*made);
+  if (cut)
+    show_cut(session, loaded, knobs);
+  else
+    timeline.set_knobs(knobs.base, knobs.edits, loaded.input);
   return true;
 }
 
@@ -38,7 +45,8 @@ void go(Session& session, const Action& action, std::vector<Change>& from, std::
   if (from.empty()) return;
   give_up_making(session);
   Change now = change_of(*session.document);
-  if (from.back().knobs != now.knobs && !restore(session, action, from.back().knobs)) return;
+  const bool differs = from.back().knobs != now.knobs || from.back().curves != now.curves;
+  if (differs && !restore(session, action, from.back())) return;
   session.document->pieces = from.back().pieces;
   from.pop_back();
   to.push_back(std::move(now));

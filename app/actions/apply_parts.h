@@ -108,6 +108,14 @@ void take(Session& session, const RepairAndOpen& action);
 void take(Session& session, const DropRepairOffer& action);
 void take(Session& session, const UndoRepair& action);
 
+void take(Session& session, const SetCurves& action);
+void take(Session& session, const AddCurve& action);
+void take(Session& session, const RemoveCurve& action);
+void take(Session& session, const SwapCurves& action);
+void take(Session& session, const OpenCurves& action);
+// The run goes on, with these knobs, on the mesh as it was cut; what was left out is said.
+void show_cut(Session& session, const Loaded& loaded, const Knobs& knobs);
+
 // apply_lesson.cpp
 void take(Session& session, const StartLesson& action);
 void take(Session& session, const LeaveLesson& action);

@@ -56,7 +56,7 @@ std::optional<std::string> fault_of_chart(const Session& session, const std::str
 void change_pieces(Session& session, PatternPieces pieces) {
   Document& document = *session.document;
   if (document.pieces == pieces) return;
-  note_other_pieces(document.changes, change_of(document));
+  note_other_change(document.changes, change_of(document));
   document.pieces = std::move(pieces);
 }
 

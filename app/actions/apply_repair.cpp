@@ -1,6 +1,11 @@
-// Opening a mesh from a file, with repairs where they are asked for; the offer of repairs where it is unfit without.
+// Opening a mesh from a file, with repairs where they are asked for; the offer of repairs where it is unfit without; and
+// the curves that it is cut along, where knitting begins and ends.
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "app/actions/apply_parts.h"
 #include "app/actions/hosting.h"
@@ -10,6 +15,7 @@
 #include "app/session/outbox.h"
 #include "app/session/presets.h"
 #include "app/session/view.h"
+#include "knit/model/settings_table.h"
 
 namespace app {
 
@@ -82,7 +88,8 @@ void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const
   if (!stays || unfit.plan) session.jobs->repair_offer.reset();
   if (unfit.plan) {
     session.view->dialogs.open_dialog_open = false;
-    session.jobs->repair_offer = RepairOffer{source, std::move(unfit.sentence), std::move(unfit.plan)};
+    session.jobs->repair_offer = RepairOffer{
+        {{}, path, {}, std::move(unfit.curves)}, std::move(unfit.sentence), std::move(unfit.plan)};
   } else {
     notify(session, Notice::Kind::error, std::move(unfit.sentence));
   }
@@ -91,20 +98,23 @@ void show_opened(Session& session, std::variant<Loaded, NotOpened> opened, const
 
 void take(Session& session, const OpenFile& action) {
   cancel_opening(session);
-  if (session.jobs->beside && is_long_to_open(action.path, false))
-    return begin_opening_mesh(session, action.path, action.repairs);
+  if (session.jobs->beside && is_long_to_open(action.path, false)) return begin_opening_mesh(session, action);
   const auto start = std::chrono::steady_clock::now();
-  show_opened(session, open_mesh(action.path, action.repairs), action.path, action.repairs, start);
+  show_opened(session, open_mesh(action.path, action.repairs, nullptr, action.curves), action.path,
+              action.repairs, start);
 }
 
 void take(Session& session, const RepairAndOpen& /*action*/) {
   if (!session.jobs->repair_offer) return;
   const auto start = std::chrono::steady_clock::now();
   const RepairOffer offer = *session.jobs->repair_offer;
-  const auto opened =
-      made_for(session, RepairAndOpen{},
-               {offer.source.file, offer.plan, knit::Weld::off, offer.plan->mesh.triangles.size(),
-                [plan = offer.plan](knit::Progress* progress) { return load_repaired(*plan, progress); }});
+  const auto opened = made_for(session, RepairAndOpen{},
+                               {offer.source.file,
+                                {offer.plan, knit::Weld::off, offer.source.curves},
+                                offer.plan->mesh.triangles.size(),
+                                [offer](knit::Progress* progress) {
+                                  return load_repaired(*offer.plan, progress, offer.source.curves);
+                                }});
   if (!opened) return;
   if (const auto* error = std::get_if<std::string>(&*opened)) {
     notify(session, Notice::Kind::error, *error);
@@ -125,6 +135,83 @@ void take(Session& session, const DropRepairOffer& /*action*/) {
 void take(Session& session, const UndoRepair& /*action*/) {
   if (!session.document) return;
   if (const auto before = session.document->before_repair) go_back_to(session, *before);
+}
+
+namespace {
+
+// Vertices that were picked have other numbers once the mesh is cut otherwise.
+void forget_picked(knit::Parameters& parameters) {
+  parameters.timing.start = knit::no_vertex;
+  parameters.timing.end = knit::no_vertex;
+}
+
+void cut_anew(Session& session, const Action& action, std::vector<knit::Cycle> curves) {
+  Document& document = *session.document;
+  if (document.source.curves == curves) return;
+  give_up_making(session);
+  Knobs knobs = knobs_of(document.timeline);
+  forget_picked(knobs.base);
+  for (knit::Edit& edit : knobs.edits) forget_picked(edit.parameters);
+  const auto made = made_with(session, action, knobs.base, curves);
+  if (!made) return;
+  if (const auto* error = std::get_if<std::string>(&*made))
+    return notify(session, Notice::Kind::error, *error);
+  const auto& loaded = std::get<Loaded>(*made);
+  knobs = resolved(knobs, *loaded.input);
+  if (const auto fault = knit::fault_of(knobs.base, *loaded.input))
+    return notify(session, Notice::Kind::error, *fault);
+  note_other_change(document.changes, change_of(document));
+  show_cut(session, loaded, knobs);
+}
+
+}  // namespace
+
+void show_cut(Session& session, const Loaded& loaded, const Knobs& knobs) {
+  Document& document = *session.document;
+  document.source.curves = loaded.curves;
+  document.findings = loaded.findings;
+  document.timeline.set_knobs(knobs.base, knobs.edits, loaded.input);
+  for (const knit::Finding& finding : document.findings)
+    if (finding.kind == knit::FindingKind::cut_off) notify(session, Notice::Kind::warning, finding.sentence);
+}
+
+void take(Session& session, const SetCurves& action) {
+  if (session.document) cut_anew(session, action, action.curves);
+}
+
+void take(Session& session, const AddCurve& action) {
+  if (session.document) cut_anew(session, action, with_curve(session.document->source.curves, action.curve));
+}
+
+void take(Session& session, const RemoveCurve& action) {
+  if (!session.document) return;
+  std::vector<knit::Cycle> curves = session.document->source.curves;
+  if (action.number < 1 || action.number > curves.size())
+    return notify(session, Notice::Kind::error,
+                  "There is no curve " + std::to_string(action.number) + "; the mesh is cut along " +
+                      std::to_string(curves.size()) + ".");
+  curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(action.number) - 1);
+  cut_anew(session, action, std::move(curves));
+}
+
+void take(Session& session, const SwapCurves& action) {
+  if (!session.document) return;
+  std::vector<knit::Cycle> curves = session.document->source.curves;
+  for (knit::Cycle& curve : curves) {
+    curve.as = curve.as == knit::CycleEnd::start ? knit::CycleEnd::end : knit::CycleEnd::start;
+    if (curve.value) curve.value = 1.0 - *curve.value;
+  }
+  cut_anew(session, action, std::move(curves));
+}
+
+void take(Session& session, const OpenCurves& action) {
+  if (!session.document)
+    return notify(session, Notice::Kind::error,
+                  action.wish.file.string() + " holds curves; open the mesh first that they were drawn on.");
+  auto curves = curves_for(action.wish, knit::bounds_of(session.document->original->positions));
+  if (auto* error = std::get_if<std::string>(&curves))
+    return notify(session, Notice::Kind::error, std::move(*error));
+  cut_anew(session, action, std::get<0>(std::move(curves)));
 }
 
 }  // namespace app

@@ -22,6 +22,8 @@ Session new_session(std::filesystem::path assets) {
 
 bool set_beside(Session& session, bool beside) { return std::exchange(session.jobs->beside, beside); }
 
+void embed(Session& session) { session.program->embedded = true; }
+
 void offer_rescued(Session& session, std::optional<Rescued> rescued) {
   session.program->rescued = std::move(rescued);
 }

@@ -20,6 +20,8 @@ Session new_session(std::filesystem::path assets);
 
 // Whether long work is done beside a window from now on; what it was.
 bool set_beside(Session& session, bool beside);
+// In a page of others, from now on: without menus.
+void embed(Session& session);
 void offer_rescued(Session& session, std::optional<Rescued> rescued);
 
 void notify(Session& session, Notice::Kind kind, std::string words);

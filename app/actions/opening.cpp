@@ -61,11 +61,12 @@ bool is_long_to_open(const fs::path& path, bool is_session) {
   return run != nullptr && is_large(run->source.file);
 }
 
-void begin_opening_mesh(Session& session, const fs::path& path, const knit::RepairWish& repairs) {
-  Opening opening = begun(path);
-  opening.repairs = repairs;
-  opening.work = Work<Opening::Result>([path, repairs, progress = opening.progress] {
-    return read_or_say(path, [&] { return open_mesh(path, repairs, progress.get()); });
+void begin_opening_mesh(Session& session, const OpenFile& file) {
+  Opening opening = begun(file.path);
+  opening.repairs = file.repairs;
+  opening.work = Work<Opening::Result>([file, progress = opening.progress] {
+    return read_or_say(file.path,
+                       [&] { return open_mesh(file.path, file.repairs, progress.get(), file.curves); });
   });
   begin(session, std::move(opening));
 }
@@ -84,8 +85,7 @@ void begin_opening_rescued(Session& session) {
 }
 
 std::optional<Made> made_for(Session& session, const Action& again, const MakeWish& wish) {
-  if (session.jobs->made_mesh && session.jobs->made_mesh->from == wish.from &&
-      session.jobs->made_mesh->weld == wish.weld)
+  if (session.jobs->made_mesh && session.jobs->made_mesh->what_for == wish.what_for)
     return session.jobs->made_mesh->made;
   if (!session.jobs->beside || wish.triangles < made_at_once_triangles) return wish.make(nullptr);
   Opening opening = begun(wish.path);
@@ -93,23 +93,27 @@ std::optional<Made> made_for(Session& session, const Action& again, const MakeWi
   opening.work = Work<Opening::Result>([wish, progress = opening.progress]() -> Opening::Result {
     progress->begin(knit::Progress::Task::checking);
     try {
-      return MadeMesh{wish.from, wish.weld, wish.make(progress.get())};
+      return MadeMesh{wish.what_for, wish.make(progress.get())};
     } catch (const std::bad_alloc&) {
-      return MadeMesh{wish.from, wish.weld, "The mesh does not fit into memory a second time. Reduce it."};
+      return MadeMesh{wish.what_for, "The mesh does not fit into memory a second time. Reduce it."};
     }
   });
   begin(session, std::move(opening));
   return std::nullopt;
 }
 
-std::optional<Made> welded_for(Session& session, const Action& again, const knit::Parameters& parameters) {
+std::optional<Made> made_with(Session& session, const Action& again, const knit::Parameters& parameters,
+                              const std::vector<knit::Cycle>& curves) {
   const auto mesh = session.document->original;
   const fs::path path = session.document->source.file.empty() ? fs::path(session.document->source.example)
                                                               : session.document->source.file;
-  return made_for(
-      session, again,
-      {path, mesh, parameters.mesh.weld, mesh->triangles.size(),
-       [mesh, parameters](knit::Progress* progress) { return load_again(mesh, parameters, progress); }});
+  return made_for(session, again,
+                  {path,
+                   {mesh, parameters.mesh.weld, curves, curves.empty() ? 0.0 : parameters.stitch.width},
+                   mesh->triangles.size(),
+                   [mesh, parameters, curves](knit::Progress* progress) {
+                     return load_again(mesh, parameters, progress, curves);
+                   }});
 }
 
 void give_up_making(Session& session) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "app/base/worker.h"
 #include "app/files/session_file.h"
@@ -22,9 +23,17 @@ namespace app {
 // A mesh made from another, or one sentence why not.
 using Made = std::variant<Loaded, std::string>;
 
-struct MadeMesh {
+// What it is made for.
+struct MadeFor {
   std::shared_ptr<const void> from;  // a mesh, a plan of repairs
   knit::Weld weld = knit::Weld::off;
+  std::vector<knit::Cycle> curves;
+  double width = 0.0;  // of a stitch, where curves may depend on it
+  friend bool operator==(const MadeFor&, const MadeFor&) = default;
+};
+
+struct MadeMesh {
+  MadeFor what_for;
   Made made;
 };
 
@@ -48,7 +57,7 @@ inline constexpr std::uintmax_t opened_at_once_bytes = 512 * 1024;
 bool is_long_to_open(const std::filesystem::path& path, bool is_session);
 
 // Gives the work to a worker; `tend_opening` takes what comes of it.
-void begin_opening_mesh(Session& session, const std::filesystem::path& path, const knit::RepairWish& repairs);
+void begin_opening_mesh(Session& session, const OpenFile& file);
 void begin_opening_session(Session& session, const std::filesystem::path& path);
 // As begin_opening_session, for the session offered after a crash. Requires one.
 void begin_opening_rescued(Session& session);
@@ -58,14 +67,14 @@ void begin_opening_rescued(Session& session);
 // it up.
 struct MakeWish {
   std::filesystem::path path;  // what the mesh is called while it is made
-  std::shared_ptr<const void> from;
-  knit::Weld weld = knit::Weld::off;
+  MadeFor what_for;
   std::size_t triangles = 0;
   std::function<Made(knit::Progress*)> make;
 };
 std::optional<Made> made_for(Session& session, const Action& again, const MakeWish& wish);
-// Of the open mesh, welded as the parameters say.
-std::optional<Made> welded_for(Session& session, const Action& again, const knit::Parameters& parameters);
+// Of the open mesh, welded as the parameters say and cut along the curves.
+std::optional<Made> made_with(Session& session, const Action& again, const knit::Parameters& parameters,
+                              const std::vector<knit::Cycle>& curves);
 void give_up_making(Session& session);
 
 // The clock's tick: shows what has become ready, or says why not.

@@ -44,6 +44,7 @@ std::vector<ActionEntry> action_entries(const Session& session, const ActionSour
   add_run_entries(list);
   add_parameter_entries(list);
   add_view_entries(list);
+  add_curve_entries(list);
   add_file_entries(list, sources);
   add_learning_entries(list, sources);
   return std::move(list.entries);

@@ -35,6 +35,7 @@ std::string without_dashes(const std::string& sentence);
 void add_run_entries(EntryList& list);        // going to a place, why, breaks, comparing
 void add_parameter_entries(EntryList& list);  // each parameter
 void add_view_entries(EntryList& list);       // panels, lists, looking from a side, theme, size
+void add_curve_entries(EntryList& list);      // where knitting begins and ends
 void add_file_entries(EntryList& list, const ActionSources& sources);  // opening, saving, pictures
 void add_learning_entries(EntryList& list, const ActionSources& sources);
 

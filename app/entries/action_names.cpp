@@ -247,6 +247,12 @@ constexpr ActionName named(For<DropRepairOffer>) {
   return {"Leave the mesh unrepaired", control, "repair/not-now"};
 }
 constexpr ActionName named(For<UndoRepair>) { return {"Undo the repairs", control, "repair/undo"}; }
+constexpr std::string_view by_words = "In the list of all actions, where a curve is typed.";
+constexpr ActionName named(For<SetCurves>) { return {"Set all curves", view, by_words}; }
+constexpr ActionName named(For<AddCurve>) { return {"Begin or end at a curve", view, by_words}; }
+constexpr ActionName named(For<RemoveCurve>) { return {"Remove a curve", view, by_words}; }
+constexpr ActionName named(For<SwapCurves>) { return {"Swap the curves of start and end", view, by_words}; }
+constexpr ActionName named(For<OpenCurves>) { return {"Open a file of curves", view, by_words}; }
 constexpr ActionName named(For<Quit>) { return {"Quit", control, "menu/Quit"}; }
 
 template <std::size_t... i>

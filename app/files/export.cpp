@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/base/files.h"
+#include "app/curves/curves_file.h"
 #include "app/describe/thing_places.h"
 #include "app/files/card.h"
 #include "app/files/gltf.h"
@@ -167,6 +168,16 @@ std::optional<std::string> write_session(const Session& session, const std::file
   return save_session(session, path);
 }
 
+std::optional<std::string> curves_missing(const Session& session) {
+  if (!session.document->source.curves.empty()) return std::nullopt;
+  return "The mesh is cut along no curves; give some first, as in --start circle:X,Y,Z,R.";
+}
+
+std::optional<std::string> write_curves(const Session& session, const std::filesystem::path& path,
+                                        Png /*picture*/) {
+  return write_file(path, curves_text(session.document->source.curves, *session.document->original));
+}
+
 std::optional<std::string> write_pattern(const Session& session, const std::filesystem::path& path,
                                          Png picture) {
   const PatternFormat format = *pattern_format_of(path);
@@ -210,6 +221,8 @@ using About = ExportAbout;
 const std::array export_table{
     ExportInfo{"session", "session", "-session.json", About::session, "write the session, to open it again",
                write_session, nullptr, ExportEndings{}, true},
+    ExportInfo{"curves", "curves", ".curves.json", About::session,
+               "write the curves where knitting begins and ends, for --curves", write_curves, curves_missing},
     ExportInfo{"mesh", "knit mesh", "-knit.obj", About::piece,
                "write the knit mesh as OBJ (\"-\": standard output)", as_text<mesh_text>},
     ExportInfo{"relaxed", "stuffed shape", "-relaxed.obj", About::piece,

@@ -1,6 +1,7 @@
 #include "app/files/link.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/files/session_file.h"
 #include "app/files/session_json.h"
@@ -47,6 +48,26 @@ void add_parameters(Link& link, const knit::Parameters& parameters, const knit::
     if (differs(info) || (sizes && is_size(info)))
       link.add("--" + std::string(info.key), knit::value_text(info, parameters));
   }
+}
+
+// Options say where curves are, but not what they are called nor their times; and a single vertex is a parameter.
+bool curves_are_sayable(const Document& document) {
+  const auto& curves = document.source.curves;
+  if (curves.empty()) return true;
+  const knit::TimingSettings& timing = document.timeline.base_parameters().timing;
+  if (timing.start != knit::no_vertex || timing.end != knit::no_vertex) return false;
+  bool any = false;
+  std::array<int, 2> ends{};
+  for (const knit::Cycle& curve : curves) {
+    if (!curve.name.empty() || curve.value || ++ends.at(static_cast<std::size_t>(curve.as)) > 1) return false;
+    any = any || curve.kind != knit::CycleKind::vertex;
+  }
+  return any;
+}
+
+void add_curves(Link& link, const std::vector<knit::Cycle>& curves) {
+  for (const knit::Cycle& curve : curves)
+    link.add("--" + std::string(knit::word_of(curve.as)), knit::cycle_text(curve));
 }
 
 void add_place(Link& link, const knit::Timeline& timeline) {
@@ -123,7 +144,8 @@ std::optional<std::string> link_by_options(const Session& session) {
   const knit::Timeline& timeline = session.document->timeline;
   const bool sayable = timeline.edits().empty() && session.view->breaks.empty() && !session.document->pinned;
   const Source& source = session.document->source;
-  if (!sayable || (source.example.empty() && source.file.empty())) return std::nullopt;
+  if (!sayable || !curves_are_sayable(*session.document) || (source.example.empty() && source.file.empty()))
+    return std::nullopt;
   Link link;
   if (source.file.empty()) {
     link.add("--example", source.example);
@@ -136,6 +158,7 @@ std::optional<std::string> link_by_options(const Session& session) {
       repairs += (repairs.empty() ? "" : ",") + std::string(knit::key_of(kind));
     if (!repairs.empty()) link.add("--repair", repairs);
   }
+  add_curves(link, source.curves);
   add_parameters(link, timeline.base_parameters(), session.document->defaults);
   add_place(link, timeline);
   if (session.view->side != SidePanel::step)

@@ -8,6 +8,7 @@
 
 #include "app/files/session_json.h"
 #include "app/session/action.h"
+#include "knit/curves/between.h"
 #include "knit/import/obj.h"
 #include "knit/import/quoting.h"
 #include "knit/model/stitch_size.h"
@@ -22,12 +23,44 @@ void forget_coincident(std::vector<knit::Finding>& findings) {
   std::erase_if(findings, [](const knit::Finding& f) { return f.kind == knit::FindingKind::coincident; });
 }
 
+// What a cut may leave out; what it does not is said then.
+void forget_what_is_cut(std::vector<knit::Finding>& findings) {
+  std::erase_if(findings, [](const knit::Finding& f) {
+    return f.kind == knit::FindingKind::open_edges || f.kind == knit::FindingKind::several_pieces;
+  });
+}
+
+// "left out: 3 %" as a finding: "Left out: 3 %."
+knit::Finding finding_of(std::string note) {
+  if (note.front() >= 'a' && note.front() <= 'z') note.front() = static_cast<char>(note.front() - 'a' + 'A');
+  if (note.back() != '.' && note.back() != '?') note += '.';
+  return {knit::FindingKind::cut_off, knit::Severity::warning, 1, {}, std::move(note)};
+}
+
+// Cuts the mesh along the curves; what was left out and chosen joins the findings. A sentence where it cannot be.
+std::optional<std::string> cut_along(const std::vector<knit::Cycle>& curves, const knit::Mesh& mesh,
+                                     const knit::Parameters& parameters, Loaded& loaded) {
+  const knit::BetweenSettings settings{parameters.stitch.width, parameters.timing.axis.direction()};
+  const auto found = knit::between_cycles(mesh, curves, settings);
+  if (const auto* fault = std::get_if<std::string>(&found)) return *fault;
+  const auto& piece = std::get<knit::Between>(found);
+  if (piece.rims.size() != 2)
+    return "The piece between the curves has " + std::to_string(piece.rims.size()) +
+           " of them on its border, and it is knitted from one start to one end. Leave the others out.";
+  loaded.input = knit::input_of(piece);
+  for (const std::string& note : piece.notes) loaded.findings.push_back(finding_of(note));
+  return std::nullopt;
+}
+
 std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> original,
                                           const knit::Parameters* parameters,
-                                          knit::Progress* progress = nullptr) {
+                                          knit::Progress* progress = nullptr,
+                                          const std::vector<knit::Cycle>& curves = {}) {
   Loaded loaded;
   loaded.original = std::move(original);
+  loaded.curves = curves;
   knit::CheckResult checked = knit::check(*loaded.original, progress);
+  if (!curves.empty()) forget_what_is_cut(checked.findings);
   if (!checked.fit()) return loaded.original->name + ": " + checked.findings.front().sentence;
   loaded.findings = std::move(checked.findings);
   if (progress != nullptr) progress->begin(knit::Progress::Task::preparing);
@@ -35,6 +68,17 @@ std::variant<Loaded, std::string> prepare(std::shared_ptr<const knit::Mesh> orig
   const bool weld = parameters != nullptr && parameters->mesh.weld == knit::Weld::on;
   if (weld) forget_coincident(loaded.findings);
   loaded.input = knit::make_input(weld ? knit::weld(*loaded.original) : *loaded.original);
+  if (!curves.empty()) {
+    // Stitches are as large as on the whole mesh.
+    const std::shared_ptr<const knit::Input> whole = loaded.input;
+    loaded.parameters =
+        parameters != nullptr ? knit::resolved(*parameters, *whole) : knit::first_parameters(*whole);
+    if (auto fault = cut_along(curves, whole->mesh, loaded.parameters, loaded))
+      return loaded.original->name + ": " + *fault;
+    loaded.parameters =
+        knit::resolved(parameters != nullptr ? *parameters : loaded.parameters, *loaded.input);
+    return loaded;
+  }
   if (progress != nullptr) progress->at(0.9);
   loaded.parameters = parameters != nullptr ? knit::resolved(*parameters, *loaded.input)
                                             : knit::first_parameters(*loaded.input);
@@ -102,20 +146,22 @@ std::variant<knit::Parameters, std::string> read_parameters(const std::filesyste
 
 std::variant<Loaded, std::string> load_file(const std::filesystem::path& path,
                                             const std::vector<knit::RepairKind>& repairs,
-                                            knit::Progress* progress) {
+                                            knit::Progress* progress,
+                                            const std::vector<knit::Cycle>& curves) {
   knit::ObjNotes notes;
   auto read = knit::read_obj_file(path, progress, &notes);
   if (const auto* error = std::get_if<knit::ObjError>(&read)) return error->sentence;
   auto& mesh = std::get<knit::Mesh>(read);
   const knit::RepairWish wish{false, repairs};
   if (auto fault = fault_of_piece(mesh, wish)) return std::move(*fault);
-  auto loaded = load_repaired(repaired_as(std::move(mesh), wish), progress);
+  auto loaded = load_repaired(repaired_as(std::move(mesh), wish), progress, curves);
   if (auto* ready = std::get_if<Loaded>(&loaded)) tell_left_out(notes, ready->findings);
   return loaded;
 }
 
-std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, knit::Progress* progress) {
-  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr, progress);
+std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, knit::Progress* progress,
+                                                const std::vector<knit::Cycle>& curves) {
+  auto loaded = prepare(std::make_shared<const knit::Mesh>(plan.mesh), nullptr, progress, curves);
   if (auto* ready = std::get_if<Loaded>(&loaded)) ready->repaired = plan.steps;
   return loaded;
 }
@@ -123,6 +169,19 @@ std::variant<Loaded, std::string> load_repaired(const knit::RepairPlan& plan, kn
 namespace {
 
 constexpr std::size_t most_pieces_tried = 12;
+
+// What is wrong lies in the curves alone, and their sentence says it.
+bool fit_but_for_curves(const knit::Mesh& mesh) {
+  knit::CheckResult checked = knit::check(mesh);
+  forget_what_is_cut(checked.findings);
+  return checked.fit();
+}
+
+// Nothing is measured where there are none.
+std::variant<std::vector<knit::Cycle>, std::string> curves_on(const CurveWish& wish, const knit::Mesh& mesh) {
+  if (wish.none()) return std::vector<knit::Cycle>();
+  return curves_for(wish, knit::bounds_of(mesh.positions));
+}
 
 // Where the largest piece cannot be made fit, the next that can.
 std::optional<knit::RepairPlan> plan_of_any_piece(const knit::Mesh& mesh, std::size_t piece) {
@@ -136,27 +195,31 @@ std::optional<knit::RepairPlan> plan_of_any_piece(const knit::Mesh& mesh, std::s
 }  // namespace
 
 std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::RepairWish& wish,
-                                          knit::Progress* progress) {
+                                          knit::Progress* progress, const CurveWish& curve_wish) {
   knit::ObjNotes notes;
   auto read = knit::read_obj_file(path, progress, &notes);
   if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
   const auto mesh = std::make_shared<const knit::Mesh>(std::get<knit::Mesh>(std::move(read)));
   if (auto fault = fault_of_piece(*mesh, wish)) return NotOpened{std::move(*fault), nullptr};
   const bool as_it_is = !wish.all && wish.kinds.empty();
-  auto loaded =
-      as_it_is ? prepare(mesh, nullptr, progress) : load_repaired(repaired_as(*mesh, wish), progress);
+  auto plan = as_it_is ? knit::RepairPlan{} : repaired_as(*mesh, wish);
+  auto curves = curves_on(curve_wish, as_it_is ? *mesh : plan.mesh);
+  if (auto* error = std::get_if<std::string>(&curves)) return NotOpened{std::move(*error), nullptr};
+  const auto& cut = std::get<std::vector<knit::Cycle>>(curves);
+  auto loaded = as_it_is ? prepare(mesh, nullptr, progress, cut) : load_repaired(plan, progress, cut);
   if (auto* ready = std::get_if<Loaded>(&loaded)) {
     tell_left_out(notes, ready->findings);
     return std::move(*ready);
   }
-  NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr};
-  if (auto plan = plan_of_any_piece(*mesh, wish.piece())) {
-    for (const knit::RepairStep& step : plan->steps) {
+  NotOpened unfit{std::get<std::string>(std::move(loaded)), nullptr, cut};
+  if (!cut.empty() && fit_but_for_curves(as_it_is ? *mesh : plan.mesh)) return unfit;
+  if (auto help = plan_of_any_piece(*mesh, wish.piece())) {
+    for (const knit::RepairStep& step : help->steps) {
       const std::size_t kept = knit::piece_kept(step.kind);
       if (kept > 1 && wish.piece() == 0)
         unfit.sentence += " No piece before piece " + std::to_string(kept) + " can be repaired.";
     }
-    unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*plan));
+    unfit.plan = std::make_shared<const knit::RepairPlan>(std::move(*help));
   }
   return unfit;
 }
@@ -197,8 +260,50 @@ std::variant<Loaded, std::string> load_example(const std::filesystem::path& asse
 }
 
 std::variant<Loaded, std::string> load_again(const std::shared_ptr<const knit::Mesh>& original,
-                                             const knit::Parameters& parameters, knit::Progress* progress) {
-  return prepare(original, &parameters, progress);
+                                             const knit::Parameters& parameters, knit::Progress* progress,
+                                             const std::vector<knit::Cycle>& curves) {
+  return prepare(original, &parameters, progress, curves);
+}
+
+namespace {
+
+bool any_curve(const std::vector<knit::Cycle>& curves, bool (*holds)(const knit::Cycle&)) {
+  return std::any_of(curves.begin(), curves.end(), holds);
+}
+
+bool has_start(const std::vector<knit::Cycle>& curves) {
+  return any_curve(curves, [](const knit::Cycle& one) { return one.as == knit::CycleEnd::start; });
+}
+
+// A circle may be as long as a cast on; so is that about an end that is looked for.
+bool follows_width(const std::vector<knit::Cycle>& curves) {
+  const bool has_end =
+      any_curve(curves, [](const knit::Cycle& one) { return one.as == knit::CycleEnd::end; });
+  return !has_start(curves) || !has_end || any_curve(curves, [](const knit::Cycle& one) {
+    const bool round = one.kind == knit::CycleKind::circle || one.kind == knit::CycleKind::vertex;
+    return one.kind == knit::CycleKind::farthest || (round && !one.radius);
+  });
+}
+
+// The lowest edge is the lowest along the axis.
+bool follows_axis(const std::vector<knit::Cycle>& curves) {
+  return !has_start(curves) || any_curve(curves, [](const knit::Cycle& one) {
+    return one.kind == knit::CycleKind::boundary && one.points.empty();
+  });
+}
+
+}  // namespace
+
+bool made_alike(const knit::Parameters& a, const knit::Parameters& b,
+                const std::vector<knit::Cycle>& curves) {
+  if (a.mesh.weld != b.mesh.weld) return false;
+  if (curves.empty()) return true;
+  if (follows_axis(curves) && a.timing.axis != b.timing.axis) return false;
+  if (!follows_width(curves)) return true;
+  const auto* a_mesh = std::get_if<knit::MeshSize>(&a.size.given);
+  const auto* b_mesh = std::get_if<knit::MeshSize>(&b.size.given);
+  if (a_mesh == nullptr || b_mesh == nullptr) return a.size == b.size && a.timing.axis == b.timing.axis;
+  return a_mesh->width == b_mesh->width;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/base/files.h"
+#include "app/curves/curves_file.h"
 #include "app/files/session_json.h"
 #include "app/session/document.h"
 #include "knit/model/settings_table.h"
@@ -59,6 +60,8 @@ std::variant<Loaded, std::string> load_source(const fs::path& assets, const Sour
                                               const fs::path& path, knit::Progress* progress) {
   if (source.file.empty()) {
     auto loaded = load_example(assets, source.example);
+    if (const auto* ready = std::get_if<Loaded>(&loaded); ready != nullptr && !source.curves.empty())
+      loaded = load_again(ready->original, ready->parameters, progress, source.curves);
     if (const auto* error = std::get_if<std::string>(&loaded)) return path.string() + ": " + *error;
     return loaded;
   }
@@ -67,7 +70,7 @@ std::variant<Loaded, std::string> load_source(const fs::path& assets, const Sour
     return path.string() + ": its mesh is not there, looked for " + absolute_of(source.file).string() +
            "; put it there, or change \"file\" in the session's \"source\".";
   }
-  return load_file(source.file, source.repairs, progress);
+  return load_file(source.file, source.repairs, progress, source.curves);
 }
 
 // A run to be shown: the mesh welded as its parameters say.
@@ -90,8 +93,8 @@ std::optional<std::string> fault_of_edits(const Knobs& knobs, const knit::Input&
 
 std::variant<Prepared, std::string> prepare(const Loaded& loaded, const Knobs& knobs, const fs::path& path) {
   Prepared prepared{loaded.input, loaded.findings};
-  if (knobs.base.mesh.weld != loaded.parameters.mesh.weld) {
-    auto again = load_again(loaded.original, knobs.base);
+  if (!made_alike(knobs.base, loaded.parameters, loaded.curves)) {
+    auto again = load_again(loaded.original, knobs.base, nullptr, loaded.curves);
     if (const auto* error = std::get_if<std::string>(&again)) return path.string() + ": " + *error;
     prepared = {std::get<Loaded>(again).input, std::get<Loaded>(again).findings};
   }
@@ -211,6 +214,7 @@ bool is_pattern_file(const fs::path& path) {
 
 Action opening_of(const fs::path& path) {
   if (is_pattern_file(path)) return CheckFile{path};
+  if (is_curves_file(path)) return OpenCurves{CurveWish{path, false, {}}};
   if (is_session_file(path)) return OpenSession{path};
   return OpenFile{path};
 }

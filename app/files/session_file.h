@@ -63,7 +63,7 @@ std::optional<std::filesystem::path> saved_unchanged(const Session& session);
 bool is_session_file(const std::filesystem::path& path);
 // A written pattern, by its ending: text, Markdown, HTML.
 bool is_pattern_file(const std::filesystem::path& path);
-// How a person's file is opened: OpenSession, CheckFile or OpenFile.
+// How a person's file is opened: OpenSession, CheckFile, OpenCurves or OpenFile.
 Action opening_of(const std::filesystem::path& path);
 
 }  // namespace app

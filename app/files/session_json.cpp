@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/base/json_fields.h"
+#include "app/curves/curves_file.h"
 #include "app/files/report.h"
 #include "app/scene/colour_text.h"
 #include "app/session/document.h"
@@ -38,6 +39,7 @@ Json source_json(const SavedSession& saved) {
     json["file"] = saved.source.file.generic_string();
   }
   for (const knit::RepairKind kind : saved.source.repairs) json["mends"].push_back(knit::key_of(kind));
+  if (!saved.source.curves.empty()) json["curves"] = curves_json(saved.source.curves);
   if (!saved.mesh_hash.empty()) json["hash"] = saved.mesh_hash;
   return json;
 }
@@ -237,6 +239,7 @@ void read_source(JsonFields fields, SavedSession& saved) {
     fields.set_fault("file", "is missing; name the mesh's \"file\", or an \"example\".");
   }
   if (fields.has("mends")) read_repairs(fields, saved.source.repairs);
+  if (fields.has("curves")) saved.source.curves = read_curve_list(fields, "curves");
   if (fields.has("hash")) saved.mesh_hash = fields.text("hash");
 }
 

@@ -39,7 +39,8 @@ LayoutWish layout_wish(const Session& session) {
           session.learning->prediction && session.document ? guess_height : 0.0f,
           session.view->presenting,
           shows_both(session),
-          shows_checker(session)};
+          shows_checker(session),
+          !session.program->embedded};
 }
 
 float ui_scale(const Session& session, float width, float height, float scale) {
@@ -61,7 +62,7 @@ bool over_fields(const Layout& layout) {
 // All about the view, where one is not presenting.
 void draw_panels(PanelFrame& frame) {
   const Preferences& chosen = frame.session.program->preferences;
-  draw_menu(frame);
+  if (frame.layout.menu.height > 0.0f) draw_menu(frame);
   draw_splitters(frame);
   if (chosen.shows(Panel::parameters)) draw_parameters(frame);
   if (chosen.shows(Panel::side)) draw_side_panel(frame);
@@ -107,7 +108,7 @@ Actions draw_ui(const Session& session, PanelMemory& memory, const Scene& scene,
   if (session.document) memory.own<RunCache>().refresh(session.document->timeline);
   if (shows_checker(session)) {
     memory.own<PendingClick>() = {};
-    draw_menu(frame);
+    if (frame.layout.menu.height > 0.0f) draw_menu(frame);
     draw_checker(frame);
   } else {
     draw_about_the_mesh(frame);

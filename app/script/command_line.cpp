@@ -11,6 +11,7 @@
 #include "app/files/session_file.h"
 #include "app/lessons/lesson.h"
 #include "app/script/figure_words.h"
+#include "app/script/opening_words.h"
 #include "app/script/pieces.h"
 #include "app/script/queries.h"
 #include "app/script/subcommands.h"
@@ -31,7 +32,8 @@ namespace {
 struct Words {
   std::string session, diff, why, select, point, go_to;
   std::vector<std::string> breaks, sweep;
-  std::string mesh, example, preset, at, side, list, row_columns, centre, positions, knit_along;
+  OpeningWords opening;
+  std::string example, preset, at, side, list, row_columns, centre, positions, knit_along;
   std::vector<std::string> settings;  // beside the parameter table; empty: not given
   std::vector<std::string> saves;     // beside the table of exports; empty: not given
   std::string size;
@@ -40,7 +42,7 @@ struct Words {
   std::string index_sizes, index_placement = "thesis", check_file;
   std::string check_line, check_size, check_gauge;
   bool check_window = false, check_json = false;
-  std::string theme, scale, repair, piece;
+  std::string theme, scale;
   std::string lesson, lesson_page;
   std::string title, yarn, colour, needle;
   std::vector<std::string> piece_names;
@@ -48,7 +50,7 @@ struct Words {
   bool markers = false, stars = false;
   std::string pattern_form, turns, fit_size;
   std::vector<std::string> beside;  // PARAM=VALUE
-  bool explain = false, ways_on = false, presenting = false, follow = false;
+  bool explain = false, ways_on = false, presenting = false, embedded = false, follow = false;
   bool headless = false, empty = false, list_examples = false, list_parameters = false, list_lessons = false,
        list_stitch_words = false;
 };
@@ -74,12 +76,6 @@ std::string lessons_text(const std::filesystem::path& assets) {
   return text;
 }
 
-std::string repair_list() {
-  std::string text;
-  for (const std::string_view key : knit::repair_keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
-
 // An option without a value, as from an empty variable of a script, is a mistake and no wish for the default.
 void refuse_empty_values(CLI::App& app) {
   const auto given = [](const std::string& text) { return text.empty() ? "needs a value" : std::string(); };
@@ -98,16 +94,11 @@ void declare_saves(CLI::App& app, std::vector<std::string>& saves) {
 
 // What is opened, with which settings.
 void declare_opening(CLI::App& app, Words& words) {
-  app.add_option("MESH", words.mesh, "Wavefront OBJ file to open");
+  app.add_option("MESH", words.opening.mesh, "Wavefront OBJ file to open");
   app.add_option("--example", words.example, "open an example instead (see --list-examples)");
   app.add_option("--session", words.session, "open a saved session instead");
   app.add_flag("--empty", words.empty, "open nothing: the window says how to begin");
-  app.add_option("--repair,--mend", words.repair,
-                 "repair the mesh before it is opened: all, or some of " + repair_list());
-  app.add_option(
-      "--piece", words.piece,
-      "of a mesh in several pieces open this one: 1 is that of most triangles; all: each by itself, with "
-      "--headless");
+  declare_opening_words(app, words.opening);
   app.add_option("--preset", words.preset, "settings for a purpose: " + preset_keys());
   app.add_option("--fit-size", words.fit_size,
                  "on: make the piece up to 4 % larger or smaller where its rhythm reads better then");
@@ -138,6 +129,8 @@ void declare_looking(CLI::App& app, Words& words) {
   declare_yarn(app, words.yarn_drawn);
   app.add_flag("--present", words.presenting,
                "for a class: the view, the step's sentence in large words, a thin timeline");
+  app.add_flag("--embed", words.embedded,
+               "without menus, for a page around it; in a browser the wheel is that page's until a click");
   app.add_option("--beside", words.beside,
                  "show another run left of this one, at the same place: of PARAM=VALUE")
       ->allow_extra_args(false);
@@ -322,10 +315,10 @@ std::optional<std::string> read_look(const Words& words, CommandLine& line) {
 }
 
 std::optional<std::string> read_queries(const Words& words, CommandLine& line) {
-  if (!words.session.empty() && (!words.mesh.empty() || !words.example.empty()))
+  if (!words.session.empty() && (!words.opening.mesh.empty() || !words.example.empty()))
     return "give either a session or a mesh, not both.";
   line.session = words.session;
-  if (!words.mesh.empty() && is_session_file(words.mesh)) line.session = words.mesh;
+  if (!words.opening.mesh.empty() && is_session_file(words.opening.mesh)) line.session = words.opening.mesh;
   line.breaks = words.breaks;
   line.sweep = words.sweep;
   line.diff = words.diff;
@@ -452,48 +445,13 @@ std::optional<std::string> fault_of_empty(const CommandLine& line, bool opens) {
   const bool asks = !line.breaks.empty() || !line.sweep.empty() || !line.diff.empty() || !line.why.empty() ||
                     !line.go_to.empty() || !line.select.empty() || line.explain || line.ways_on || line.at ||
                     line.knit_along;
-  const bool sets = !line.settings.empty() || !line.preset.empty() || line.fit_size;
+  const bool sets = !line.settings.empty() || !line.preset.empty() || line.fit_size || !line.curves.none();
   const bool saves = (line.picture && line.checked.empty()) || line.animation ||
                      std::any_of(line.saves.begin(), line.saves.end(),
                                  [](const Export& wish) { return find_export(wish.what)->write != nullptr; });
   const bool needs = opens || !line.session.empty() || !line.lesson.empty() || asks || sets || saves;
   if (!line.empty || !needs) return std::nullopt;
   return "--empty opens nothing, so there is no mesh for the other options; leave it out.";
-}
-
-// Commas between; the order does not matter, for there is but one that is safe.
-std::optional<std::string> read_repairs(const Words& words, CommandLine& line) {
-  if (words.repair.empty()) return std::nullopt;
-  if (words.mesh.empty() || !line.session.empty())
-    return "--repair needs a mesh's file; examples are whole, and a session has its own repairs.";
-  knit::RepairWish wish{words.repair == "all", {}};
-  for (const std::string_view key : wish.all ? std::vector<std::string_view>() : split(words.repair, ',')) {
-    const auto kind = knit::repair_named(key);
-    if (!kind)
-      return "--repair cannot be \"" + words.repair + "\"; give all, or some of " + repair_list() +
-             ", with commas between.";
-    if (std::find(wish.kinds.begin(), wish.kinds.end(), *kind) == wish.kinds.end())
-      wish.kinds.push_back(*kind);
-  }
-  line.open = OpenFile{words.mesh, std::move(wish)};
-  return std::nullopt;
-}
-
-// After the repairs: the piece is one of them, and goes before the largest.
-std::optional<std::string> read_piece(const Words& words, CommandLine& line) {
-  if (words.piece.empty()) return std::nullopt;
-  if (words.mesh.empty() || !line.session.empty())
-    return "--piece needs a mesh's file; examples are of one piece, and a session has its own.";
-  if (words.piece == "all") {
-    if (!words.headless) return "--piece all knits one piece after the other, which needs --headless.";
-    line.every_piece = true;
-    return std::nullopt;
-  }
-  const auto number = whole_number<std::int32_t>(words.piece);
-  if (!number || *number < 1 || static_cast<std::size_t>(*number) > knit::most_pieces)
-    return "--piece cannot be \"" + words.piece + "\"; give a number from 1, or all.";
-  line.open = of_piece(line.open.get<OpenFile>(), static_cast<std::size_t>(*number));
-  return std::nullopt;
 }
 
 std::optional<std::string> read_beside(const Words& words, CommandLine& line) {
@@ -510,12 +468,13 @@ std::optional<std::string> read_beside(const Words& words, CommandLine& line) {
   return std::nullopt;
 }
 
-std::variant<CommandLine, Answer> understand(const Words& words) {
+std::variant<CommandLine, Answer> understand(Words words) {
   CommandLine line;
-  if (!words.mesh.empty() && !words.example.empty()) {
+  if (const auto trouble = read_curve_words(words.opening, words.settings, line)) return bad_usage(*trouble);
+  if (!words.opening.mesh.empty() && !words.example.empty()) {
     return bad_usage("give either a mesh or --example, not both.");
   }
-  if (!words.mesh.empty()) line.open = OpenFile{words.mesh};
+  if (!words.opening.mesh.empty()) line.open = OpenFile{words.opening.mesh};
   if (!words.example.empty()) line.open = OpenExample{words.example};
   knit::Parameters scratch;
   for (std::size_t i = 0; i < words.settings.size(); ++i) {
@@ -544,8 +503,8 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_row_columns(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_look(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_queries(words, line)) return bad_usage(*trouble);
-  if (const auto trouble = read_repairs(words, line)) return bad_usage(*trouble);
-  if (const auto trouble = read_piece(words, line)) return bad_usage(*trouble);
+  if (const auto trouble = read_opening_words(words.opening, words.headless, line))
+    return bad_usage(*trouble);
   if (const auto trouble = read_centre(words, line)) return bad_usage(*trouble);
   if (const auto trouble = read_yarn_words(words.yarn_drawn, line.yarn)) return bad_usage(*trouble);
   if (const auto trouble = read_beside(words, line)) return bad_usage(*trouble);
@@ -556,9 +515,10 @@ std::variant<CommandLine, Answer> understand(const Words& words) {
   if (const auto trouble = read_figures(words.figures, !words.size.empty(), line)) return bad_usage(*trouble);
   line.headless = words.headless;
   line.presenting = words.presenting;
+  line.embedded = words.embedded;
   line.empty = words.empty;
   if (const auto trouble = read_check(words, line)) return bad_usage(*trouble);
-  if (const auto trouble = fault_of_empty(line, !words.mesh.empty() || !words.example.empty()))
+  if (const auto trouble = fault_of_empty(line, !words.opening.mesh.empty() || !words.example.empty()))
     return bad_usage(*trouble);
   return line;
 }
@@ -590,7 +550,7 @@ std::variant<CommandLine, Answer> parse_command_line(const std::vector<std::stri
     for (const std::string& name : list_examples(assets)) names += name + "\n";
     return Answer{exit_done, names, ""};
   }
-  return understand(words);
+  return understand(std::move(words));
 }
 
 std::string_view program_version() { return KNIT_MESH_VERSION; }

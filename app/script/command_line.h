@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/curves/curve_wish.h"
 #include "app/script/round_words.h"
 #include "app/script/yarn_words.h"
 #include "app/session/action.h"
@@ -56,6 +57,7 @@ struct CommandLine {
   bool side_given = false, centre_given = false;  // beside a session only what is given counts
   std::string go_to;                              // as given: queries.h
   bool presenting = false;                        // for a class
+  bool embedded = false;                          // in a page of others: no menus
   // Of the run that is shown beside the one that is opened; empty: none is.
   std::vector<std::pair<const knit::ParameterInfo*, std::string>> beside;
 
@@ -63,7 +65,8 @@ struct CommandLine {
   std::optional<std::size_t> checked_line;  // where the caret stands, from 1
   std::string checked_size;                 // its name or its number from 1; empty: the first
   std::optional<SetCheckedGauge> checked_gauge;
-  YarnWish yarn;  // layers, mesh or yarn, its colours
+  YarnWish yarn;     // layers, mesh or yarn, its colours
+  CurveWish curves;  // of an example or a session; those of a mesh's file are in `open`
 };
 
 // The program's answer without a window: help, a list, an error.

@@ -42,6 +42,24 @@ knit::PatternOptions with_options(knit::PatternOptions pattern, const knit::Patt
   return pattern;
 }
 
+// Over the curves of a session go those that are given.
+std::optional<std::string> cut_as_asked(Session& session, const CommandLine& line) {
+  if (line.curves.none()) return std::nullopt;
+  auto given = curves_for(line.curves, knit::bounds_of(session.document->original->positions));
+  if (auto* fault = std::get_if<std::string>(&given)) return std::move(*fault);
+  std::vector<knit::Cycle> curves = std::get<0>(std::move(given));
+  if (line.curves.file.empty()) {
+    curves = session.document->source.curves;
+    for (const knit::Cycle& curve : line.curves.curves) curves = with_curve(std::move(curves), curve);
+  }
+  const std::size_t notices = session.outbox->notices.size();
+  apply(session, SetCurves{curves});
+  const auto& said = session.outbox->notices;
+  for (std::size_t i = notices; i < said.size(); ++i)
+    if (said[i].kind == Notice::Kind::error) return said[i].text;
+  return std::nullopt;
+}
+
 std::optional<std::string> set_parameters(Session& session, const CommandLine& line) {
   if (line.settings.empty() && line.preset.empty()) return std::nullopt;
   knit::Parameters parameters = session.document->timeline.parameters();
@@ -177,6 +195,7 @@ void look_as_asked(Session& session, const CommandLine& line) {
   apply_yarn_wish(session, line.yarn);
   if (line.positions) apply(session, SetPositions{*line.positions});
   if (line.presenting) apply(session, Present{});
+  if (line.embedded) embed(session);
   if (!line.point.empty()) apply(session, PointAt{line.point});
   if (line.knit_along) knit_along(session, *line.knit_along);
   if (line.follow) apply(session, SetFollowing{true});
@@ -250,7 +269,8 @@ std::optional<std::string> set_as_asked(Session& session, const CommandLine& lin
     for (const knit::BreakCondition& condition : breaks_of(line.breaks)) breaks.push_back(condition);
     apply(session, SetBreaks{std::move(breaks)});
   }
-  auto error = set_parameters(session, line);
+  auto error = cut_as_asked(session, line);
+  if (!error) error = set_parameters(session, line);
   if (!error) error = fit_size(session, line);
   if (!error) error = show_beside(session, line);
   if (!error) error = order_pieces(session, line);

@@ -61,9 +61,9 @@ namespace {
 std::variant<Loaded, std::string> load_source(const Session& session, const SavedRun& run) {
   const Source& source = run.source;
   auto read = source.file.empty() ? load_example(session.program->assets, source.example)
-                                  : load_file(source.file, source.repairs);
+                                  : load_file(source.file, source.repairs, nullptr, source.curves);
   if (std::holds_alternative<std::string>(read)) return read;
-  return load_again(std::get<Loaded>(read).original, run.base);
+  return load_again(std::get<Loaded>(read).original, run.base, nullptr, source.curves);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/base/kind_list.h"
+#include "app/curves/curve_wish.h"
 #include "app/session/changes.h"
 #include "app/session/preferences.h"
 #include "app/session/session.h"
@@ -28,12 +29,27 @@ struct OpenExample {
 struct OpenFile {
   std::filesystem::path path;
   knit::RepairWish repairs{};
-};                    // with default parameters for its size
-struct CloseMesh {};  // nothing is open then; a lesson is left, what was pinned is let go
+  CurveWish curves{};  // to be cut along
+};                     // with default parameters for its size
+struct CloseMesh {};   // nothing is open then; a lesson is left, what was pinned is let go
 // Repairs: knit/repair.h. What a mesh that could not be opened was offered.
 struct RepairAndOpen {};
 struct DropRepairOffer {};
 struct UndoRepair {};  // back to what was open before
+// Where knitting begins and ends: knit/curves/cycle.h. The open mesh is cut along exactly these.
+struct SetCurves {
+  std::vector<knit::Cycle> curves;
+};
+struct AddCurve {
+  knit::Cycle curve;
+};  // in place of one that is the same end
+struct RemoveCurve {
+  std::size_t number = 1;  // of the list, from 1
+};
+struct SwapCurves {};  // starts become ends, and ends starts
+struct OpenCurves {
+  CurveWish wish;
+};
 
 // The timeline.
 enum class Unit : std::uint8_t { item, row, stage };
@@ -369,7 +385,8 @@ using ActionKinds =
              SetPositions, SetPieceNames, SetPieceOrder, GoTo, ShowGoTo, LookAt, SelectSized, Present,
              SetRing, ShowBoth, SetFollowing, TurnToStep, CopyRows, ShowRowColumn, PutNoteAway, ShowChecker,
              CheckFile, SetCheckedText, RestoreCheckedText, SaveCheckedText, GoToCheckedLine, ToMistake,
-             ShowCheckedSize, SetCheckedGauge, SetYarnLook, ShowAs>;
+             ShowCheckedSize, SetCheckedGauge, SetYarnLook, ShowAs, SetCurves, AddCurve, RemoveCurve,
+             SwapCurves, OpenCurves>;
 
 // One of these, with what it says; never changed once made. Not a std::variant: of so many kinds that would cost
 // each file that makes one some seconds of compiling.

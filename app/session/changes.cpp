@@ -71,7 +71,7 @@ void note_change(Changes& changes, const Change& now, bool held) {
   const bool joins =
       held && changes.open && !changes.undo.empty() && is_the_same_hand(keys, changes.open_keys);
   if (!joins) {
-    changes.undo.push_back({*before, now.pieces});
+    changes.undo.push_back({*before, now.pieces, now.curves});
     changes.open_keys = std::move(keys);
   } else if (changes.undo.back() == now) {
     changes.undo.pop_back();  // dragged back to where it was: nothing has changed
@@ -81,7 +81,7 @@ void note_change(Changes& changes, const Change& now, bool held) {
   forget_oldest(changes);
 }
 
-void note_other_pieces(Changes& changes, Change now) {
+void note_other_change(Changes& changes, Change now) {
   changes.redo.clear();
   changes.undo.push_back(std::move(now));
   changes.open = false;

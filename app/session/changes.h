@@ -1,5 +1,5 @@
-// Undo and redo of parameters, of what was in force for the whole run and of the edits on the way; and of what a person
-// says about pieces.
+// Undo and redo of parameters, of what was in force for the whole run and of the edits on the way; of the curves that the
+// mesh is cut along; and of what a person says about pieces.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/pattern_pieces.h"
+#include "knit/curves/cycle.h"
 #include "knit/run/timeline.h"
 
 namespace app {
@@ -23,6 +24,7 @@ struct Knobs {
 struct Change {
   Knobs knobs;
   PatternPieces pieces;
+  std::vector<knit::Cycle> curves{};  // that the mesh is cut along
   friend bool operator==(const Change&, const Change&) = default;
 };
 
@@ -53,7 +55,7 @@ ParameterKeys changed_keys(const Knobs& a, const Knobs& b);
 // Takes `before` into the list if `now` has other knobs. `held`: by a hand that has not let go; while it goes on
 // changing the same parameters, that is one entry.
 void note_change(Changes& changes, const Change& now, bool held);
-// Of pieces: `now` is what they were.
-void note_other_pieces(Changes& changes, Change now);
+// Of pieces or of curves: `now` is what they were.
+void note_other_change(Changes& changes, Change now);
 
 }  // namespace app

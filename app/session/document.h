@@ -14,6 +14,7 @@
 #include "app/session/pins.h"
 #include "app/session/sweep.h"
 #include "app/session/travel.h"
+#include "knit/curves/cycle.h"
 #include "knit/import/check.h"
 #include "knit/import/repair.h"
 #include "knit/quality/closeness.h"
@@ -26,6 +27,7 @@ struct Source {
   std::string example;                      // "thesis-sphere"
   std::filesystem::path file;               // as given
   std::vector<knit::RepairKind> repairs{};  // carried out on what the file says, in this order
+  std::vector<knit::Cycle> curves{};        // cut along then: where knitting begins and ends
   friend bool operator==(const Source&, const Source&) = default;
 };
 

@@ -20,6 +20,7 @@ struct Program {
   std::filesystem::path assets;  // the folder of examples and fonts
   Preferences preferences;
   std::optional<Rescued> rescued;
+  bool embedded = false;  // in a course page: without menus
   friend bool operator==(const Program&, const Program&) = default;
 };
 

@@ -53,7 +53,9 @@ std::string sentence(const Session& session) {
   return knit::narrate(*step, parameters_of_last_step(session));
 }
 
-Change change_of(const Document& document) { return {knobs_of(document.timeline), document.pieces}; }
+Change change_of(const Document& document) {
+  return {knobs_of(document.timeline), document.pieces, document.source.curves};
+}
 
 std::uint64_t closeness_key(const knit::State& state, const knit::Parameters& parameters) {
   knit::Hasher hasher;

@@ -41,8 +41,8 @@ function wordsOfAddress() {
 
 const asked = wordsOfAddress();
 const embedded = asked.includes("--embed");
-const given = asked.filter((word) => word !== "--embed");
-if (given.length === 0) given.push("--example", "thesis-sphere");
+const given = [...asked];
+if (given.every((word) => word === "--embed")) given.push("--example", "thesis-sphere");
 document.body.classList.toggle("embedded", embedded);
 
 // --- Downloads ---------------------------------------------------------------------------------------------------

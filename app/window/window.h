@@ -1,5 +1,5 @@
-// The one window: GLFW, with an OpenGL 3.3 core context that is current (in a page: a canvas with WebGL 2). It collects what hands and keyboard
-// do and decides nothing. Drawing goes to a Target, so the window itself has neither depth nor samples.
+// The one window: GLFW, with an OpenGL 3.3 core context that is current (in a page: a canvas with WebGL 2). It collects what
+// hands and keyboard do and decides nothing. Drawing goes to a Target, so the window itself has neither depth nor samples.
 #pragma once
 
 #include <memory>

@@ -30,6 +30,7 @@ enum class FindingKind {
   unreferenced,         // warning
   coincident,           // warning: vertices at the same place; welding merges them
   loose_edges,          // warning: faces of two corners in the file, which are left out (obj.h)
+  cut_off,              // warning: what lies beyond the curves that knitting begins and ends at (knit/curves)
 };
 
 struct Finding {

@@ -39,6 +39,10 @@ float timeline_height(const LayoutWish& wish, float height, float s) {
   return std::floor(wish.bottom > 0.0f ? std::clamp(wished, least, most) : std::min(wished, 0.25f * height));
 }
 
+float menu_height(const LayoutWish& wish, float height, float s) {
+  return wish.menus ? std::floor(std::min(26.0f * s, 0.1f * height)) : 0.0f;
+}
+
 struct Sides {
   float left = 0.0f, right = 0.0f;
 };
@@ -94,7 +98,7 @@ Layout working_layout(float width, float height, float scale, const LayoutWish& 
   Layout layout;
   layout.scale = scale;
   const float s = layout.scale;
-  const float menu = std::floor(std::min(26.0f * s, 0.1f * height));
+  const float menu = menu_height(wish, height, s);
   const float bottom = wish.timeline ? timeline_height(wish, height, s) : 0.0f;
   const Sides sides = sides_of(wish, width, s);
   const float middle = height - menu - bottom;
@@ -117,10 +121,10 @@ Layout working_layout(float width, float height, float scale, const LayoutWish& 
 }
 
 // The text takes more than the half: its lines are long.
-Layout checking_layout(float width, float height, float scale) {
+Layout checking_layout(float width, float height, float scale, const LayoutWish& wish) {
   Layout layout;
   layout.scale = scale;
-  const float menu = std::floor(std::min(26.0f * scale, 0.1f * height));
+  const float menu = menu_height(wish, height, scale);
   const float left = std::floor(checker_share * width);
   layout.window = {0.0f, 0.0f, width, height};
   layout.menu = {0.0f, 0.0f, width, menu};
@@ -148,7 +152,7 @@ Layout layout_of(float width, float height, float scale, const LayoutWish& wish)
   width = std::max(width, 8.0f);
   height = std::max(height, 8.0f);
   scale = std::max(scale, 0.25f);
-  if (wish.checking) return checking_layout(width, height, scale);
+  if (wish.checking) return checking_layout(width, height, scale, wish);
   Layout layout = wish.presenting ? presenting_layout(width, height, scale, wish)
                                   : working_layout(width, height, scale, wish);
   if (wish.both) halve_view(layout);

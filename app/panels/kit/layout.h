@@ -31,6 +31,7 @@ struct LayoutWish {
   bool presenting = false;
   bool both = false;      // the view in two halves
   bool checking = false;  // a written pattern, and the view of its shape
+  bool menus = true;      // the line above all
 };
 
 struct Layout {

@@ -44,7 +44,7 @@ bool draw_repair_buttons(PanelFrame& frame, const std::string& mark) {
     if (ImGui::SmallButton(button.c_str())) {
       knit::RepairWish wish{false, source.repairs};
       wish.kinds.push_back(*kind);
-      frame.wish(OpenFile{source.file, std::move(wish)});
+      frame.wish(OpenFile{source.file, std::move(wish), {{}, false, source.curves}});
     }
     frame.mark(mark + knit::key_of(*kind));
     tooltip(frame,

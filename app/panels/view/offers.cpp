@@ -27,7 +27,8 @@ constexpr std::size_t most_piece_lines = 6, most_piece_buttons = 12;
 
 // As `--piece N` with all repairs that are needed.
 void wish_piece(PanelFrame& frame, const RepairOffer& offer, std::size_t number) {
-  frame.wish(OpenFile{offer.source.file, {true, {knit::keeping_piece(number)}}});
+  frame.wish(
+      OpenFile{offer.source.file, {true, {knit::keeping_piece(number)}}, {{}, false, offer.source.curves}});
 }
 
 struct PieceAsked {
