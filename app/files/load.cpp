@@ -195,7 +195,7 @@ std::optional<knit::RepairPlan> plan_of_any_piece(const knit::Mesh& mesh, std::s
 }  // namespace
 
 std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, const knit::RepairWish& wish,
-                                          knit::Progress* progress, const CurveWish& curve_wish) {
+                                          knit::Progress* progress, const CurveWish& curves) {
   knit::ObjNotes notes;
   auto read = knit::read_obj_file(path, progress, &notes);
   if (auto* error = std::get_if<knit::ObjError>(&read)) return NotOpened{std::move(error->sentence), nullptr};
@@ -203,9 +203,9 @@ std::variant<Loaded, NotOpened> open_mesh(const std::filesystem::path& path, con
   if (auto fault = fault_of_piece(*mesh, wish)) return NotOpened{std::move(*fault), nullptr};
   const bool as_it_is = !wish.all && wish.kinds.empty();
   auto plan = as_it_is ? knit::RepairPlan{} : repaired_as(*mesh, wish);
-  auto curves = curves_on(curve_wish, as_it_is ? *mesh : plan.mesh);
-  if (auto* error = std::get_if<std::string>(&curves)) return NotOpened{std::move(*error), nullptr};
-  const auto& cut = std::get<std::vector<knit::Cycle>>(curves);
+  auto placed = curves_on(curves, as_it_is ? *mesh : plan.mesh);
+  if (auto* error = std::get_if<std::string>(&placed)) return NotOpened{std::move(*error), nullptr};
+  const auto& cut = std::get<std::vector<knit::Cycle>>(placed);
   auto loaded = as_it_is ? prepare(mesh, nullptr, progress, cut) : load_repaired(plan, progress, cut);
   if (auto* ready = std::get_if<Loaded>(&loaded)) {
     tell_left_out(notes, ready->findings);
