@@ -51,6 +51,11 @@ TEST_CASE("in the window an option goes by its label, with its value in quotes")
         "it is no JSON; give a file that \"Save the session\" wrote.");
 }
 
+TEST_CASE("a lid for an edge goes by its button") {
+  CHECK(in_window_words("An edge that is a hole: close it with --mend openings.") ==
+        "An edge that is a hole: close it with \"Repair: close openings flat\".");
+}
+
 TEST_CASE("what is about the command line alone falls away in the window") {
   CHECK(in_window_words(
             "Join them, or keep only one: --piece 1 opens that of most, --piece 2 the next; --piece "

@@ -12,8 +12,9 @@ namespace app {
 namespace {
 
 // Of the command line alone: what is said with them says nothing to a person in the window.
-constexpr std::array<std::string_view, 9> script_options{
-    "headless", "help", "lesson", "list-lessons", "piece", "list-parameters", "repair", "centre", "version"};
+constexpr std::array<std::string_view, 10> script_options{
+    "headless",        "help",   "lesson", "list-lessons", "piece",
+    "list-parameters", "repair", "centre", "curves-scale", "version"};
 
 bool is_of_key(char c) { return c == '-' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
@@ -59,6 +60,9 @@ Said said_for(std::string_view text, std::size_t at, std::string_view key) {
   }
   if (const Preset* preset = key == "preset" ? find_preset(value) : nullptr)
     return {"the preset \"" + std::string(preset->title) + "\"", with_value};
+  // As the button says (repair_buttons.cpp).
+  if (text.substr(at, end - at) == "--mend")
+    return {"\"Repair: close openings flat\"", value == "openings" ? with_value : end - at};
   if (key.substr(0, 5) != "save-") return {};
   std::string what(key.substr(5));
   std::replace(what.begin(), what.end(), '-', ' ');
